@@ -1,0 +1,57 @@
+"""Errors a caller can meet, all children of `SwarmGraspError`.
+
+Every message shows the offending value, the range it should lie in and the remedy.
+An error that collects several faults lists them one per line.
+"""
+
+from collections.abc import Iterable
+
+
+class SwarmGraspError(ValueError):
+    """Base of every error this package raises on purpose.
+
+    Parameters
+    ----------
+    faults : str or iterable of str
+        One sentence per fault; they are all shown.
+    """
+
+    def __init__(self, faults: str | Iterable[str]) -> None:
+        self.faults: tuple[str, ...] = (faults,) if isinstance(faults, str) else tuple(faults)
+        super().__init__("\n".join(self.faults))
+
+
+class OutlineInvalid(SwarmGraspError):
+    """The vertices do not describe a simple polygon with an area."""
+
+
+class ContactAmbiguous(SwarmGraspError):
+    """A contact description names no boundary point, or more than one."""
+
+
+class RobotInvalid(SwarmGraspError):
+    """A robot or newcomer has a value outside its range."""
+
+
+class RobotOffBoundary(SwarmGraspError):
+    """A robot is not on the boundary, or a mounted one is outside the outline."""
+
+
+class ZoneInvalid(SwarmGraspError):
+    """A zone, a no-go stretch or a spacing is malformed or outside the outline."""
+
+
+class MetricInvalid(SwarmGraspError):
+    """A force weight or the characteristic length is not a positive number."""
+
+
+class NowhereToAttach(SwarmGraspError):
+    """Zones, no-go stretches and spacing leave no boundary point to a newcomer."""
+
+
+class ScenarioInvalid(SwarmGraspError):
+    """A scenario file has faults; each carries file, line, column and key."""
+
+
+class AnswerInvalid(SwarmGraspError):
+    """An answer file is malformed, was altered, or claims what its proof does not show."""

@@ -1,0 +1,442 @@
+"""The object: a simple polygon, its boundary, and the contacts on it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.errors import ContactAmbiguous, OutlineInvalid, ZoneInvalid
+
+BOUNDARY_TOLERANCE = 1e-6
+"""Largest distance of a contact from the boundary, relative to the outline's extent."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A point on the boundary.
+
+    Attributes
+    ----------
+    point : tuple of float [m, m]
+        Position in the frame of the vertices.
+    edge : int
+        Index of the edge it lies on; at a corner, the edge that starts there.
+    arc_length : float [m]
+        Distance along the boundary, counter-clockwise from the first vertex.
+    inward : float [rad]
+        Direction of the edge's inward normal.
+    is_corner : bool
+        Whether the point is a vertex, where the normal is not unique.
+    """
+
+    point: tuple[float, float]
+    edge: int
+    arc_length: float
+    inward: float
+    is_corner: bool
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A stretch of the boundary, counter-clockwise from `start` to `end`.
+
+    Attributes
+    ----------
+    start, end : float [m]
+        Arc lengths from the first vertex. Equal ends mean a single point, such as a
+        bollard; ``end < start`` means a stretch that runs across the first vertex.
+    name : str
+        A label for messages and pictures.
+    """
+
+    start: float
+    end: float
+    name: str = ""
+
+    @property
+    def is_point(self) -> bool:
+        """Whether the stretch is a single point."""
+        return self.start == self.end
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """A simple polygon, convex or not, with the point that moments are taken about.
+
+    Vertices may be given in either orientation; they are kept counter-clockwise, with
+    the same first vertex. Edge `i` runs from vertex `i` to vertex `i + 1`.
+
+    Parameters
+    ----------
+    vertices : (k, 2) [m, m]
+        Corners in order; the closing repetition of the first one is optional.
+    origin : (2,) [m, m], optional
+        Reference point for moments; the centroid when left out.
+    edge_names : sequence of str, optional
+        One name per edge in the order of the given vertices; "" for a nameless edge.
+
+    Raises
+    ------
+    OutlineInvalid
+        If there are fewer than 3 distinct vertices, a coordinate is not finite, the
+        polygon has no area or crosses itself (the message names the crossing point).
+
+    Examples
+    --------
+    >>> barge = Outline([(0, 0), (4, 0), (4, 2), (0, 2)], edge_names=["s", "e", "n", "w"])
+    >>> barge.perimeter, barge.area, tuple(barge.origin.tolist())
+    (12.0, 8.0, (2.0, 1.0))
+    >>> barge.at_arc_length(5.0).point
+    (4.0, 1.0)
+    """
+
+    vertices: NDArray[np.float64]
+    origin: NDArray[np.float64]
+    edge_names: tuple[str, ...]
+    lengths: NDArray[np.float64] = field(repr=False)
+    corner_arc_lengths: NDArray[np.float64] = field(repr=False)
+
+    def __init__(
+        self,
+        vertices: ArrayLike,
+        origin: ArrayLike | None = None,
+        edge_names: Sequence[str] | None = None,
+    ) -> None:
+        corners = _checked_vertices(vertices)
+        names = [""] * len(corners) if edge_names is None else list(edge_names)
+        faults = _edge_name_faults(names, len(corners))
+        if _signed_area(corners) < 0.0:  # keep the first vertex first
+            corners = np.roll(corners[::-1], 1, axis=0)
+            names = names[::-1]
+        centre = _centroid(corners) if origin is None else np.asarray(origin, dtype=float)
+        if centre.shape != (2,) or not np.isfinite(centre).all():
+            faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
+        if faults:
+            raise OutlineInvalid(faults)
+        lengths = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+        arcs = np.concatenate([[0.0], np.cumsum(lengths)])
+        for array in (corners, centre, lengths, arcs):
+            array.setflags(write=False)
+        object.__setattr__(self, "vertices", corners)
+        object.__setattr__(self, "origin", centre)
+        object.__setattr__(self, "edge_names", tuple(names))
+        object.__setattr__(self, "lengths", lengths)
+        object.__setattr__(self, "corner_arc_lengths", arcs)
+
+    # -- measures ---------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        """Return the number of edges."""
+        return len(self.vertices)
+
+    @property
+    def perimeter(self) -> float:
+        """Length of the boundary [m]."""
+        return float(self.corner_arc_lengths[-1])
+
+    @property
+    def area(self) -> float:
+        """Enclosed area [m^2]."""
+        return float(_signed_area(self.vertices))
+
+    @property
+    def extent(self) -> float:
+        """Diagonal of the bounding box [m], the scale of every geometric tolerance."""
+        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
+    @property
+    def tolerance(self) -> float:
+        """Distance [m] below which two boundary points count as one."""
+        return BOUNDARY_TOLERANCE * self.extent
+
+    @property
+    def radius(self) -> float:
+        """Largest distance from the origin to the outline [m]."""
+        return float(np.linalg.norm(self.vertices - self.origin, axis=1).max())
+
+    def edge_label(self, edge: int) -> str:
+        """Return the name of an edge, or "edge i" for a nameless one."""
+        return self.edge_names[edge] or f"edge {edge}"
+
+    def edge_ends(self, edge: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return the two ends of an edge, counter-clockwise, each (2,) [m, m]."""
+        return self.vertices[edge], self.vertices[(edge + 1) % len(self)]
+
+    def inward_normal(self, edge: int) -> float:
+        """Return the direction [rad] of an edge's inward normal."""
+        p, q = self.edge_ends(edge)
+        return float(np.arctan2(q[0] - p[0], p[1] - q[1]))
+
+    # -- contacts ---------------------------------------------------------------------
+
+    def nearest(self, points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Find the boundary points nearest to given points.
+
+        Parameters
+        ----------
+        points : (n, 2) [m, m]
+
+        Returns
+        -------
+        distances : (n,) [m]
+        arc_lengths : (n,) [m]
+            Of the nearest boundary points.
+        """
+        wanted = np.asarray(points, dtype=float).reshape(-1, 2)
+        distances = np.full(len(wanted), np.inf)
+        arc_lengths = np.zeros(len(wanted))
+        for edge, length in enumerate(self.lengths):
+            p, q = self.edge_ends(edge)
+            along = np.clip((wanted - p) @ (q - p) / length, 0.0, length)
+            gap = np.linalg.norm(wanted - p - np.outer(along / length, q - p), axis=1)
+            closer = gap < distances
+            distances[closer] = gap[closer]
+            arc_lengths[closer] = self.corner_arc_lengths[edge] + along[closer]
+        return distances, arc_lengths
+
+    def at_arc_length(self, arc_length: float) -> Contact:
+        """Return the contact at a distance along the boundary.
+
+        Parameters
+        ----------
+        arc_length : float [m]
+            Counter-clockwise from the first vertex, within [0, perimeter].
+
+        Raises
+        ------
+        ContactAmbiguous
+            If the arc length is outside [0, perimeter].
+        """
+        if not 0.0 <= arc_length <= self.perimeter:
+            raise ContactAmbiguous(
+                f"arc length {arc_length:.9g} m is outside the boundary: "
+                f"it should lie in [0, {self.perimeter:.9g}] m"
+            )
+        reach = self.corner_arc_lengths
+        edge = min(int(np.searchsorted(reach, arc_length, side="right")) - 1, len(self) - 1)
+        if reach[edge + 1] - arc_length <= self.tolerance:  # a corner belongs to what follows
+            edge, along, is_corner = (edge + 1) % len(self), 0.0, True
+        else:
+            along = arc_length - reach[edge]
+            is_corner = bool(along <= self.tolerance)
+        p, q = self.edge_ends(edge)
+        point = p + (q - p) * (along / self.lengths[edge])
+        return Contact(
+            point=(float(point[0]), float(point[1])),
+            edge=edge,
+            arc_length=float(arc_length % self.perimeter),
+            inward=self.inward_normal(edge),
+            is_corner=is_corner,
+        )
+
+    def at_point(self, point: ArrayLike) -> Contact:
+        """Return the contact at a boundary point.
+
+        Raises
+        ------
+        ContactAmbiguous
+            If the point is off the boundary; the message gives the nearest point on it.
+        """
+        (distance,), (arc_length,) = self.nearest(point)
+        contact = self.at_arc_length(float(arc_length))
+        if not distance <= self.tolerance:
+            raise ContactAmbiguous(self.off_boundary(point, contact, float(distance)))
+        return contact
+
+    def off_boundary(self, point: ArrayLike, nearest: Contact, distance: float) -> str:
+        """Return the sentence for a point off the boundary."""
+        x, y = np.asarray(point, dtype=float)
+        return (
+            f"({x:.9g}, {y:.9g}) m is {distance:.3g} m off the boundary: the nearest boundary "
+            f"point is ({nearest.point[0]:.9g}, {nearest.point[1]:.9g}) m on "
+            f"{self.edge_label(nearest.edge)}"
+        )
+
+    def at_angle(self, theta: float) -> Contact:
+        """Return the contact where the ray from the origin at a polar angle meets the boundary.
+
+        Parameters
+        ----------
+        theta : float [rad]
+            Counter-clockwise from +x: the paper's contact coordinate.
+
+        Raises
+        ------
+        ContactAmbiguous
+            If the ray meets the boundary more than once, or nowhere.
+        """
+        ray = np.array([np.cos(theta), np.sin(theta)])
+        hits: list[float] = []
+        for edge, length in enumerate(self.lengths):
+            p, q = self.edge_ends(edge)
+            side_p, side_q = (
+                ray[0] * (v - self.origin)[1] - ray[1] * (v - self.origin)[0] for v in (p, q)
+            )
+            if abs(side_p - side_q) <= 1e-15 * self.extent:
+                continue  # along the ray: its ends belong to the neighbours
+            share = np.clip(side_p / (side_p - side_q), 0.0, 1.0)
+            point = p + share * (q - p)
+            across = ray[0] * (point - self.origin)[1] - ray[1] * (point - self.origin)[0]
+            if abs(across) <= self.tolerance and ray @ (point - self.origin) >= 0.0:
+                hits.append(float(self.corner_arc_lengths[edge] + share * length))
+        contacts: list[Contact] = []
+        for hit in hits:
+            contact = self.at_arc_length(min(hit, self.perimeter))
+            if all(
+                np.hypot(contact.point[0] - c.point[0], contact.point[1] - c.point[1])
+                > self.tolerance
+                for c in contacts
+            ):
+                contacts.append(contact)
+        if len(contacts) == 1:
+            return contacts[0]
+        where = ", ".join(f"({c.point[0]:.6g}, {c.point[1]:.6g})" for c in contacts)
+        meets = f"{len(contacts)} times, at {where}" if contacts else "nowhere"
+        raise ContactAmbiguous(
+            f"the ray from the origin ({self.origin[0]:.6g}, {self.origin[1]:.6g}) at theta = "
+            f"{theta:.6g} rad meets the boundary {meets}: give the contact by point or arc length"
+        )
+
+    def edge_index(self, edge: int | str) -> int:
+        """Return the index of an edge given by name or index.
+
+        Raises
+        ------
+        ContactAmbiguous
+            If there is no such edge.
+        """
+        if isinstance(edge, str):
+            if edge and edge in self.edge_names:
+                return self.edge_names.index(edge)
+            known = ", ".join(repr(n) for n in self.edge_names if n) or "none is named"
+            raise ContactAmbiguous(f"there is no edge named {edge!r}; the named edges: {known}")
+        if 0 <= edge < len(self):
+            return int(edge)
+        raise ContactAmbiguous(f"there is no edge {edge}; edges run from 0 to {len(self) - 1}")
+
+    def on_edge(self, edge: int | str, along: float) -> Contact:
+        """Return the contact at a distance along an edge.
+
+        Parameters
+        ----------
+        edge : int or str
+        along : float [m]
+            From the edge's counter-clockwise start, within [0, its length].
+
+        Raises
+        ------
+        ContactAmbiguous
+            If there is no such edge, or the distance is beyond its ends.
+        """
+        return self.at_arc_length(self.stretch(edge, along, along).start)
+
+    def stretch(
+        self, edge: int | str, start: float = 0.0, end: float | None = None, name: str = ""
+    ) -> Stretch:
+        """Return a stretch of one edge.
+
+        Parameters
+        ----------
+        edge : int or str
+        start, end : float [m]
+            Distances from the edge's counter-clockwise start; the whole edge by default.
+        name : str
+            A label; the edge's own by default.
+
+        Raises
+        ------
+        ContactAmbiguous
+            If there is no such edge.
+        ZoneInvalid
+            If the distances are not ordered within [0, the edge's length].
+        """
+        index = self.edge_index(edge)
+        length = float(self.lengths[index])
+        stop = length if end is None else end
+        if not (0.0 <= start <= stop <= length + self.tolerance):
+            raise ZoneInvalid(
+                f"{start:.9g} to {stop:.9g} m does not lie on {self.edge_label(index)}: it should "
+                f"be 0 <= from <= to <= {length:.9g} m"
+            )
+        base = float(self.corner_arc_lengths[index])
+        first, last = base + min(start, length), base + min(stop, length)
+        return Stretch(first, last, name or self.edge_label(index))
+
+    def contains(self, point: ArrayLike) -> bool:
+        """Tell whether a point is inside the outline or on its boundary."""
+        x, y = np.asarray(point, dtype=float)
+        if self.nearest((x, y))[0][0] <= self.tolerance:
+            return True
+        a, b = self.vertices, np.roll(self.vertices, -1, axis=0)
+        spans = (a[:, 1] > y) != (b[:, 1] > y)
+        crossing = a[spans, 0] + (y - a[spans, 1]) * (b[spans, 0] - a[spans, 0]) / (
+            b[spans, 1] - a[spans, 1]
+        )
+        return bool(np.count_nonzero(crossing > x) % 2)
+
+
+def _checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
+    """Return the vertices as a fresh (k, 2) array, or raise `OutlineInvalid`."""
+    try:
+        corners = np.array(vertices, dtype=float)
+    except (TypeError, ValueError):
+        raise OutlineInvalid("the vertices should be a list of [x, y] pairs of numbers") from None
+    if corners.ndim != 2 or corners.shape[1] != 2:
+        raise OutlineInvalid(
+            f"the vertices have shape {corners.shape}; they should be (k, 2), k at least 3"
+        )
+    if not np.isfinite(corners).all():
+        bad = np.flatnonzero(~np.isfinite(corners).all(axis=1))
+        raise OutlineInvalid(
+            f"vertex {i} is ({corners[i, 0]}, {corners[i, 1]}); coordinates should be finite"
+            for i in bad
+        )
+    extent = float(np.linalg.norm(np.ptp(corners, axis=0))) if len(corners) else 0.0
+    step = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    corners = corners[step > 1e-12 * extent]  # repeated vertices, the closing one included
+    if len(corners) < 3:
+        raise OutlineInvalid(
+            f"the outline has {len(corners)} distinct vertices; it needs at least 3"
+        )
+    if np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[1] <= 1e-9 * extent:
+        raise OutlineInvalid("the vertices are collinear: the outline encloses no area")
+    # shapely takes 20 ms to load and is needed for this check alone
+    from shapely import Polygon
+    from shapely.validation import explain_validity
+
+    verdict = explain_validity(Polygon(corners))
+    if verdict != "Valid Geometry":
+        where = verdict.partition("[")[2].rstrip("]").replace(" ", ", ")
+        raise OutlineInvalid(
+            f"the outline crosses or touches itself at ({where}) m: list the vertices in order "
+            "around a simple polygon"
+        )
+    return corners
+
+
+def _edge_name_faults(names: list[str], count: int) -> list[str]:
+    """Return what is wrong with a list of edge names."""
+    faults = []
+    if len(names) != count:
+        faults.append(f"there are {len(names)} edge names for {count} edges; give one per edge")
+    given = [n for n in names if n]
+    return faults + [
+        f"the edge name {name!r} is used {given.count(name)} times"
+        for name in sorted({n for n in given if given.count(n) > 1})
+    ]
+
+
+def _signed_area(corners: NDArray[np.float64]) -> float:
+    """Return the polygon's area [m^2], negative when it runs clockwise."""
+    x, y = (corners - corners[0]).T
+    return float(0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+
+
+def _centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the centroid of a polygon's area, (2,) [m, m]."""
+    local = corners - corners[0]
+    following = np.roll(local, -1, axis=0)
+    cross = local[:, 0] * following[:, 1] - following[:, 0] * local[:, 1]
+    moment: NDArray[np.float64] = ((local + following) * cross[:, None]).sum(axis=0)
+    return corners[0] + moment / (3.0 * cross.sum())
