@@ -45,6 +45,14 @@ class MetricInvalid(SwarmGraspError):
     """A force weight or the characteristic length is not a positive number."""
 
 
+class WrenchInvalid(SwarmGraspError):
+    """A wrench, generator or direction is not three finite numbers."""
+
+
+class WrenchSetTooLarge(SwarmGraspError):
+    """A wrench set has more faces than a mesh of it may list."""
+
+
 class NowhereToAttach(SwarmGraspError):
     """Zones, no-go stretches and spacing leave no boundary point to a newcomer."""
 

@@ -109,7 +109,7 @@ class Outline:
         if _signed_area(corners) < 0.0:  # keep the first vertex first
             corners = np.roll(corners[::-1], 1, axis=0)
             names = names[::-1]
-        centre = _centroid(corners) if origin is None else np.asarray(origin, dtype=float)
+        centre = _centroid(corners) if origin is None else np.array(origin, dtype=float)
         if centre.shape != (2,) or not np.isfinite(centre).all():
             faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
         if faults:
@@ -266,6 +266,18 @@ class Outline:
         ContactAmbiguous
             If the ray meets the boundary more than once, or nowhere.
         """
+        contacts = self.ray_contacts(theta)
+        if len(contacts) == 1:
+            return contacts[0]
+        where = ", ".join(f"({c.point[0]:.6g}, {c.point[1]:.6g})" for c in contacts)
+        meets = f"{len(contacts)} times, at {where}" if contacts else "nowhere"
+        raise ContactAmbiguous(
+            f"the ray from the origin ({self.origin[0]:.6g}, {self.origin[1]:.6g}) at theta = "
+            f"{theta:.6g} rad meets the boundary {meets}: give the contact by point or arc length"
+        )
+
+    def ray_contacts(self, theta: float) -> tuple[Contact, ...]:
+        """Return every contact on the ray from the origin at a polar angle [rad]."""
         ray = np.array([np.cos(theta), np.sin(theta)])
         hits: list[float] = []
         for edge, length in enumerate(self.lengths):
@@ -289,14 +301,7 @@ class Outline:
                 for c in contacts
             ):
                 contacts.append(contact)
-        if len(contacts) == 1:
-            return contacts[0]
-        where = ", ".join(f"({c.point[0]:.6g}, {c.point[1]:.6g})" for c in contacts)
-        meets = f"{len(contacts)} times, at {where}" if contacts else "nowhere"
-        raise ContactAmbiguous(
-            f"the ray from the origin ({self.origin[0]:.6g}, {self.origin[1]:.6g}) at theta = "
-            f"{theta:.6g} rad meets the boundary {meets}: give the contact by point or arc length"
-        )
+        return tuple(contacts)
 
     def edge_index(self, edge: int | str) -> int:
         """Return the index of an edge given by name or index.
@@ -379,7 +384,7 @@ class Outline:
 def _checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
     """Return the vertices as a fresh (k, 2) array, or raise `OutlineInvalid`."""
     try:
-        corners = np.array(vertices, dtype=float)
+        corners: NDArray[np.float64] = np.array(vertices, dtype=float)
     except (TypeError, ValueError):
         raise OutlineInvalid("the vertices should be a list of [x, y] pairs of numbers") from None
     if corners.ndim != 2 or corners.shape[1] != 2:
@@ -439,4 +444,5 @@ def _centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     following = np.roll(local, -1, axis=0)
     cross = local[:, 0] * following[:, 1] - following[:, 0] * local[:, 1]
     moment: NDArray[np.float64] = ((local + following) * cross[:, None]).sum(axis=0)
-    return corners[0] + moment / (3.0 * cross.sum())
+    centroid: NDArray[np.float64] = corners[0] + moment / (3.0 * cross.sum())
+    return centroid

@@ -1,0 +1,1 @@
+"""Compiled kernels: floats, arrays and status codes; they check nothing and never raise."""

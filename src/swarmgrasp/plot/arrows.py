@@ -1,0 +1,173 @@
+"""Forces as arrows."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.legend import Legend
+from matplotlib.legend_handler import HandlerPatch
+from matplotlib.patches import FancyArrow, Patch
+from numpy.typing import NDArray
+
+from swarmgrasp.outline import Outline
+from swarmgrasp.robot import Robot
+
+Vector = NDArray[np.float64]
+
+PROBE: Final = 1e-4
+"""Step off a contact that tells inside from outside, relative to the extent: a hundred
+times the boundary's own tolerance."""
+
+SHARES: Final = (0.06, 0.2)
+"""Length of the longest arrow relative to the extent: of many robots, and of a few."""
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The forces in one picture and their common scale.
+
+    Attributes
+    ----------
+    outline : Outline
+    robots, newcomers, runners_up : tuple of Robot
+    metres_per_newton : float
+        Length of an arrow over the robot's limit.
+    """
+
+    outline: Outline
+    robots: tuple[Robot, ...]
+    newcomers: tuple[Robot, ...] = ()
+    runners_up: tuple[Robot, ...] = ()
+
+    @property
+    def strongest(self) -> float:
+        """The largest limit [N], 0 without robots."""
+        return max((r.limit for r in self.everyone), default=0.0)
+
+    @property
+    def longest(self) -> float:
+        """Length of the longest arrow [m]: the fuller the picture, the shorter."""
+        count = len(self.robots) + len(self.newcomers)
+        return float(np.clip(0.5 / math.sqrt(1 + count), *SHARES)) * self.outline.extent
+
+    @property
+    def everyone(self) -> tuple[Robot, ...]:
+        """Every robot with an arrow."""
+        return (*self.robots, *self.newcomers, *self.runners_up)
+
+    def length(self, force: float) -> float:
+        """Return the length [m] of the arrow of a force [N]."""
+        return self.longest * force / self.strongest
+
+    def ends(self, robot: Robot) -> tuple[Vector, Vector]:
+        """Return tail and tip of a robot's arrow, each (2,) [m, m].
+
+        A push ends at the contact, a pull and a mounted thruster start there, so that
+        the arrow stays off the object wherever it can.
+        """
+        contact = np.array(robot.contact)
+        way = np.array([math.cos(robot.direction), math.sin(robot.direction)])
+        reach = self.length(robot.limit) * way
+        pushes = not robot.mounted and self.outline.contains(
+            contact + PROBE * self.outline.extent * way
+        )
+        return (contact - reach, contact) if pushes else (contact, contact + reach)
+
+    def box(self) -> tuple[Vector, Vector]:
+        """Return the corners of the box round the outline and all arrows, each (2,) [m, m]."""
+        ends = [end for robot in self.everyone for end in self.ends(robot)]
+        points = np.concatenate([self.outline.vertices, np.reshape(ends, (-1, 2))])
+        return points.min(axis=0), points.max(axis=0)
+
+
+def draw_arrows(ax: Axes, ends: Sequence[tuple[Vector, Vector]], **look: Any) -> None:
+    """Draw arrows between data points, as one collection.
+
+    Parameters
+    ----------
+    ax : Axes
+    ends : sequence of (tail, tip), each (2,) [m, m]
+    **look
+        `color`, `gid`, `width` [in] and whatever else `Axes.quiver` takes.
+    """
+    if not ends:
+        return
+    tails, tips = (np.array(side) for side in zip(*ends, strict=True))
+    shape: dict[str, Any] = {
+        "angles": "xy",
+        "scale_units": "xy",
+        "scale": 1.0,
+        "units": "inches",
+        "width": 0.024,
+        "headwidth": 4.2,
+        "headlength": 5.0,
+        "headaxislength": 4.6,
+        "minlength": 0.0,
+        "zorder": 4,
+    }
+    ax.quiver(*tails.T, *(tips - tails).T, **(shape | look))
+
+
+def draw_turn(
+    ax: Axes, centre: Vector, radius: float, middle: float, sweep: float, **look: Any
+) -> None:
+    """Draw a curved arrow round a point: the sense of a torque.
+
+    Parameters
+    ----------
+    ax : Axes
+    centre : (2,) [m, m]
+    radius : float [m]
+    middle : float [rad]
+        Bearing of the arc's middle.
+    sweep : float [rad]
+        Positive for counter-clockwise.
+    **look
+        `color`, `gid` and `linewidth` [pt].
+    """
+    angles = middle + np.linspace(-0.5, 0.5, 41) * sweep
+    arc = centre + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    head = math.copysign(0.5, sweep)  # how far round the tip is ahead of the arc's end [rad]
+    rim = np.array([0.68, 1.32, 1.0]) * radius
+    turned = angles[-1] + np.array([0.0, 0.0, head])
+    corners = centre + rim[:, None] * np.column_stack([np.cos(turned), np.sin(turned)])
+    ax.plot(*arc.T, solid_capstyle="butt", zorder=5, **look)
+    ax.fill(*corners.T, facecolor=look["color"], zorder=5, linewidth=0.0)
+
+
+class ArrowEntry(Patch):
+    """A legend entry to be drawn as an arrow."""
+
+
+class ArrowInLegend(HandlerPatch):
+    """Draw a legend entry as an arrow of its patch's colour."""
+
+    def create_artists(
+        self,
+        legend: Legend,
+        orig_handle: Any,
+        xdescent: float,
+        ydescent: float,
+        width: float,
+        height: float,
+        fontsize: float,
+        trans: Any,
+    ) -> list[FancyArrow]:
+        """Return the arrow; the arguments are those of matplotlib's own handlers."""
+        del legend, fontsize
+        shape = FancyArrow(
+            -xdescent,
+            0.5 * height - ydescent,
+            width,
+            0.0,
+            width=0.26 * height,
+            head_width=height,
+            head_length=0.45 * width,
+            length_includes_head=True,
+        )
+        shape.update_from(orig_handle)
+        shape.set_transform(trans)
+        return [shape]

@@ -1,0 +1,238 @@
+"""The landscape: the quality a newcomer would bring, over every contact and direction."""
+
+import math
+from typing import TYPE_CHECKING, Any, Final, cast
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from swarmgrasp.outline import Outline
+from swarmgrasp.plot import style
+from swarmgrasp.plot.allowed import patches
+from swarmgrasp.plot.quality_grid import quality_grid
+
+if TYPE_CHECKING:
+    from swarmgrasp.placement import Placement, Problem
+
+COLOURS: Final = "cividis"
+"""Even in lightness, and the same to every kind of colour vision."""
+
+LEVELS: Final = 7
+"""Contour lines, about."""
+
+HEIGHT: Final = 3.6
+BOX: Final = (0.115, 0.195, 0.735, 0.665)
+"""Left, bottom, width and height of the axes, in shares of the figure."""
+
+MOST_CORNERS: Final = 14
+"""With more corners than this the boundary is ticked at round distances instead."""
+
+NEAR: Final = 0.07
+"""Corners closer than this share of the boundary share one number."""
+
+HALO: Final = [withStroke(linewidth=2.2, foreground="#00000070")]
+"""Makes a white line readable on every colour."""
+
+
+def landscape(subject: "Placement | Problem", *, resolution: tuple[int, int] = (180, 90)) -> Figure:
+    """Draw the quality after adding the newcomer at each contact, in each direction.
+
+    The vertical axis is the absolute direction of the force and not its angle to the
+    normal. The quality depends on contact and force alone, so over the absolute direction
+    it is continuous round the whole boundary; over the angle to the normal it would jump
+    at every corner, and a round hull of many edges would show a saw. The inward normals
+    are drawn as white lines instead. Directions wrap round: the top is the bottom.
+
+    Parameters
+    ----------
+    subject : Placement or Problem
+        With a placement its robot and its runners-up are marked.
+    resolution : tuple of int
+        Cells along the boundary and over the directions. A cell shows the best of the
+        allowed contacts and directions sampled in it, so that bollards and directions
+        exactly along the normal are seen too.
+
+    Returns
+    -------
+    Figure
+    """
+    problem: Problem = getattr(subject, "problem", subject)
+    placement = None if subject is problem else cast("Placement", subject)
+    outline = problem.swarm.outline
+    grid = cell_qualities(problem, resolution)
+    factor, unit = style.force_unit(float(np.nanmax(grid, initial=0.0)))
+    with mpl.rc_context(style.RC):
+        figure = Figure(figsize=(style.WIDTH, HEIGHT))
+        ax = figure.add_axes(BOX)
+        _draw_values(ax, grid * factor, outline.perimeter, unit)
+        _draw_normals(ax, outline)
+        _name_boundary(ax, outline)
+        if placement is not None:
+            _mark(ax, placement)
+        ax.set_ylabel("direction of the force [°]")
+        ax.set_yticks(range(-180, 181, 90))
+        ax.set_yticks(range(-180, 181, 30), minor=True)
+        title = f"+{style.force(problem.newcomer.limit)}, {problem.newcomer.attachment}"
+        if placement is not None:
+            title += f": {style.gain(placement.quality_before, placement.quality)}"
+        figure.text(BOX[0], 0.945, title)
+        small_print = f"Quality with {problem.swarm.metric_sentence}. White: inward normal."
+        figure.text(BOX[0], 0.02, small_print, fontsize=7.0, color=style.GREY)
+    return figure
+
+
+def cell_qualities(problem: "Problem", resolution: tuple[int, int]) -> NDArray[np.float64]:
+    """Compute the quality with the newcomer in every cell of contacts and directions.
+
+    Parameters
+    ----------
+    problem : Problem
+    resolution : tuple of int
+        Columns (arc lengths within [0, perimeter]) and rows (directions within
+        [-pi, pi]).
+
+    Returns
+    -------
+    (columns, rows) [N]
+        nan where nothing is allowed.
+    """
+    outline = problem.swarm.outline
+    columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
+    rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
+    grid = np.full(resolution, np.nan)
+    for patch in patches(problem):
+        where, arc_lengths = _samples(columns, patch.start, patch.end)
+        contacts = np.array([outline.at_arc_length(float(s)).point for s in arc_lengths])
+        parts = [_samples(rows, patch.low - t, patch.high - t) for t in (0.0, 2.0 * math.pi)]
+        which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
+        values = quality_grid(
+            problem.swarm, contacts.reshape(-1, 2), directions, problem.newcomer.limit
+        )
+        cells = np.ix_(where, which)
+        grid[cells] = np.fmax(grid[cells], values)
+    return grid
+
+
+def _samples(
+    bounds: NDArray[np.float64], low: float, high: float
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Return the cells an interval reaches and the value in it nearest to each middle.
+
+    A single value, such as a bollard's place, takes its neighbours too: one cell alone
+    is too narrow to see.
+    """
+    step = float(bounds[1] - bounds[0])
+    last = len(bounds) - 2
+    if high - low <= 1e-9 * step:
+        middle = min(int((low - bounds[0]) // step), last) if bounds[0] <= low else -2
+        cells = np.arange(max(middle - 1, 0), min(middle + 1, last) + 1)
+    else:
+        reached = np.minimum(bounds[1:], high) - np.maximum(bounds[:-1], low)
+        cells = np.flatnonzero(reached > 1e-9 * step)
+    return cells, np.clip(0.5 * (bounds[cells] + bounds[cells + 1]), low, high)
+
+
+def _draw_values(ax: Axes, grid: NDArray[np.float64], perimeter: float, unit: str) -> None:
+    """Draw the qualities as colours and contour lines, hatching where nothing is allowed."""
+    look: dict[str, Any] = {"facecolor": "#F4F4F4", "edgecolor": "#C4C4C4", "hatch": "////"}
+    ax.add_patch(Rectangle((0.0, -180.0), perimeter, 360.0, zorder=0, linewidth=0.0, **look))
+    known = grid[np.isfinite(grid)]
+    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
+    flat = high - low <= 1e-9 * high
+    image = ax.imshow(
+        grid.T, origin="lower", aspect="auto", cmap=COLOURS, interpolation="nearest", zorder=1,
+        extent=(0.0, perimeter, -180.0, 180.0), vmin=low, vmax=1.0 + low if flat else high,
+    )  # fmt: skip
+    ax.set(xlim=(0.0, perimeter), ylim=(-180.0, 180.0))
+    if flat:
+        value = f"{style.number(low)} {unit} everywhere" if len(known) else "nowhere to attach"
+        paper = {"boxstyle": "round", "facecolor": "white", "linewidth": 0.0, "alpha": 0.9}
+        ax.text(
+            0.5, 0.5, value, transform=ax.transAxes, bbox=paper, ha="center", va="center", zorder=6
+        )
+        return
+    room = ax.inset_axes((1.03, 0.0, 0.035, 1.0))
+    bar = cast(Figure, ax.figure).colorbar(image, cax=room)
+    bar.set_label(f"quality with the newcomer [{unit}]")
+    levels = np.asarray(MaxNLocator(LEVELS).tick_values(low, high))
+    levels = levels[(levels > low) & (levels < high)]
+    room.hlines(levels, 0.0, 1.0, colors="white", linewidth=0.5, alpha=0.8)
+    _draw_contours(ax, grid, perimeter, levels)
+
+
+def _draw_contours(
+    ax: Axes, grid: NDArray[np.float64], perimeter: float, levels: NDArray[np.float64]
+) -> None:
+    """Draw lines of equal quality through the middles of the cells."""
+    if not (_has_area(grid) and len(levels)):
+        return
+    x, y = ((np.arange(n) + 0.5) / n for n in grid.shape)
+    ax.contour(
+        x * perimeter, y * 360.0 - 180.0, np.ma.masked_invalid(grid).T,
+        levels=levels, colors="white", linewidths=0.5, alpha=0.8, zorder=2,
+    )  # fmt: skip
+
+
+def _has_area(grid: NDArray[np.float64]) -> bool:
+    """Tell whether four neighbouring cells are known somewhere, as contours need."""
+    known = np.isfinite(grid)
+    return bool((known[:-1, :-1] & known[1:, :-1] & known[:-1, 1:] & known[1:, 1:]).any())
+
+
+def _draw_normals(ax: Axes, outline: Outline) -> None:
+    """Draw the direction of the inward normal along every edge, and the corners."""
+    for edge in range(len(outline)):
+        start, end = outline.corner_arc_lengths[edge : edge + 2]
+        inward = math.degrees(outline.inward_normal(edge))
+        for angle in (inward, inward - 360.0) if inward > 179.0 else (inward,):
+            ax.plot(
+                [start, end], [angle, angle], color="white", linewidth=1.0, zorder=3,
+                solid_capstyle="butt", path_effects=HALO,
+            )  # fmt: skip
+    if len(outline) <= MOST_CORNERS:
+        for corner in outline.corner_arc_lengths[1:-1]:
+            ax.axvline(corner, color="white", linewidth=0.7, linestyle=(0, (2, 2)), zorder=2.5)
+
+
+def _name_boundary(ax: Axes, outline: Outline) -> None:
+    """Tick the corners by arc length and write the edges' names above them."""
+    ax.set_xlabel("position along the boundary, counter-clockwise from the first corner [m]")
+    if len(outline) > MOST_CORNERS:
+        return
+    ticks = [0.0, outline.perimeter]
+    for corner in outline.corner_arc_lengths[1:-1]:
+        if min(abs(corner - tick) for tick in ticks) > NEAR * outline.perimeter:
+            ticks.append(float(corner))
+    digits = 3 if outline.perimeter < 1000.0 else 4
+    ax.set_xticks(sorted(ticks), [f"{tick:.{digits}g}" for tick in sorted(ticks)])
+    ax.set_xticks(outline.corner_arc_lengths, minor=True)
+    for edge in range(len(outline)):
+        start, end = outline.corner_arc_lengths[edge : edge + 2]
+        artist = ax.text(
+            0.5 * (start + end), 186.0, outline.edge_label(edge), ha="center", va="bottom",
+            fontsize=7.0, fontstyle="italic", color=style.GREY,
+        )  # fmt: skip
+        room = (end - start) / outline.perimeter * ax.bbox.width
+        if artist.get_window_extent().width > room:
+            artist.remove()
+
+
+def _mark(ax: Axes, placement: "Placement") -> None:
+    """Mark the best contact and direction, and those of the runners-up."""
+    outline = placement.problem.swarm.outline
+    chosen = [(runner.robot, "o", 5.0, style.ORANGE) for runner in placement.runners_up]
+    chosen.append((placement.robot, "*", 13.0, style.VERMILION))
+    for robot, marker, size, colour in chosen:
+        ax.plot(
+            outline.at_point(robot.contact).arc_length,
+            math.degrees(math.remainder(robot.direction, 2.0 * math.pi)),
+            marker, color=colour, markersize=size, markeredgecolor="white",
+            markeredgewidth=0.8, clip_on=False, zorder=5,
+            gid="best" if marker == "*" else "runner-up",
+        )  # fmt: skip

@@ -1,0 +1,84 @@
+"""Writing a picture to a file: all of it or nothing."""
+
+import os
+import secrets
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from swarmgrasp.errors import SwarmGraspError
+
+PIXELS_PER_INCH: Final = 240
+"""Sharp in print at column width, and light."""
+
+METADATA: Final[Mapping[str, dict[str, str | None]]] = {
+    ".pdf": {"CreationDate": None, "ModDate": None, "Creator": "swarmgrasp", "Producer": None},
+    ".png": {"Software": "swarmgrasp"},
+    ".svg": {"Date": None, "Creator": "swarmgrasp"},
+}
+"""What a file says of itself, by suffix: no date, so that equal pictures are equal files."""
+
+
+class PictureNotSaved(SwarmGraspError):  # noqa: N818 (named after the fault, as all are)
+    """A picture cannot be written: an unknown suffix, no such folder, or no permission."""
+
+
+def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
+    """Write a picture as PNG, SVG or PDF, by the suffix of the path.
+
+    The file appears whole or not at all: it is written beside its place and renamed.
+    The same picture gives the same bytes.
+
+    Parameters
+    ----------
+    figure : Figure
+    path : path-like
+
+    Returns
+    -------
+    Path
+        Where it was written.
+
+    Raises
+    ------
+    PictureNotSaved
+        If the suffix is none of the three, the folder does not exist, or the file cannot
+        be written.
+    """
+    target = Path(path)
+    suffix = target.suffix.lower()
+    if suffix not in METADATA:
+        raise PictureNotSaved(
+            f"{target}: a picture cannot be written as {suffix or 'a file without suffix'!r}; "
+            f"the suffix should be one of {', '.join(sorted(METADATA))}"
+        )
+    if not target.parent.is_dir():
+        raise PictureNotSaved(f"{target}: there is no folder {target.parent}; create it first")
+    if target.is_dir():
+        raise PictureNotSaved(f"{target}: this is a folder; give the path of a file")
+    try:
+        _write_whole(figure, target, suffix)
+    except OSError as fault:
+        raise PictureNotSaved(
+            f"{target}: {fault.strerror or fault}; choose a folder you may write to"
+        ) from fault
+    return target
+
+
+def _write_whole(figure: Figure, target: Path, suffix: str) -> None:
+    """Write to a temporary file in the target's folder, then rename it."""
+    scratch = target.with_name(f".{target.stem}-{secrets.token_hex(6)}{suffix}")
+    try:
+        with mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"}):
+            figure.savefig(
+                scratch,
+                format=suffix[1:],
+                dpi=PIXELS_PER_INCH,
+                metadata=METADATA[suffix],
+            )
+        scratch.replace(target)
+    finally:
+        scratch.unlink(missing_ok=True)

@@ -1,0 +1,154 @@
+"""Colours, sizes and units that all pictures share."""
+
+import math
+from typing import Any, Final
+
+BLUE: Final = "#0072B2"
+SKY: Final = "#56B4E9"
+GREEN: Final = "#009E73"
+ORANGE: Final = "#E69F00"
+VERMILION: Final = "#D55E00"
+PURPLE: Final = "#CC79A7"
+WINE: Final = "#8C3A66"
+INK: Final = "#222222"
+GREY: Final = "#6E6E6E"
+PALE: Final = "#ECEEF0"
+"""The palette of Okabe and Ito, told apart by every kind of colour vision, a purple
+dark enough for text, and greys."""
+
+WIDTH: Final = 5.2
+"""Width of every figure [in]: 9 pt text is still 6 pt in a 3.5 in column."""
+
+RC: Final[Any] = {  # matplotlib types the keys one by one
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 9.0,
+    "axes.labelsize": 9.0,
+    "axes.titlesize": 9.0,
+    "axes.linewidth": 0.7,
+    "axes.edgecolor": GREY,
+    "axes.labelcolor": INK,
+    "axes.unicode_minus": True,
+    "text.color": INK,
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "xtick.color": GREY,
+    "ytick.color": GREY,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "legend.fontsize": 8.0,
+    "legend.frameon": False,
+    "grid.color": "#DADADA",
+    "grid.linewidth": 0.5,
+    "hatch.linewidth": 0.5,
+    "figure.dpi": 100.0,
+    "figure.facecolor": "white",
+    "savefig.facecolor": "white",
+    "pdf.fonttype": 42,
+    "svg.fonttype": "path",
+}
+"""The settings each picture is drawn under; the caller's own are left as they are."""
+
+
+def force_unit(value: float) -> tuple[float, str]:
+    """Choose the unit a force of this size reads best in.
+
+    Parameters
+    ----------
+    value : float [N]
+
+    Returns
+    -------
+    factor : float
+        Newtons times this are numbers in the unit.
+    unit : str
+        "N", "kN" or "MN".
+
+    Examples
+    --------
+    >>> force_unit(12_000.0)
+    (0.001, 'kN')
+    >>> force_unit(0.39)
+    (1.0, 'N')
+    """
+    size = abs(value)
+    if size >= 1e6:
+        return 1e-6, "MN"
+    if size >= 1e3:
+        return 1e-3, "kN"
+    return 1.0, "N"
+
+
+def number(value: float) -> str:
+    """Write a number with three digits that matter, and never as -0 or 1e+02.
+
+    Examples
+    --------
+    >>> [number(v) for v in (0.0, -1e-18, 0.39214, 7.0, 1234.5, 2.5e-7)]
+    ['0', '0', '0.392', '7', '1234', '2.5e-07']
+    """
+    if abs(value) < 1e-12:
+        return "0"
+    return f"{value:.0f}" if abs(value) >= 100.0 else f"{value:.3g}"
+
+
+def force(value: float, reference: float | None = None) -> str:
+    """Write a force with its unit, chosen by the size of `reference` or of the force itself.
+
+    Parameters
+    ----------
+    value, reference : float [N]
+
+    Examples
+    --------
+    >>> force(250.0), force(250.0, reference=4e4)
+    ('250 N', '0.25 kN')
+    """
+    factor, unit = force_unit(value if reference is None else reference)
+    return f"{number(value * factor)} {unit}"
+
+
+def round_below(value: float) -> float:
+    """Return the largest 1, 2 or 5 times a power of ten that is at most a positive value.
+
+    Examples
+    --------
+    >>> round_below(37.0), round_below(0.6)
+    (20.0, 0.5)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(
+        (m * power for m in (1.0, 2.0, 5.0) if m * power <= value * (1 + 1e-9)), default=power
+    )
+
+
+def gain(before: float, after: float) -> str:
+    """Write how a quality changes.
+
+    Parameters
+    ----------
+    before, after : float [N]
+
+    Examples
+    --------
+    >>> gain(0.0, 2100.0), gain(0.696, 0.696)
+    ('quality 0 → 2.1 kN', 'quality stays 0.696 N')
+    """
+    factor, unit = force_unit(max(before, after))
+    if abs(after - before) <= 1e-9 * max(before, after):
+        return f"quality stays {number(after * factor)} {unit}"
+    digits = [number(before * factor), number(after * factor)]
+    if digits[0] == digits[1]:  # a gain too small for three digits
+        digits = [f"{value * factor:.6g}" for value in (before, after)]
+    return f"quality {digits[0]} → {digits[1]} {unit}"
+
+
+def count(robots: int) -> str:
+    """Write a number of robots.
+
+    Examples
+    --------
+    >>> [count(n) for n in (0, 1, 2)]
+    ['no robots', '1 robot', '2 robots']
+    """
+    return "1 robot" if robots == 1 else f"{robots or 'no'} robots"

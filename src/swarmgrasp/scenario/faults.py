@@ -1,0 +1,85 @@
+"""Collect every fault of a file, each with its line, column and key."""
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from swarmgrasp.errors import ScenarioInvalid
+
+MOST_FAULTS_SHOWN = 50
+"""Faults listed one by one; of the others only the number is told."""
+
+Path = tuple[str | int, ...]
+"""Keys and list positions that lead to a value, such as ``("robots", 0, "limit")``."""
+
+
+@dataclass(frozen=True, order=True)
+class Fault:
+    """One thing that is wrong, and where.
+
+    Attributes
+    ----------
+    line, column : int
+        Counted from 1; line 0 means the file as a whole.
+    key : str
+        Key path with dots, such as ``robots.0.limit``; empty for the document itself.
+    sentence : str
+        What is wrong and what it should be.
+    """
+
+    line: int
+    column: int
+    key: str
+    sentence: str
+
+    def told(self, source: str) -> str:
+        """Return the whole message, ``barge.yaml:5:48: robots.0.limit: should be ...``."""
+        place = f"{source}:{self.line}:{self.column}" if self.line else source
+        return ": ".join(part for part in (place, self.key, self.sentence) if part)
+
+
+class Faults:
+    """The faults found so far in one source.
+
+    Parameters
+    ----------
+    source : str
+        Name of the file, as messages show it.
+    """
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self._found: set[Fault] = set()
+
+    def add(self, mark: tuple[int, int], path: Path, sentence: str) -> None:
+        """Note a fault at a (line, column)."""
+        self._found.add(Fault(*mark, ".".join(map(str, path)), sentence))
+
+    def __bool__(self) -> bool:
+        """Tell whether there is any fault."""
+        return bool(self._found)
+
+    def error(self) -> ScenarioInvalid:
+        """Return the error that tells the faults, in the order of the file."""
+        told = [fault.told(self.source) for fault in sorted(self._found)]
+        more = len(told) - MOST_FAULTS_SHOWN
+        if more > 0:
+            told[MOST_FAULTS_SHOWN:] = [f"{self.source}: ... and {more} more"]
+        return ScenarioInvalid(told)
+
+
+def nearest_name(wanted: str, known: list[str]) -> str:
+    """Return "; did you mean ..." for a near miss, else the list of known names.
+
+    Examples
+    --------
+    >>> nearest_name("limt", ["limit", "name"])
+    "; did you mean 'limit'?"
+    >>> nearest_name("colour", ["limit", "name"])
+    '; known: limit, name'
+    """
+    # spelling differs by case and by hyphens more often than by letters
+    plain = {name.lower().replace("-", "_"): name for name in reversed(known)}
+    close = get_close_matches(wanted[:80].lower().replace("-", "_"), plain, n=1)
+    if close:
+        return f"; did you mean {plain[close[0]]!r}?"
+    return f"; known: {', '.join(known[:20])}" if known else ""

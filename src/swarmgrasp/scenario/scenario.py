@@ -1,0 +1,38 @@
+"""What a scenario file comes down to, in SI units."""
+
+from dataclasses import dataclass
+
+from swarmgrasp.outline import Stretch
+from swarmgrasp.robot import Newcomer, Zone
+from swarmgrasp.swarm import Swarm
+
+
+@dataclass(frozen=True, eq=False)
+class Scenario:
+    """What is asked: who holds the object, who comes next, and where it may attach.
+
+    Attributes
+    ----------
+    name : str
+        A title; the file's own name when the file gives none.
+    description : str
+        Free text, possibly empty.
+    swarm : Swarm
+        The object, the metric and the robots already in contact, perhaps none.
+    newcomer : Newcomer or None
+        The robot to place.
+    zones : tuple of Zone or None
+        Where a newcomer may attach; None means the whole boundary.
+    no_go : tuple of Stretch [m, m]
+        Stretches of the boundary no newcomer may use.
+    spacing : float [m]
+        Least distance of a newcomer from the robots already there.
+    """
+
+    name: str
+    description: str
+    swarm: Swarm
+    newcomer: Newcomer | None
+    zones: tuple[Zone, ...] | None
+    no_go: tuple[Stretch, ...]
+    spacing: float

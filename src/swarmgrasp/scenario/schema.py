@@ -1,0 +1,300 @@
+"""The keys of a scenario file: names, types and ranges that hold whatever the outline is.
+
+What depends on the outline or on the file's units is checked in `build`.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, StringConstraints, Tag
+from pydantic.config import JsonDict, JsonValue
+
+FARTHEST = 1e9
+"""Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
+
+STRONGEST = 1e12
+"""Largest force, in the file's unit."""
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST)]
+Distance = Annotated[Number, Field(ge=0, le=FARTHEST)]
+Length = Annotated[Number, Field(gt=0, le=FARTHEST)]
+Force = Annotated[Number, Field(gt=0, le=STRONGEST)]
+Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
+Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
+Range = Annotated[list[Number], Field(min_length=2, max_length=2)]
+Label = Annotated[str, StringConstraints(max_length=200)]
+
+
+def _kind(value: object) -> str:
+    """Tell text from anything else, to choose a branch of "word or value"."""
+    return "word" if isinstance(value, str) else "value"
+
+
+_ByKind = Discriminator(_kind)
+
+Direction = Annotated[
+    Annotated[Literal["inward", "outward"], Tag("word")] | Annotated[Number, Tag("value")], _ByKind
+]
+Origin = Annotated[
+    Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], _ByKind
+]
+Edge = Annotated[
+    Annotated[Label, Tag("word")]
+    | Annotated[int, Field(strict=True, ge=0, le=10**6), Tag("value")],
+    _ByKind,
+]
+
+CONTACT = "Contact [x, y] on the boundary, in the frame of the vertices [units.length]."
+THETA = "Contact where the ray from the origin at this angle meets the boundary [units.angle]."
+AT = "Contact by arc length, counter-clockwise from the first vertex [units.length]."
+EDGE = "An edge by name, or by index: edge i runs from vertex i to i + 1 of this file."
+ALONG = "Distance along `edge` from its counter-clockwise start [units.length]."
+FROM = "Where the stretch starts: along `edge`, or as arc length without one [units.length]."
+TO = "Where the stretch ends, counter-clockwise from its start [units.length]."
+ATTACHMENT = "Force into the object (push), out of it (pull), or in any direction (free)."
+HALF_ANGLE = (
+    "Greatest angle between the force and the normal, 0 to a right angle, which is the default; "
+    "0 means exactly along the normal [units.angle]."
+)
+
+Attachments = Literal["push", "pull", "free"]
+
+
+def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
+    """Return the JSON schemas of "these keys are given", one per set of keys."""
+    return [{"required": key} for key in keys]
+
+
+class Section(BaseModel):
+    """A mapping with known keys only."""
+
+    model_config = ConfigDict(extra="forbid", populate_by_name=False)
+
+
+class UnitsSection(Section):
+    """Units of every number in the file; SI where left out."""
+
+    length: Literal["m", "ft"] = Field("m", description="Metre or foot (0.3048 m).")
+    force: Literal["N", "kN", "tonne-force"] = Field(
+        "N", description="Newton, kilonewton, or tonne-force (9806.65 N), as in bollard pull."
+    )
+    angle: Literal["rad", "deg"] = Field("rad", description="Radian or degree.")
+
+
+class OutlineSection(Section):
+    """The object's outline: a simple polygon, convex or not."""
+
+    vertices: list[Point] = Field(
+        min_length=3,
+        description="Corners [x, y] in order, either way round; x forward, y to port "
+        "[units.length].",
+        examples=[[[0, 0], [4, 0], [4, 2], [0, 2]]],
+    )
+    edges: list[Label] | None = Field(
+        None,
+        description="One name per edge, in the order of the vertices: the first belongs to the "
+        'edge from the first vertex to the second. "" for a nameless edge.',
+        examples=[["starboard", "bow", "port", "stern"]],
+    )
+    origin: Origin = Field(
+        "centroid",
+        description="Point that moments are taken about: the centroid, or [x, y] [units.length].",
+        examples=["centroid", [0, 0]],
+    )
+
+
+class MetricSection(Section):
+    """The metric that makes torque and force comparable."""
+
+    force_weights: Annotated[list[Weight], Field(min_length=2, max_length=2)] = Field(
+        [1.0, 1.0], description="Weights a1 (surge) and a2 (sway) [1].", examples=[[1, 1]]
+    )
+    characteristic_length: Length | None = Field(
+        None,
+        description="Length L that turns torque into force; by default the largest distance "
+        "from the origin to the outline [units.length].",
+        examples=[38.1],
+    )
+
+
+class RobotSection(Section):
+    """A robot in contact with the object.
+
+    Exactly one of `contact`, `theta`, `at`, or `edge` with `along` says where.
+    """
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "oneOf": _ways(["contact"], ["theta"], ["at"], ["edge", "along"]),
+            "dependentRequired": {"along": ["edge"], "edge": ["along"], "mounted": ["contact"]},
+        }
+    )
+
+    name: Label = Field("", description="A label, different for each robot.", examples=["Ajax"])
+    contact: Point | None = Field(None, description=CONTACT, examples=[[4, 1.5]])
+    theta: Number | None = Field(None, description=THETA, examples=[0.5])
+    at: Distance | None = Field(None, description=AT, examples=[5.5])
+    edge: Edge | None = Field(None, description=EDGE, examples=["port", 2])
+    along: Distance | None = Field(None, description=ALONG, examples=[1.5])
+    direction: Direction = Field(
+        description="Direction of the force on the object, counter-clockwise from +x "
+        "[units.angle], or along the normal: inward or outward.",
+        examples=[0.5, "inward", "outward"],
+    )
+    limit: Force = Field(description="Largest force [units.force].", examples=[60])
+    mounted: bool = Field(
+        False,
+        strict=True,
+        description="The vessel's own thruster: `contact` may lie anywhere inside the outline, "
+        "and `direction` is an angle.",
+    )
+    two_way: bool = Field(
+        False,
+        strict=True,
+        description="Pushes either way: becomes two robots, '<name> +' along `direction` and "
+        "'<name> -' against it, each with the limit.",
+    )
+
+
+class NewcomerSection(Section):
+    """The robot to place."""
+
+    name: Label = Field("", description="A label.", examples=["Hector"])
+    limit: Force = Field(description="Largest force [units.force].", examples=[60])
+    attachment: Attachments = Field("free", description=ATTACHMENT)
+    half_angle: Number | None = Field(
+        None,
+        description=HALF_ANGLE + " Not for a free attachment.",
+        json_schema_extra={"minimum": 0, "maximum": 90},
+        examples=[0.5],
+    )
+
+
+_STRETCH: JsonDict = {"anyOf": _ways(["edge"], ["from", "to"])}
+
+
+class StretchSection(Section):
+    """A stretch of the boundary.
+
+    Either `edge` (the whole of it, or `from` and `to` along it), or `from` and `to` as arc
+    lengths, which may run across the first vertex.
+    """
+
+    model_config = ConfigDict(json_schema_extra=_STRETCH)
+
+    name: Label = Field("", description="A label; the edge's by default.", examples=["ladder"])
+    edge: Edge | None = Field(None, description=EDGE, examples=["port", 2])
+    start: Distance | None = Field(None, alias="from", description=FROM, examples=[0.5])
+    end: Distance | None = Field(None, alias="to", description=TO, examples=[1.5])
+
+
+class ZoneSection(StretchSection):
+    """Where a newcomer may attach: a stretch of the boundary, or a point such as a bollard.
+
+    A point is given by one of `contact`, `theta`, `at`, or `edge` with `along`.
+    """
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "oneOf": [*_ways(["contact"], ["theta"], ["at"]), _STRETCH],
+            "dependentRequired": {"along": ["edge"], "half_angle": ["attachment"]},
+        }
+    )
+
+    contact: Point | None = Field(None, description=CONTACT, examples=[[4, 1.5]])
+    theta: Number | None = Field(None, description=THETA, examples=[0.5])
+    at: Distance | None = Field(None, description=AT, examples=[5.5])
+    along: Distance | None = Field(None, description=ALONG, examples=[1.5])
+    attachment: Attachments | None = Field(
+        None, description=ATTACHMENT + " Overrides the newcomer's own."
+    )
+    half_angle: Number | None = Field(
+        None,
+        description=HALF_ANGLE + " Goes with `attachment`.",
+        json_schema_extra={"minimum": 0, "maximum": 90},
+        examples=[0.5],
+    )
+    directions: Range | None = Field(
+        None,
+        description="Force directions allowed here, counter-clockwise from the first to the "
+        "second, measured from +x; further limits the attachment [units.angle].",
+        examples=[[0, 1.5]],
+    )
+
+
+class ScenarioFile(Section):
+    """A scenario: an object, the robots that hold it, and the robot to place."""
+
+    name: Label = Field("", description="A title.", examples=["Barge in the lock"])
+    description: str = Field("", description="Free text.")
+    units: UnitsSection = Field(UnitsSection(), description="Units of every number in the file.")
+    outline: OutlineSection = Field(description="The object.")
+    metric: MetricSection = Field(MetricSection(), description="How wrenches are compared.")
+    robots: list[RobotSection] = Field(description="Robots already in contact; may be empty.")
+    newcomer: NewcomerSection | None = Field(None, description="The robot to place.")
+    zones: list[ZoneSection] | None = Field(
+        None,
+        min_length=1,
+        description="Where a newcomer may attach; the whole boundary when left out.",
+    )
+    no_go: list[StretchSection] = Field(
+        [], description="Stretches of the boundary no newcomer may use."
+    )
+    spacing: Distance = Field(
+        0.0,
+        description="Least distance of a newcomer from the robots already there [units.length].",
+        examples=[2],
+    )
+
+
+_EXAMPLE = {
+    "name": "Barge",
+    "units": {"length": "m", "force": "kN", "angle": "deg"},
+    "outline": {
+        "vertices": [[0, 0], [4, 0], [4, 2], [0, 2]],
+        "edges": ["starboard", "bow", "port", "stern"],
+    },
+    "robots": [
+        {"name": "Ajax", "edge": "stern", "along": 1.5, "direction": "inward", "limit": 60},
+        {"name": "Hector", "contact": [4, 0.5], "direction": 170, "limit": 60},
+    ],
+    "newcomer": {"limit": 60, "attachment": "push", "half_angle": 30},
+    "zones": [{"edge": "port", "from": 0.5, "to": 3.5}, {"contact": [4, 2], "attachment": "pull"}],
+    "no_go": [{"edge": "starboard"}],
+    "spacing": 0.2,
+}
+
+
+def scenario_schema() -> dict[str, Any]:
+    """Return the JSON schema of a scenario file, draft 2020-12, for editors.
+
+    Examples
+    --------
+    >>> scenario_schema()["required"]
+    ['outline', 'robots']
+    """
+    schema: dict[str, Any] = _tidied(ScenarioFile.model_json_schema())
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **schema,
+        "title": "swarmgrasp scenario",
+        "examples": [_EXAMPLE],
+    }
+
+
+def _tidied(schema: Any) -> Any:
+    """Return a schema without nulls, which stand for "left out", and without class names."""
+    if isinstance(schema, list):
+        return [_tidied(part) for part in schema if part != {"type": "null"}]
+    if not isinstance(schema, dict):
+        return schema
+    kept = {
+        key: _tidied(part)
+        for key, part in schema.items()
+        if not (key == "default" and part is None)
+        and not (key == "title" and isinstance(part, str))
+    }
+    if len(kept.get("anyOf", "..")) == 1:
+        (only,) = kept.pop("anyOf")
+        kept = {**only, **kept}
+    return kept

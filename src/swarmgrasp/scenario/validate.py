@@ -1,0 +1,217 @@
+"""Check a document against the schema, and save what can be saved.
+
+One bad value must not hide the others: it is noted, then replaced by a stand-in, so that
+the rest can still be checked against the outline. A document with faults never becomes a
+scenario, so no stand-in is ever used for more than that.
+"""
+
+import copy
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from swarmgrasp.scenario.document import Node
+from swarmgrasp.scenario.faults import Faults, Path, nearest_name
+from swarmgrasp.scenario.schema import ScenarioFile
+
+_STAND_INS: dict[str, object] = {
+    "direction": 0.0,
+    "limit": 1.0,
+    "outline": {"vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]},
+    "robots": [],
+    "vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+}
+"""A legal value for every required key."""
+
+
+@dataclass(frozen=True, eq=False)
+class Checked:
+    """A document that fits the schema, and which parts of it are stand-ins.
+
+    Attributes
+    ----------
+    file : ScenarioFile
+    bad : set of tuple
+        Paths whose values are stand-ins or were dropped.
+    root : Node
+        The document as it was written.
+    faults : Faults
+        Receives what is found later.
+    """
+
+    file: ScenarioFile
+    bad: frozenset[Path]
+    root: Node
+    faults: Faults
+
+    def is_sound(self, *path: str | int) -> bool:
+        """Tell whether nothing at, above or below a path is a stand-in."""
+        return path not in self._above and not _within(self.bad, path)
+
+    @cached_property
+    def _above(self) -> frozenset[Path]:
+        """The bad paths and all that contain one."""
+        return frozenset(b[:depth] for b in self.bad for depth in range(len(b) + 1))
+
+    def is_known(self, *path: str | int) -> bool:
+        """Tell whether a mapping is there at all, whatever its keys."""
+        return not _within(self.bad, path)
+
+    def has(self, *path: str | int) -> bool:
+        """Tell whether a key is written in the document, sound or not."""
+        holder = self.root.find(path[:-1]).value
+        return isinstance(holder, dict) and path[-1] in holder
+
+    def fault(self, path: Path, sentence: str, *, got: bool = True) -> None:
+        """Note a fault at the value a path leads to, and show the value."""
+        node = self.root.find(path)
+        shown = f" (got {node.shown()})" if got else ""
+        self.faults.add(node.mark, path, sentence + shown)
+
+
+def check(root: Node, faults: Faults) -> Checked:
+    """Check a document against the schema; note every fault with its place.
+
+    Parameters
+    ----------
+    root : Node
+    faults : Faults
+
+    Returns
+    -------
+    Checked
+    """
+    data: Any = root.plain()
+    bad: set[Path] = set()
+    _drop_empty(data, (), root, bad, faults)
+    while True:
+        try:
+            file = ScenarioFile.model_validate(data)
+        except ValidationError as error:
+            found = error.errors(include_url=False, include_input=False)
+            paths = [_path(data, fault["loc"]) for fault in found]
+            for fault, path in zip(found, paths, strict=True):
+                if not _within(bad, path):
+                    _note(fault, path, root, faults)
+            for fault, path in zip(found, paths, strict=True):
+                bad.add(_mend(data, path, fault["type"]))
+        else:
+            return Checked(file, frozenset(bad), root, faults)
+
+
+def _within(bad: Collection[Path], path: Path) -> bool:
+    """Tell whether a path is a bad one or lies inside one."""
+    return any(path[:depth] in bad for depth in range(1, len(path) + 1))
+
+
+def _drop_empty(data: Any, path: Path, root: Node, bad: set[Path], faults: Faults) -> None:
+    """Drop keys without a value: an empty `zones:` is a slip, not "no zones"."""
+    for key, value in list(data.items() if isinstance(data, dict) else enumerate(data)):
+        here = (*path, key)
+        if isinstance(value, (dict, list)):
+            _drop_empty(value, here, root, bad, faults)
+        elif value is None and isinstance(data, dict):
+            bad.add(here)
+            faults.add(root.key_mark(here), here, "has no value; give one or leave the key out")
+            del data[key]
+
+
+def _path(data: Any, loc: tuple[int | str, ...]) -> Path:
+    """Return an error's path without the parts that name a branch of a union."""
+    path: list[int | str] = []
+    for part in loc:
+        if isinstance(data, dict):
+            path.append(part)
+            data = data.get(part)
+        elif isinstance(data, list) and isinstance(part, int):
+            path.append(part)
+            data = data[part] if part < len(data) else None
+    return tuple(path)
+
+
+def _mend(data: Any, path: Path, kind: str) -> Path:
+    """Make a place legal: drop its key, or put a stand-in where a key is required.
+
+    Returns the path to what was dropped or replaced.
+    """
+    holder, mended = data, path[:1]
+    for depth, part in enumerate(path):
+        if isinstance(data, dict):
+            holder, mended = data, path[: depth + 1]
+            data = data.get(part)
+        elif isinstance(data, list) and isinstance(part, int) and part < len(data):
+            if kind == "model_type" and depth == len(path) - 1:
+                data[part] = {}  # an item that should be a mapping
+                return path
+            data = data[part]
+    if kind == "missing":
+        holder[mended[-1]] = copy.deepcopy(_STAND_INS[str(mended[-1])])
+    else:
+        holder.pop(mended[-1], None)
+    return mended
+
+
+def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
+    """Note one error of pydantic's in our words."""
+    kind, node = found["type"], root.find(path)
+    if kind == "extra_forbidden":
+        said = f"unknown key{nearest_name(str(path[-1]), _known_keys(path))}"
+        faults.add(root.key_mark(path), path, said)
+    elif kind == "missing":
+        faults.add(node.mark, path, f"is missing{_wanted(path)}")
+    else:
+        said = _SENTENCES.get(kind, found["msg"]).format_map(found.get("ctx", {}))
+        if found["loc"][-1] == "word":  # where a word or a value may stand
+            said = said.replace("should be", _OR_WORD.get(str(path[-1]), "should be"))
+        faults.add(node.mark, path, f"{said} (got {node.shown()})")
+
+
+_OR_WORD = {"direction": "should be an angle,", "origin": "should be [x, y] or"}
+
+_SENTENCES = {
+    "bool_type": "should be true or false",
+    "finite_number": "should be a finite number",
+    "float_type": "should be a number",
+    "greater_than": "should be greater than {gt:g}",
+    "greater_than_equal": "should be at least {ge:g}",
+    "int_type": "should be a name, or a whole number",
+    "less_than_equal": "should be at most {le:g}",
+    "list_type": "should be a list",
+    "literal_error": "should be {expected}",
+    "model_type": "should be a mapping of keys to values",
+    "string_too_long": "should be at most {max_length} characters long",
+    "string_type": "should be text; put it in quotes if it is",
+    "too_long": "should hold {max_length} values, not {actual_length}",
+    "too_short": "should hold at least {min_length} values, not {actual_length}",
+}
+
+
+def _section(path: Path) -> type[BaseModel]:
+    """Return the model of the mapping that holds a path's last key."""
+    model: type[BaseModel] = ScenarioFile
+    for part in path[:-1]:
+        for name, info in model.model_fields.items():
+            if part == (info.alias or name):
+                model = next(m for m in _models(info.annotation))
+    return model
+
+
+def _models(annotation: Any) -> list[type[BaseModel]]:
+    """Return the models an annotation mentions."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [m for part in getattr(annotation, "__args__", ()) for m in _models(part)]
+
+
+def _known_keys(path: Path) -> list[str]:
+    """Return the keys allowed beside a path's last one."""
+    return [info.alias or name for name, info in _section(path).model_fields.items()]
+
+
+def _wanted(path: Path) -> str:
+    """Return what a missing key should hold."""
+    info = _section(path).model_fields.get(str(path[-1]))
+    return f": {info.description}" if info and info.description else ""

@@ -1,0 +1,111 @@
+import itertools
+import math
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from swarmgrasp import Outline, Robot, Swarm
+from swarmgrasp.plot import plan
+from swarmgrasp.plot.arrows import Forces
+from swarmgrasp.quality import quality
+
+
+def by_gid(figure, gid):
+    return figure.findobj(lambda artist: artist.get_gid() == gid)
+
+
+def ends_of(figure, gid):
+    """Return tails and tips of the arrows of a kind, each (n, 2)."""
+    (quiver,) = by_gid(figure, gid)
+    tails = np.asarray(quiver.XY)
+    return tails, tails + np.column_stack([quiver.U, quiver.V])
+
+
+def round_swarm(count):
+    angles = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    outline = Outline(np.column_stack([np.cos(angles), np.sin(angles)]))
+    places = [outline.at_arc_length(outline.perimeter * i / count) for i in range(count)]
+    return Swarm(outline, [Robot(c.point, c.inward) for c in places])
+
+
+def test_an_arrow_per_robot_a_push_ends_and_a_pull_starts_at_the_contact(barge):
+    tails, tips = ends_of(plan(barge), "robot")
+    contacts = np.array([robot.contact for robot in barge.robots])
+    assert len(tips) == 5
+    pushes = [0, 2, 3, 4]
+    np.testing.assert_allclose(tips[pushes], contacts[pushes], atol=1e-12)
+    np.testing.assert_allclose(tails[1], contacts[1], atol=1e-12)
+    assert tips[1, 1] > 11.0  # Bram pulls to port
+
+
+def test_lengths_follow_the_limits_and_the_key(barge):
+    figure = plan(barge)
+    lengths = np.linalg.norm(np.subtract(*ends_of(figure, "robot")), axis=1)
+    limits = np.array([robot.limit for robot in barge.robots])
+    np.testing.assert_allclose(lengths / lengths[0], limits / limits[0], rtol=1e-12)
+    key = np.linalg.norm(np.subtract(*ends_of(figure, "key")), axis=1)
+    np.testing.assert_allclose(key / lengths[0], 100e3 / 120e3, rtol=1e-12)
+    assert "100 kN" in [text.get_text() for text in figure.findobj(Text)]
+
+
+@pytest.mark.parametrize("height", [22.0, 200.0])
+def test_a_metre_is_as_long_across_as_along(height):
+    hull = Outline([(0, 0), (76, 0), (76, height), (0, height)])
+    figure = plan(Swarm(hull, []))
+    figure.draw_without_rendering()
+    steps = np.diff(figure.axes[0].transData.transform([(0, 0), (1, 1)]), axis=0)[0]
+    assert steps[0] == pytest.approx(steps[1], rel=1e-9)
+
+
+def test_the_answer_is_told_in_words(barge, placement):
+    figure = plan(barge, quality=quality(barge), placements=[placement])
+    (label,) = by_gid(figure, "newcomer-label")
+    assert label.get_text().startswith("Fred, 100 kN\nquality ")
+    assert [t.get_text() for t in by_gid(figure, "robot-label")] == [r.name for r in barge.robots]
+    assert len(by_gid(figure, "runner-up-label")) == len(placement.runners_up)
+    assert (len(by_gid(figure, "zone")), len(by_gid(figure, "bollard"))) == (1, 1)
+    assert len(by_gid(figure, "no-go")) == 1
+
+
+def test_labels_lie_apart_and_inside_the_frame(barge, placement):
+    figure = plan(barge, quality=quality(barge), placements=[placement])
+    kinds = ["robot-label", "newcomer-label", "runner-up-label", "edge-label", "weakest-label"]
+    boxes = [text.get_window_extent() for kind in kinds for text in by_gid(figure, kind)]
+    for one, other in itertools.combinations(boxes, 2):
+        assert not one.overlaps(other)
+    frame = figure.axes[0].bbox.padded(2.0)
+    assert all(frame.contains(*corner) for box in boxes for corner in box.corners())
+
+
+@pytest.mark.parametrize(("count", "labels"), [(0, 0), (1, 1), (40, 40), (200, 0)])
+def test_any_number_of_robots_is_drawn(count, labels):
+    swarm = round_swarm(count)
+    figure = plan(swarm, quality=quality(swarm))
+    assert len(by_gid(figure, "robot")) == (count > 0)
+    assert len(by_gid(figure, "robot-label")) == labels
+
+
+def test_the_halves_of_a_two_way_thruster_share_a_label():
+    hull = Outline([(-5, -1), (5, -1), (5, 1), (-5, 1)])
+    halves = [Robot((4, 0), a, 1.0, f"bow {s}", mounted=True) for a, s in ((1.5, "+"), (-1.6, "-"))]
+    (label,) = by_gid(plan(Swarm(hull, halves)), "robot-label")
+    assert label.get_text() == "bow"
+
+
+def test_a_notch_decides_push_or_pull_by_its_own_inside():
+    notched = Outline([(0, 0), (4, 0), (4, 4), (3, 4), (3, 1), (1, 1), (1, 4), (0, 4)])
+    down, up = Robot((2, 1), -math.pi / 2), Robot((2, 1), math.pi / 2)
+    forces = Forces(notched, (down, up))
+    assert forces.ends(down)[1].tolist() == [2, 1]
+    assert forces.ends(up)[0].tolist() == [2, 1]
+
+
+def test_a_given_axes_keeps_its_size(barge):
+    figure = Figure(figsize=(8, 3))
+    left, _ = figure.subplots(1, 2)
+    before = left.get_position().bounds
+    assert plan(barge, ax=left) is figure
+    figure.draw_without_rendering()
+    np.testing.assert_allclose(left.get_position().bounds, before, atol=1e-9)

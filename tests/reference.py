@@ -1,0 +1,284 @@
+"""The slow truth: plain functions on arrays, written from the formulas alone.
+
+Nothing here imports the package under test. Generators ``B`` are scaled unless said
+otherwise: (n, 3) [N, N, N], so that the metric is Euclidean.
+"""
+
+import math
+from itertools import combinations, pairwise, product
+
+import numpy as np
+from scipy.optimize import linprog
+from scipy.spatial import ConvexHull
+
+# -- generators and quality -----------------------------------------------------------
+
+
+def generators(contacts, directions, limits, origin, scale):
+    """Compute b_i = scale * limit_i * (cos a_i, sin a_i, r_x sin a_i - r_y cos a_i), r = c - o.
+
+    Contacts (n, 2) [m], directions (n,) [rad], limits (n,) [N], origin (2,) [m] and
+    scale (3,) [1, 1, 1/m] give (n, 3) [N, N, N].
+    """
+    rows = []
+    for (x, y), alpha, limit in zip(contacts, directions, limits, strict=True):
+        fx, fy = math.cos(alpha), math.sin(alpha)
+        torque = (x - origin[0]) * fy - (y - origin[1]) * fx
+        rows.append([limit * fx, limit * fy, limit * torque])
+    return np.array(rows, dtype=float).reshape(-1, 3) * np.asarray(scale, dtype=float)
+
+
+def support(B, normals):
+    """h(n) = sum_i max(0, n . b_i) for normals (m, 3); returns (m,)."""
+    return np.maximum(np.atleast_2d(normals) @ np.reshape(B, (-1, 3)).T, 0.0).sum(axis=1)
+
+
+def plane_across(b):
+    """Two orthonormal vectors, rows of (2, 3), that span the plane b . n = 0."""
+    return np.linalg.svd(np.reshape(b, (1, 3)) / np.linalg.norm(b))[2][1:]
+
+
+def normals_across(b, B):
+    """Find the unit normals +-(b x b_k) for all k in the plane across b; at least 4.
+
+    The plane's own axes are among them: any unit normal gives h(n) >= Q, so they cannot
+    spoil a minimum, and they stand in where every b_k is parallel to b.
+    """
+    plane = plane_across(b)
+    flat = B @ plane.T
+    lengths = np.linalg.norm(flat, axis=1)
+    flat = flat[lengths > 0.0] / lengths[lengths > 0.0, None]
+    turned = np.column_stack([-flat[:, 1], flat[:, 0]]) @ plane
+    half = np.vstack([plane, turned])
+    return np.vstack([half, -half])
+
+
+def facet_normals(B):
+    """All candidate facet normals (T2), (m, 3), with h at each, (m,)."""
+    B = np.reshape(B, (-1, 3))
+    kept = B[np.linalg.norm(B, axis=1) > 0.0]
+    if not len(kept):
+        normals = np.vstack([np.eye(3), -np.eye(3)])
+    else:
+        normals = np.vstack([normals_across(b, kept) for b in kept])
+    return normals, support(B, normals)
+
+
+def quality(B):
+    """Q = min over n = +-(b_j x b_k)/|b_j x b_k| of sum_i max(0, n . b_i), in newtons (T2).
+
+    Every normal tried is honest, so the result is never below Q by more than rounding.
+    """
+    return float(facet_normals(B)[1].min())
+
+
+# -- placement ------------------------------------------------------------------------
+
+
+def one_sided(p, q, low, high):
+    """Split the sector [low, high] where (q - p) x F changes sign, and to widths <= pi.
+
+    Returns a list of (low, high) [rad]. Inside each, the torque of a contact on [p, q]
+    lies between p x F and q x F: the condition under which (T8) is a convex set.
+    """
+    edge = math.atan2(q[1] - p[1], q[0] - p[0]) if tuple(p) != tuple(q) else low
+    turns = range(math.floor((low - edge) / math.pi), math.ceil((high - edge) / math.pi) + 1)
+    cuts = [edge + k * math.pi for k in turns if low < edge + k * math.pi < high]
+    ends = [low, *cuts, high]
+    return list(pairwise(ends))
+
+
+def _piece_rows(p, q, low, high, torque_scale):
+    """Rows r with r . (F_x, F_y, torque_scale * tau) <= 0 that make up the cone of (T8)."""
+    middle = 0.5 * (low + high)
+    side = (q[0] - p[0]) * math.sin(middle) - (q[1] - p[1]) * math.cos(middle)
+    near, far = (p, q) if side >= 0.0 else (q, p)  # near x F <= tau <= far x F
+    return np.array(
+        [
+            [math.sin(low), -math.cos(low), 0.0],  # low x F >= 0
+            [-math.sin(high), math.cos(high), 0.0],  # F x high >= 0
+            [-math.cos(middle), -math.sin(middle), 0.0],
+            [-torque_scale * near[1], torque_scale * near[0], -1.0],
+            [torque_scale * far[1], -torque_scale * far[0], 1.0],
+        ]
+    )
+
+
+def _deepest(cone, tangents, demands, levels):
+    """Maximise s with n_k . x >= level_k + s, cone . x <= 0, |F| <= 1 by tangents.
+
+    Returns (s, x), x = (F_x, F_y, scaled tau).
+    """
+    discs = np.column_stack([np.cos(tangents), np.sin(tangents), np.zeros((len(tangents), 2))])
+    rows = np.vstack(
+        [
+            np.column_stack([cone, np.zeros(len(cone))]),
+            discs,
+            np.column_stack([-demands, np.ones(len(demands))]),
+        ]
+    )
+    right = np.concatenate([np.zeros(len(cone)), np.ones(len(discs)), -levels])
+    answer = linprog(
+        [0.0, 0.0, 0.0, -1.0], A_ub=rows, b_ub=right, bounds=[(None, None)] * 3 + [(None, 1e6)]
+    )
+    assert answer.status == 0, answer.message
+    return float(answer.x[3]), answer.x[:3]
+
+
+def _level_reached(B, cone, metric, level, pool, tolerance):
+    """Try to reach a level on one convex piece by cutting planes.
+
+    Minimum over n of h(n) + max(0, n . b) >= t asks n . b >= t - h(n) where h(n) < t.
+    Normals are added where the exact quality of B and the answer says the level is
+    missed, tangents where the answer's force is longer than 1.
+    Returns (reached, best quality seen, the pool with the normals added).
+    """
+    tangents = np.linspace(0.0, 2.0 * math.pi, 64, endpoint=False)
+    best = 0.0
+    for _ in range(500):
+        heights = support(B, pool)
+        asked = heights < level
+        demands = pool[asked] * metric
+        depth, x = _deepest(cone, tangents, demands, level - heights[asked])
+        if depth < -1e-9:
+            return False, best, pool
+        length = math.hypot(x[0], x[1])
+        b = metric * x / max(length, 1.0)
+        normals, heights = facet_normals(np.vstack([B, b]))
+        best = max(best, float(heights.min()))
+        if best >= level - tolerance:
+            return True, best, pool
+        missed = heights < level - 0.5 * tolerance
+        worst = np.argsort(heights[missed])[:20]
+        pool = np.vstack([pool, normals[missed][worst]])
+        if length > 1.0 + 1e-9:
+            tangents = np.append(tangents, math.atan2(x[1], x[0]))
+    raise AssertionError("the cutting planes did not settle")
+
+
+def piece_upper_bound_lp(B, piece, limit, origin, scale, tolerance=1e-6):
+    """Maximise Q(B and b) over one piece (T8), by bisection on linear programs.
+
+    Parameters are B scaled, piece = (p, q, alpha_low, alpha_high) with p, q (2,) [m] in the
+    outline's frame, limit [N], origin (2,) [m], scale (3,). Returns (upper, lower) [N]:
+    upper is refuted by the linear programs, lower reached by a robot of the piece; they
+    are at most about `tolerance` apart. Sectors of any width are split as needed.
+    """
+    B = np.reshape(B, (-1, 3))
+    p, q, low, high = piece
+    arms = [(c[0] - origin[0], c[1] - origin[1]) for c in (p, q)]
+    metric = limit * np.array([scale[0], scale[1], 1.0])
+    upper = lower = 0.0
+    for start, end in one_sided(*arms, low, high):
+        cone = _piece_rows(*arms, start, end, scale[2])
+        pool = facet_normals(B)[0]
+        reach = max(math.hypot(*arm) for arm in arms) * scale[2]
+        under = 0.0
+        over = support(B, pool).min() + limit * math.hypot(max(scale[0], scale[1]), reach)
+        while over - under > tolerance:
+            level = 0.5 * (under + over)
+            reached, best, pool = _level_reached(B, cone, metric, level, pool, 0.1 * tolerance)
+            under = max(under, best)
+            over = over if reached else level
+        upper, lower = max(upper, over), max(lower, under)
+    return float(upper), float(lower)
+
+
+def best_on_grid(B, pieces, limit, origin, scale, n_contacts=41, n_directions=73):
+    """Best Q(B and b) over a grid of robots allowed by pieces (p, q, alpha_low, alpha_high).
+
+    Returns (quality [N], contact (2,) [m], direction [rad]); never above the optimum.
+    """
+    B = np.reshape(B, (-1, 3))
+    base_normals, base_heights = facet_normals(B)
+    best = (-1.0, None, None)
+    for p, q, low, high in pieces:
+        shares = [0.0] if tuple(p) == tuple(q) else np.linspace(0.0, 1.0, n_contacts)
+        angles = [low] if low == high else np.linspace(low, high, n_directions)
+        for share, alpha in product(shares, angles):
+            contact = np.asarray(p) + share * (np.asarray(q) - np.asarray(p))
+            (b,) = generators([contact], [alpha], [limit], origin, scale)
+            value = float((base_heights + np.maximum(base_normals @ b, 0.0)).min())
+            if value > best[0]:
+                value = min(value, float(support(B, normals_across(b, B)).min()))
+            if value > best[0]:
+                best = (value, contact, float(alpha))
+    return best
+
+
+# -- the wrench set -------------------------------------------------------------------
+
+
+def corner_hull(B):
+    """Convex hull of all 2^n sums of generators: (volume, corners (v, 3)); n <= 12, rank 3."""
+    B = np.reshape(B, (-1, 3))
+    sums = np.array(list(product([0.0, 1.0], repeat=len(B)))) @ B
+    hull = ConvexHull(sums)
+    return float(hull.volume), sums[hull.vertices]
+
+
+def volume(B):
+    """Sum of |det(b_i, b_j, b_k)| over all triples."""
+    triples = [np.linalg.det(np.array(t)) for t in combinations(np.reshape(B, (-1, 3)), 3)]
+    return float(np.abs(triples).sum()) if triples else 0.0
+
+
+# -- numbers known exactly ------------------------------------------------------------
+
+
+def _unit(rows):
+    """Rows scaled to length 1."""
+    rows = np.array(rows, dtype=float)
+    return rows / np.linalg.norm(rows, axis=1, keepdims=True)
+
+
+def _both(rows):
+    """Rows and their negatives: segments [-v, v]."""
+    return np.vstack([_unit(rows), -_unit(rows)])
+
+
+def square_of_robots(t, mirrored=False):
+    """Scaled generators of 4 (or 8) unit robots pulling on a square of half-side 1, L = 1.
+
+    (1, -t) along +x, (-1, t) along -x, (-t, 1) along +y, (t, -1) along -y.
+    """
+    rows = []
+    for s in (t, -t) if mirrored else (t,):
+        contacts = [(1.0, -s), (-1.0, s), (-s, 1.0), (s, -1.0)]
+        angles = [0.0, math.pi, 0.5 * math.pi, -0.5 * math.pi]
+        rows.append(generators(contacts, angles, [1.0] * 4, (0.0, 0.0), (1.0, 1.0, 1.0)))
+    return np.vstack(rows)
+
+
+PHI = 0.5 * (1.0 + math.sqrt(5.0))
+CUBE_CORNERS = [(1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)]
+FACE_DIAGONALS = [(1, 1, 0), (1, -1, 0), (1, 0, 1), (1, 0, -1), (0, 1, 1), (0, 1, -1)]
+ICOSAHEDRON = [(0, 1, PHI), (0, 1, -PHI), (1, PHI, 0), (1, -PHI, 0), (PHI, 0, 1), (-PHI, 0, 1)]
+TETRAHEDRON = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
+
+SOLIDS = {
+    "cube": (_both(np.eye(3)), 1.0, 6, 8),
+    "rhombic dodecahedron": (_both(CUBE_CORNERS), 2.0 * math.sqrt(6.0) / 3.0, 12, 14),
+    "rhombic triacontahedron": (
+        _both(ICOSAHEDRON),
+        2.0 * PHI**2 / math.sqrt(1.0 + PHI**2),
+        30,
+        32,
+    ),
+    "truncated octahedron": (_both(FACE_DIAGONALS), math.sqrt(6.0), 14, 24),
+    "truncated cuboctahedron": (
+        _both([*np.eye(3), *FACE_DIAGONALS]),
+        1.0 + 2.0 * math.sqrt(2.0),
+        26,
+        48,
+    ),
+    "tetrahedron of four": (_unit(TETRAHEDRON), math.sqrt(6.0) / 3.0, 12, 14),
+}
+"""Name: (generators (n, 3), exact quality, faces, corners)."""
+
+CLOSED_FORMS = {name: (B, exact) for name, (B, exact, _, _) in SOLIDS.items()}
+for _t in (0.2, 0.4, 1.0):
+    _q = 2.0 * _t / math.sqrt(1.0 + 2.0 * _t**2)
+    CLOSED_FORMS[f"square of four, t = {_t}"] = (square_of_robots(_t), min(1.0, _q))
+    CLOSED_FORMS[f"square of eight, t = {_t}"] = (square_of_robots(_t, True), min(2.0, 2.0 * _q))
+"""Name: (generators (n, 3), exact quality)."""

@@ -1,0 +1,82 @@
+"""The built-in scenarios load, fit the schema, and have the qualities they promise."""
+
+import jsonschema
+import numpy as np
+import pytest
+from ruamel.yaml import YAML
+
+from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.scenario import example_names, example_text, load_example, scenario_schema
+from swarmgrasp.swarm import Swarm
+
+
+def quality(swarm: Swarm) -> float:
+    """Return the quality [N] by all pairs of generators, the slow formula (T2)."""
+    b = swarm.scaled_generators
+    j, k = np.triu_indices(len(b), 1)
+    normals = np.cross(b[j], b[k])
+    size = np.linalg.norm(normals, axis=1)
+    keep = size > 1e-9 * np.linalg.norm(b[j], axis=1) * np.linalg.norm(b[k], axis=1)
+    products = normals[keep] / size[keep, None] @ b.T
+    return float(min(np.maximum(s * products, 0.0).sum(axis=1).min() for s in (1, -1)))
+
+
+@pytest.mark.parametrize("name", example_names())
+def test_an_example_loads_and_fits_the_schema(name: str) -> None:
+    """The schema that editors use accepts what the loader accepts."""
+    scenario = load_example(name)
+    assert scenario.newcomer is not None
+    jsonschema.Draft202012Validator(scenario_schema()).validate(
+        YAML(typ="safe", pure=True).load(example_text(name))
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "robots", "expected"),
+    [
+        ("drillship-thrusters", 4, 0.8998300),
+        ("supply-vessel", 12, 748_420.2756),
+        ("rectangle-5", 5, 0.0),
+        ("rectangle-15", 15, 2.2557583),
+        ("hull-120", 8, 248_774.880),
+        ("model-ship", 5, 0.0467866667),
+        ("deck-barge", 5, 229_220.380),
+    ],
+)
+def test_an_example_has_the_quality_it_promises(name: str, robots: int, expected: float) -> None:
+    """The first two are closed forms of published vessels; the others guard the files."""
+    swarm = load_example(name).swarm
+    assert len(swarm) == robots
+    assert quality(swarm) == pytest.approx(expected, rel=1e-7, abs=1e-12)
+
+
+def test_an_unknown_example_is_told_with_the_nearest() -> None:
+    """A slip of the pen finds its way."""
+    with pytest.raises(ScenarioInvalid, match=r"did you mean 'deck-barge'\? Known: deck-barge, "):
+        load_example("deck_barge")
+
+
+def test_the_schema_is_one() -> None:
+    """It is a valid draft 2020-12 schema, with units told and its own example valid."""
+    schema = scenario_schema()
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.Draft202012Validator(schema).validate(schema["examples"][0])
+    assert schema["additionalProperties"] is False
+    assert "[units.force]" in schema["$defs"]["RobotSection"]["properties"]["limit"]["description"]
+
+
+@pytest.mark.parametrize(
+    "robot",
+    [
+        {"direction": 0, "limit": 1},
+        {"at": 1, "contact": [0, 0], "direction": 0, "limit": 1},
+        {"edge": 1, "direction": 0, "limit": 1},
+        {"at": 1, "direction": "north", "limit": 1},
+        {"at": 1, "direction": 0, "limit": 0},
+        {"at": 1, "direction": 0, "limit": 1, "color": "red"},
+    ],
+)
+def test_the_schema_refuses_what_the_loader_refuses(robot: dict[str, object]) -> None:
+    """An editor underlines it before the program is run."""
+    document = {**scenario_schema()["examples"][0], "robots": [robot]}
+    assert not jsonschema.Draft202012Validator(scenario_schema()).is_valid(document)

@@ -1,0 +1,280 @@
+"""Every fault of a scenario file is told with its line, column and key."""
+
+import contextlib
+import random
+import re
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.scenario import example_names, example_text, load_scenario, parse_scenario
+
+# line 1 is the outline, line 2 opens the robots, line 3 is the first of them
+HEAD = (
+    "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]], edges: [south, east, north, west]}\n"
+    "robots:\n"
+)
+ROBOT = "  - {edge: east, along: 1, direction: inward, limit: 1}\n"
+
+
+def told(text: str) -> list[str]:
+    """Return the faults of a text, one line each."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(text, "a.yaml")
+    faults = list(caught.value.faults)
+    assert str(caught.value).splitlines() == faults
+    return faults
+
+
+ROBOTS = {
+    "{at: 1, direction: 0, limit: -0.5}": (
+        "3:34: robots.0.limit: should be greater than 0 (got -0.5)"
+    ),
+    "{at: 1, direction: 0, limit: 0}": "3:34: robots.0.limit: should be greater than 0 (got 0)",
+    "{at: 1, direction: 0, limit: .nan}": (
+        "3:34: robots.0.limit: should be a finite number (got .nan)"
+    ),
+    "{at: 1, direction: 0, limit: .inf}": (
+        "3:34: robots.0.limit: should be a finite number (got .inf)"
+    ),
+    "{at: 1, direction: 0, limit: '5'}": "3:34: robots.0.limit: should be a number (got '5')",
+    "{at: 1, direction: 0, limit: true}": "3:34: robots.0.limit: should be a number (got true)",
+    "{at: 1, direction: 0, limit: }": (
+        "3:27: robots.0.limit: has no value; give one or leave the key out"
+    ),
+    "{at: 1, direction: 0, limt: 1, limit: 1}": (
+        "3:27: robots.0.limt: unknown key; did you mean 'limit'?"
+    ),
+    "{at: 1, direction: 0}": "3:5: robots.0.limit: is missing: Largest force [units.force].",
+    "{at: 1, at: 2, direction: 0, limit: 1}": (
+        "3:13: robots.0.at: duplicate key; it is already given on line 3"
+    ),
+    "{at: 1, direction: north, limit: 1}": (
+        "3:24: robots.0.direction: should be an angle, 'inward' or 'outward' (got 'north')"
+    ),
+    "{at: 12.5, direction: 0, limit: 1}": (
+        "3:10: robots.0.at: should lie in [0, 12] m, the length of the boundary (got 12.5)"
+    ),
+    "{contact: [4.5, 1], direction: 0, limit: 1}": (
+        "3:15: robots.0.contact: is off the boundary; the nearest boundary point is "
+        "[4, 1] m on east, 0.5 m away (got [4.5, 1])"
+    ),
+    "{contact: [5, 1], direction: 0, limit: 1, mounted: true}": (
+        "3:15: robots.0.contact: a mounted robot should be inside; the nearest boundary point is "
+        "[4, 1] m on east, 1 m away (got [5, 1])"
+    ),
+    "{at: 1, direction: 0, limit: 1, mounted: true}": (
+        "3:46: robots.0.mounted: a mounted robot is given by its contact [x, y]"
+    ),
+    "{contact: [4, 2], direction: inward, limit: 1}": (
+        "3:34: robots.0.direction: the normal is ambiguous at a corner; give the contact by edge "
+        "and along, or an angle (got 'inward')"
+    ),
+    "{edge: eastt, along: 1, direction: 0, limit: 1}": (
+        "3:12: robots.0.edge: there is no such edge; they run from 0 to 3; did you mean 'east'? "
+        "(got 'eastt')"
+    ),
+    "{edge: east, along: 3, direction: 0, limit: 1}": (
+        "3:25: robots.0.along: should lie in [0, 2] m, the length of east (got 3)"
+    ),
+    "{edge: east, direction: 0, limit: 1}": "3:5: robots.0: edge needs along, the distance on it",
+    "{at: 1, theta: 2, direction: 0, limit: 1}": (
+        "3:5: robots.0: theta and at each say where; keep one"
+    ),
+    "{direction: 0, limit: 1}": (
+        "3:5: robots.0: should say where, by contact, theta, at, or edge with along"
+    ),
+    "7": "3:5: robots.0: should be a mapping of keys to values (got 7)",
+    "!!python/object:os.system {at: 1, direction: 0, limit: 1}": (
+        "3:5: robots.0: the tag '!!python/object:os.system' is not allowed; write plain values"
+    ),
+}
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_faulty_robot_is_told_with_its_place(robot: str) -> None:
+    """One fault, one sentence, with line, column and key path."""
+    assert told(f"{HEAD}  - {robot}\n") == [f"a.yaml:{ROBOTS[robot]}"]
+
+
+REST = {
+    "newcomer: {limit: 1, attachment: pul}": (
+        "4:34: newcomer.attachment: should be 'push', 'pull' or 'free' (got 'pul')"
+    ),
+    "newcomer: {limit: 1, attachment: pull, half_angle: 30}": (
+        "4:52: newcomer.half_angle: should lie in [0, 1.57079633] rad (got 30)"
+    ),
+    "newcomer: {limit: 1, half_angle: 1}": (
+        "4:34: newcomer.half_angle: goes with attachment: push or pull only; a free one pushes "
+        "in any direction (got 1)"
+    ),
+    "zones: []": "4:8: zones: should hold at least 1 values, not 0 (got [])",
+    "zones: [{from: 3, to: 13}]": (
+        "4:23: zones.0.to: should lie in [0, 12] m, the length of the boundary (got 13)"
+    ),
+    "zones: [{edge: east, from: 1.5, to: 1}]": (
+        "4:28: zones.0.from: should be less than to, which is 1 m (got 1.5)"
+    ),
+    "zones: [{at: 3, directions: [0, 7]}]": (
+        "4:29: zones.0.directions: spans a full turn, which limits nothing; leave it out "
+        "(got [0, 7])"
+    ),
+    "no_go: [{from: 3, to: 3}]": (
+        "4:23: no_go.0.to: the stretch has no length; a single point is given by contact, theta, "
+        "at or along (got 3)"
+    ),
+    "no_go: [{from: 3}]": "4:9: no_go.0: should say where, by edge, or from and to",
+    "spacing: -1": "4:10: spacing: should be at least 0 (got -1)",
+    "metric: {force_weights: [1, 0]}": (
+        "4:29: metric.force_weights.1: should be greater than 0 (got 0)"
+    ),
+    "units: {length: yard}": "4:17: units.length: should be 'm' or 'ft' (got 'yard')",
+    "Zones: []": "4:1: Zones: unknown key; did you mean 'zones'?",
+    "1: 2": "4:1: a key should be text (got 1)",
+}
+
+
+@pytest.mark.parametrize("line", REST)
+def test_a_fault_outside_the_robots_is_told_with_its_place(line: str) -> None:
+    """Newcomer, zones, no-go stretches, spacing, metric and units have their own sentences."""
+    assert told(f"{HEAD}{ROBOT}{line}\n") == [f"a.yaml:{REST[line]}"]
+
+
+DOCUMENTS = {
+    "": "1:1: the file is empty; it should hold a scenario",
+    "# nothing\n": "1:1: the file is empty; it should hold a scenario",
+    "- 1\n": "1:1: should be a mapping of keys to values (got [1])",
+    "a: [1, 2": (
+        "1:9: not valid YAML: while parsing a flow sequence expected ',' or ']', but "
+        "got '<stream end>'"
+    ),
+    "a: 1\n b: 2\n": "2:3: not valid YAML: mapping values are not allowed here",
+    "a: \x07": "1:4: not valid YAML: special characters are not allowed",
+    "a: 1\n---\nb: 2\n": "2:1: a second document starts; a file holds one scenario",
+    "a: &x [1, *x]\n": "1:11: the alias *x contains itself",
+    "a: *x\n": "1:4: the alias *x stands for nothing",
+    "[" * 30: "1:21: nested too deep; at most 20 levels are read",
+}
+
+
+@pytest.mark.parametrize("text", DOCUMENTS)
+def test_a_text_that_is_no_document_is_refused_with_its_place(text: str) -> None:
+    """Empty, unfinished, recursive or bottomless: one sentence, never a traceback."""
+    assert told(text) == [f"a.yaml:{DOCUMENTS[text]}"]
+
+
+def test_aliases_that_explode_are_refused_at_once() -> None:
+    """Ten levels of ten aliases stand for 10^10 values, and cost nothing."""
+    lines = ["a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"]
+    lines += [f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 10)}]" for i in range(1, 10)]
+    start = time.perf_counter()
+    (fault,) = told("\n".join(lines))
+    assert "too many values, aliases expanded; at most 100000 are read" in fault
+    assert time.perf_counter() - start < 1.0
+
+
+OUTLINES = {
+    "[[0, 0], [10, 10], [10, 0], [0, 10]]": "(5, 5) ft",
+    "[[0, 0], [1, 1], [2, 2]]": "collinear",
+    "[[0, 0], [1, 1], [0, 0]]": "needs at least 3",
+    "[[0, 0], [1e-9, 0], [0, 1e-9]]": "it should be at least 1e-06 ft",
+}
+
+
+@pytest.mark.parametrize("vertices", OUTLINES)
+def test_an_outline_that_is_no_polygon_is_told_in_the_units_of_the_file(vertices: str) -> None:
+    """A crossing point is named in feet when the file speaks of feet."""
+    text = f"units: {{length: ft}}\noutline:\n  vertices: {vertices}\nrobots: []\n"
+    (fault,) = told(text)
+    assert fault.startswith("a.yaml:3:13: outline.vertices: ")
+    assert OUTLINES[vertices] in fault
+
+
+def test_all_faults_are_told_at_once_in_the_order_of_the_file() -> None:
+    """A bad limit hides neither its own robot's contact nor the next robot's."""
+    robots = (
+        "  - {contact: [9, 9], direction: 0, limit: -1}\n  - {at: 99, direction: 0, limit: 1}\n"
+    )
+    faults = told(f"{HEAD}{robots}spacing: -1\nzones: [{{at: 20}}]\n")
+    keys = [fault.split(": ")[1] for fault in faults]
+    assert keys == ["robots.0.contact", "robots.0.limit", "robots.1.at", "spacing", "zones.0.at"]
+
+
+def test_a_bad_outline_hides_no_other_fault() -> None:
+    """Robots cannot be located without it, but their numbers are still checked."""
+    faults = told("outline: {vertices: [[0, 0], [1, x], [y, 1]]}\nrobots: [{at: 1, limit: 0}]\n")
+    assert [fault.split(": ")[1] for fault in faults] == [
+        "outline.vertices.1.1",
+        "outline.vertices.2.0",
+        "robots.0.direction",
+        "robots.0.limit",
+    ]
+
+
+def test_a_flood_of_faults_is_cut() -> None:
+    """After fifty faults only their number is told."""
+    faults = told(HEAD + "  - {at: 1, direction: 0, limit: 0}\n" * 60)
+    assert len(faults) == 51
+    assert faults[-1] == "a.yaml: ... and 10 more"
+
+
+def test_a_file_that_cannot_be_read_is_told_by_name(tmp_path: Path) -> None:
+    """Missing, a directory, not UTF-8, or a name no file can have."""
+    latin = tmp_path / "latin.yaml"
+    latin.write_bytes(b"name: ok\ndescription: caf\xe9\n")
+    for path, said in {
+        tmp_path / "none.yaml": "there is no such file",
+        tmp_path: "is a directory; give a file in it",
+        latin / "inside": "cannot be read: Not a directory",
+        latin: "latin.yaml:2:17: not UTF-8 (byte 0xe9); save it as UTF-8",
+        Path("a\0b"): "is no file name",
+    }.items():
+        with pytest.raises(ScenarioInvalid, match=re.escape(said)):
+            load_scenario(path)
+
+
+def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path) -> None:
+    """The size is enough to say no."""
+    huge = tmp_path / "huge.yaml"
+    with huge.open("wb") as file:
+        file.truncate(10_000_000)
+    start = time.perf_counter()
+    with pytest.raises(ScenarioInvalid, match="10000000 bytes; it should have at most 1000000"):
+        load_scenario(huge)
+    assert time.perf_counter() - start < 0.1
+
+
+def test_plain_words_are_read_as_yaml_1_2_reads_them() -> None:
+    """`no` is a name and `1e-3` a number."""
+    scenario = parse_scenario(f"name: no\n{HEAD}  - {{name: on, at: 1, direction: 0, limit: 1e-3}}")
+    assert (scenario.name, scenario.swarm.robots[0].name) == ("no", "on")
+    assert scenario.swarm.robots[0].limit == 1e-3
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.binary(max_size=200))
+def test_any_bytes_load_or_are_refused(
+    tmp_path_factory: pytest.TempPathFactory, raw: bytes
+) -> None:
+    """Whatever a file holds, the only error is ScenarioInvalid."""
+    path = tmp_path_factory.getbasetemp() / "bytes.yaml"
+    path.write_bytes(raw)
+    with pytest.raises(ScenarioInvalid):
+        load_scenario(path)
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.randoms(use_true_random=False))
+def test_any_mutation_of_an_example_loads_or_is_refused(rng: random.Random) -> None:
+    """Words deleted, doubled, swapped or replaced by hostile ones: never another error."""
+    name = rng.choice([n for n in example_names() if n != "hull-120"])
+    words = re.split(r"(\W)", example_text(name))
+    hostile = ["", "[", "}", "&a ", "*a", "\t", "\x00", "\ud800", "9" * 400, ".nan", "~", "-1e308"]
+    for _ in range(rng.choice([1, 2, 8])):
+        words[rng.randrange(len(words))] = rng.choice([*hostile, rng.choice(words)])
+    with contextlib.suppress(ScenarioInvalid):
+        parse_scenario("".join(words))
