@@ -1,8 +1,28 @@
-"""Where should the next robot attach to a large object, and which way should it push?"""
+"""Where the next robot should attach to a large object, and which way it should push."""
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Contact, Outline, Stretch
+from swarmgrasp.placement import Placement, Problem, place, place_sequence
+from swarmgrasp.quality import ForceClosure, Quality, quality
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.wrench_set import WrenchSet
 
-__all__ = ["Contact", "Newcomer", "Outline", "Robot", "Stretch", "Swarm", "SwarmGraspError", "Zone"]
+__all__ = [
+    "Contact",
+    "ForceClosure",
+    "Newcomer",
+    "Outline",
+    "Placement",
+    "Problem",
+    "Quality",
+    "Robot",
+    "Stretch",
+    "Swarm",
+    "SwarmGraspError",
+    "WrenchSet",
+    "Zone",
+    "place",
+    "place_sequence",
+    "quality",
+]

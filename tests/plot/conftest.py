@@ -39,7 +39,8 @@ def no_go(barge):
 
 @pytest.fixture(scope="session")
 def placement(barge, zones, no_go):
-    return place(barge, Newcomer(100e3, "push", name="Fred"), zones=zones, no_go=no_go)
+    newcomer = Newcomer(100e3, "push", name="Fred")
+    return place(barge, newcomer, zones=zones, no_go=no_go, runners_up=0.1)
 
 
 @pytest.fixture(scope="session")

@@ -64,7 +64,7 @@ def test_the_answer_is_told_in_words(barge, placement):
     (label,) = by_gid(figure, "newcomer-label")
     assert label.get_text().startswith("Fred, 100 kN\nquality ")
     assert [t.get_text() for t in by_gid(figure, "robot-label")] == [r.name for r in barge.robots]
-    assert len(by_gid(figure, "runner-up-label")) == len(placement.runners_up)
+    assert len(by_gid(figure, "runner-up-label")) == len(placement.runners_up) > 0
     assert (len(by_gid(figure, "zone")), len(by_gid(figure, "bollard"))) == (1, 1)
     assert len(by_gid(figure, "no-go")) == 1
 

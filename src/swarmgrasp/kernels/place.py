@@ -209,9 +209,7 @@ def reach(generators, pool, count, weights, level, slack, piece, work, best, row
         lower, upper, i, j, barred = torque_bounds(pool, count, level, piece, c, s)
         if barred < 0 and (lower <= upper or (i < 0 and j < 0)):
             torque = 0.5 * (lower + upper)
-            quality, across, index = value_of(
-                generators, pool, count, weights, c, s, torque, work
-            )
+            quality, across, index = value_of(generators, pool, count, weights, c, s, torque, work)
             if quality > best[0]:
                 best[0], best[1], best[2], best[3] = quality, c, s, torque
             if across >= level - slack:

@@ -33,8 +33,6 @@ class Forces:
     ----------
     outline : Outline
     robots, newcomers, runners_up : tuple of Robot
-    metres_per_newton : float
-        Length of an arrow over the robot's limit.
     """
 
     outline: Outline

@@ -1,7 +1,7 @@
 """The landscape: the quality a newcomer would bring, over every contact and direction."""
 
 import math
-from typing import TYPE_CHECKING, Any, Final, cast
+from typing import Any, Final, cast
 
 import matplotlib as mpl
 import numpy as np
@@ -13,12 +13,10 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
+from swarmgrasp.placement import Placement, Problem
+from swarmgrasp.placement.pieces import pieces_of
 from swarmgrasp.plot import style
-from swarmgrasp.plot.allowed import patches
 from swarmgrasp.plot.quality_grid import quality_grid
-
-if TYPE_CHECKING:
-    from swarmgrasp.placement import Placement, Problem
 
 COLOURS: Final = "cividis"
 """Even in lightness, and the same to every kind of colour vision."""
@@ -33,14 +31,14 @@ BOX: Final = (0.115, 0.195, 0.735, 0.665)
 MOST_CORNERS: Final = 14
 """With more corners than this the boundary is ticked at round distances instead."""
 
-NEAR: Final = 0.07
+NEAR: Final = 0.085
 """Corners closer than this share of the boundary share one number."""
 
 HALO: Final = [withStroke(linewidth=2.2, foreground="#00000070")]
 """Makes a white line readable on every colour."""
 
 
-def landscape(subject: "Placement | Problem", *, resolution: tuple[int, int] = (180, 90)) -> Figure:
+def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (180, 90)) -> Figure:
     """Draw the quality after adding the newcomer at each contact, in each direction.
 
     The vertical axis is the absolute direction of the force and not its angle to the
@@ -61,12 +59,17 @@ def landscape(subject: "Placement | Problem", *, resolution: tuple[int, int] = (
     Returns
     -------
     Figure
+
+    Raises
+    ------
+    NowhereToAttach
+        If the problem leaves no boundary point to the newcomer.
     """
-    problem: Problem = getattr(subject, "problem", subject)
-    placement = None if subject is problem else cast("Placement", subject)
+    placement = subject if isinstance(subject, Placement) else None
+    problem = subject.problem if isinstance(subject, Placement) else subject
     outline = problem.swarm.outline
     grid = cell_qualities(problem, resolution)
-    factor, unit = style.force_unit(float(np.nanmax(grid, initial=0.0)))
+    factor, unit = style.force_unit(float(np.nanmax(grid)))
     with mpl.rc_context(style.RC):
         figure = Figure(figsize=(style.WIDTH, HEIGHT))
         ax = figure.add_axes(BOX)
@@ -87,7 +90,7 @@ def landscape(subject: "Placement | Problem", *, resolution: tuple[int, int] = (
     return figure
 
 
-def cell_qualities(problem: "Problem", resolution: tuple[int, int]) -> NDArray[np.float64]:
+def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.float64]:
     """Compute the quality with the newcomer in every cell of contacts and directions.
 
     Parameters
@@ -106,14 +109,17 @@ def cell_qualities(problem: "Problem", resolution: tuple[int, int]) -> NDArray[n
     columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
     rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
     grid = np.full(resolution, np.nan)
-    for patch in patches(problem):
-        where, arc_lengths = _samples(columns, patch.start, patch.end)
-        contacts = np.array([outline.at_arc_length(float(s)).point for s in arc_lengths])
-        parts = [_samples(rows, patch.low - t, patch.high - t) for t in (0.0, 2.0 * math.pi)]
+    for piece in pieces_of(problem):
+        base = float(outline.corner_arc_lengths[piece.edge])
+        where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
+        p, q = outline.edge_ends(piece.edge)
+        shares = (arc_lengths - base)[:, None] / outline.lengths[piece.edge]
+        contacts = p + shares * (q - p)
+        low = (piece.lo + math.pi) % math.tau - math.pi
+        width = piece.hi - piece.lo
+        parts = [_samples(rows, low - t, low - t + width) for t in (0.0, math.tau)]
         which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
-        values = quality_grid(
-            problem.swarm, contacts.reshape(-1, 2), directions, problem.newcomer.limit
-        )
+        values = quality_grid(problem.swarm, contacts, directions, problem.newcomer.limit)
         cells = np.ix_(where, which)
         grid[cells] = np.fmax(grid[cells], values)
     return grid
@@ -142,8 +148,7 @@ def _draw_values(ax: Axes, grid: NDArray[np.float64], perimeter: float, unit: st
     """Draw the qualities as colours and contour lines, hatching where nothing is allowed."""
     look: dict[str, Any] = {"facecolor": "#F4F4F4", "edgecolor": "#C4C4C4", "hatch": "////"}
     ax.add_patch(Rectangle((0.0, -180.0), perimeter, 360.0, zorder=0, linewidth=0.0, **look))
-    known = grid[np.isfinite(grid)]
-    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 0.0)
+    low, high = float(np.nanmin(grid)), float(np.nanmax(grid))
     flat = high - low <= 1e-9 * high
     image = ax.imshow(
         grid.T, origin="lower", aspect="auto", cmap=COLOURS, interpolation="nearest", zorder=1,
@@ -151,7 +156,7 @@ def _draw_values(ax: Axes, grid: NDArray[np.float64], perimeter: float, unit: st
     )  # fmt: skip
     ax.set(xlim=(0.0, perimeter), ylim=(-180.0, 180.0))
     if flat:
-        value = f"{style.number(low)} {unit} everywhere" if len(known) else "nowhere to attach"
+        value = f"{style.number(low)} {unit} everywhere"
         paper = {"boxstyle": "round", "facecolor": "white", "linewidth": 0.0, "alpha": 0.9}
         ax.text(
             0.5, 0.5, value, transform=ax.transAxes, bbox=paper, ha="center", va="center", zorder=6
@@ -209,8 +214,8 @@ def _name_boundary(ax: Axes, outline: Outline) -> None:
     for corner in outline.corner_arc_lengths[1:-1]:
         if min(abs(corner - tick) for tick in ticks) > NEAR * outline.perimeter:
             ticks.append(float(corner))
-    digits = 3 if outline.perimeter < 1000.0 else 4
-    ax.set_xticks(sorted(ticks), [f"{tick:.{digits}g}" for tick in sorted(ticks)])
+    digits = max(0, 2 - math.floor(math.log10(outline.perimeter)))
+    ax.set_xticks(sorted(ticks), [f"{tick:.{digits}f}" for tick in sorted(ticks)])
     ax.set_xticks(outline.corner_arc_lengths, minor=True)
     for edge in range(len(outline)):
         start, end = outline.corner_arc_lengths[edge : edge + 2]
@@ -223,7 +228,7 @@ def _name_boundary(ax: Axes, outline: Outline) -> None:
             artist.remove()
 
 
-def _mark(ax: Axes, placement: "Placement") -> None:
+def _mark(ax: Axes, placement: Placement) -> None:
     """Mark the best contact and direction, and those of the runners-up."""
     outline = placement.problem.swarm.outline
     chosen = [(runner.robot, "o", 5.0, style.ORANGE) for runner in placement.runners_up]

@@ -3,7 +3,7 @@
 import itertools
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Final, cast
+from typing import Any, Final, cast
 
 import matplotlib as mpl
 import numpy as np
@@ -12,17 +12,15 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from swarmgrasp.outline import Outline, Stretch
+from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Forces, draw_arrows, draw_turn
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.sheet import draw_force_key, frame, new_axes, write_legend, write_title
 from swarmgrasp.plot.strips import BARRED, BOLLARD, STRIP, STRIPES, draw_strips
+from swarmgrasp.quality import Quality
 from swarmgrasp.robot import Robot, Zone
 from swarmgrasp.swarm import Swarm
-
-if TYPE_CHECKING:
-    from swarmgrasp.placement import Placement
-    from swarmgrasp.quality import Quality
 
 MOST_LABELS: Final = 40
 """With more robots or named edges than this none is labelled."""
@@ -49,8 +47,8 @@ so its size follows the paper and not the object."""
 def plan(
     swarm: Swarm,
     *,
-    quality: "Quality | None" = None,
-    placements: "Sequence[Placement]" = (),
+    quality: Quality | None = None,
+    placements: Sequence[Placement] = (),
     zones: Sequence[Zone | None] = (),
     no_go: Sequence[Stretch] = (),
     ax: Axes | None = None,
@@ -81,7 +79,7 @@ def plan(
     Figure
     """
     if placements:
-        zones = zones or placements[0].problem.zones
+        zones = zones or placements[0].problem.zones or ()
         no_go = no_go or placements[0].problem.no_go
     strips = [zone.stretch for zone in zones if zone is not None]
     forces = Forces(
@@ -153,7 +151,7 @@ def _draw_forces(page: Page, forces: Forces) -> None:
         )
 
 
-def _draw_weakest(page: Page, swarm: Swarm, quality: "Quality") -> None:
+def _draw_weakest(page: Page, swarm: Swarm, quality: Quality) -> None:
     """Draw the wrench the swarm is weakest at, and say how weak."""
     ax, origin = page.ax, swarm.outline.origin
     inverse = ax.transData.inverted()
@@ -178,7 +176,7 @@ def _draw_weakest(page: Page, swarm: Swarm, quality: "Quality") -> None:
     page.label(text, beside, -0.5 * math.pi, fontsize=8.0, color=style.WINE, gid="weakest-label")
 
 
-def _label_newcomers(page: Page, forces: Forces, placements: "Sequence[Placement]") -> None:
+def _label_newcomers(page: Page, forces: Forces, placements: Sequence[Placement]) -> None:
     """Say what every newcomer brings, and what its runners-up would have brought."""
     for placement in placements:
         robot = placement.robot
@@ -237,7 +235,7 @@ def _label_edges(page: Page, outline: Outline) -> None:
         page.label(outline.edge_names[edge], spots, outward, optional=True, **look)
 
 
-def _title(swarm: Swarm, quality: "Quality | None", placements: "Sequence[Placement]") -> str:
+def _title(swarm: Swarm, quality: Quality | None, placements: Sequence[Placement]) -> str:
     """Return the picture in a line."""
     crew = style.count(len(swarm))
     if placements:

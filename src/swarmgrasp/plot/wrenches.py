@@ -59,8 +59,16 @@ def wrench_sets(
     Returns
     -------
     Figure
+
+    Raises
+    ------
+    WrenchSetTooLarge
+        If a set has too many faces to draw.
     """
-    first, last = body(before), body(before if after is None else after)
+    first = last = body(before)
+    if after is not None:
+        metric = before.characteristic_length, before.force_weights
+        last = body(Swarm(after.outline, after.robots, *metric))
     factor, unit = style.force_unit(float(np.abs(last.vertices).max()))
     with mpl.rc_context(style.RC):
         figure = Figure(figsize=(style.WIDTH, 4.3))
@@ -206,7 +214,7 @@ def _set_axes(
     ax.set_zlabel(f"torque / {style.number(swarm.characteristic_length)} m [{unit}]", labelpad=2.0)
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
-    ax.tick_params(pad=0.0)
+    ax.tick_params(pad=1.5)
     ax.locator_params(nbins=5)
 
 

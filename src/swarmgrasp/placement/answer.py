@@ -1,0 +1,91 @@
+"""The answer to a placement: the robot, what it adds, and the proof."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from swarmgrasp.placement.certificate import Certificate
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Swarm
+
+if TYPE_CHECKING:
+    from swarmgrasp.placement.verify import Verdict
+
+
+@dataclass(frozen=True)
+class RunnerUp:
+    """The best robot in another place.
+
+    Attributes
+    ----------
+    robot : Robot
+    quality : float [N]
+        Of the swarm with it.
+    place : str
+        The zone's name, or the edge's.
+    """
+
+    robot: Robot
+    quality: float
+    place: str
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where the newcomer goes.
+
+    Attributes
+    ----------
+    problem : Problem
+    robot : Robot
+        The newcomer in contact, at its full limit (T6).
+    place : str
+        The zone's name, or the edge's.
+    quality_before, quality : float [N]
+        Of the swarm without and with it.
+    upper_bound : float [N]
+        What no allowed robot exceeds.
+    improves : bool
+        Whether the newcomer raises the quality. If not, no allowed place does to within
+        the gap, and `robot` is the one that lifts the other directions most.
+    reason : str
+        What limits the answer, in words.
+    certificate : Certificate
+    runners_up : tuple of RunnerUp
+        Best first.
+    """
+
+    problem: Problem
+    robot: Robot
+    place: str
+    quality_before: float
+    quality: float
+    upper_bound: float
+    improves: bool
+    reason: str
+    certificate: Certificate
+    runners_up: tuple[RunnerUp, ...] = ()
+
+    @property
+    def gap(self) -> float:
+        """By how much the bound exceeds the answer [N]."""
+        return self.upper_bound - self.quality
+
+    @cached_property
+    def swarm_after(self) -> Swarm:
+        """The swarm with the newcomer."""
+        return self.problem.swarm.with_robot(self.robot)
+
+    def verify(self) -> "Verdict":
+        """Check everything this answer claims, by code that shares nothing with the search.
+
+        Returns
+        -------
+        Verdict
+            True in a condition when all claims hold; its faults say which do not.
+        """
+        from swarmgrasp.placement.document import document_of
+        from swarmgrasp.placement.verify import verify_document
+
+        return verify_document(document_of((self,)))

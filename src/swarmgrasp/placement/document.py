@@ -1,0 +1,161 @@
+"""Answers as JSON: complete enough that a stranger can check them."""
+
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.outline import Stretch
+from swarmgrasp.placement.answer import Placement
+from swarmgrasp.robot import Robot, Zone
+
+FORMAT = "swarmgrasp answer 1"
+LARGEST_FILE = 50_000_000
+"""Bytes; an answer for 1 000 robots takes about 0.2 MB."""
+
+
+def document_of(answers: Sequence[Placement]) -> dict[str, Any]:
+    """Return answers as plain data: one placement, or a sequence of them.
+
+    Lengths are in m, forces in N, angles in rad, in the frame of the vertices.
+
+    Parameters
+    ----------
+    answers : sequence of Placement
+        As given by `place_sequence`: each finds the robots of those before it.
+    """
+    swarm = answers[0].problem.swarm
+    outline = swarm.outline
+    document = {
+        "format": FORMAT,
+        "outline": {
+            "vertices": outline.vertices.tolist(),
+            "origin": outline.origin.tolist(),
+            "edge_names": list(outline.edge_names),
+        },
+        "metric": {
+            "force_weights": list(swarm.force_weights),
+            "characteristic_length": swarm.characteristic_length,
+        },
+        "robots": [_robot(robot) for robot in swarm.robots],
+        "placements": [_placement(answer) for answer in answers],
+    }
+    return {**document, "digest": digest_of(document)}
+
+
+def digest_of(document: dict[str, Any]) -> str:
+    """Return the digest of a document without its own "digest" entry."""
+    content = {key: value for key, value in document.items() if key != "digest"}
+    text = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return "sha256:" + hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def answer_text(answers: Sequence[Placement]) -> str:
+    """Return answers as the text of a JSON file."""
+    return json.dumps(document_of(answers), indent=1, ensure_ascii=False) + "\n"
+
+
+def write_answer(path: str | Path, answers: Sequence[Placement]) -> None:
+    """Write answers to a JSON file, whole or not at all."""
+    write_whole(path, answer_text(answers).encode())
+
+
+def write_whole(path: str | Path, content: bytes) -> None:
+    """Write a file through a temporary one beside it, so that it is never half-written."""
+    target = Path(path)
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        umask = os.umask(0)
+        os.umask(umask)
+        Path(name).chmod(0o666 & ~umask)
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def read_answer(path: str | Path) -> dict[str, Any]:
+    """Read an answer file, unchecked but for being JSON.
+
+    Raises
+    ------
+    AnswerInvalid
+        If it cannot be read, is too large, or is not a JSON object; with file and line.
+    """
+    try:
+        size = Path(path).stat().st_size
+        if size > LARGEST_FILE:
+            raise AnswerInvalid(
+                f"{path}: the file has {size} bytes; an answer has at most {LARGEST_FILE}"
+            )
+        document = json.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise AnswerInvalid(f"{path}: not UTF-8 text (byte {error.start})") from None
+    except json.JSONDecodeError as error:
+        raise AnswerInvalid(f"{path}:{error.lineno}:{error.colno}: {error.msg}") from None
+    except RecursionError:
+        raise AnswerInvalid(f"{path}: nested too deeply for an answer") from None
+    if not isinstance(document, dict):
+        raise AnswerInvalid(f"{path}:1:1: an answer is a JSON object")
+    return document
+
+
+def _robot(robot: Robot) -> dict[str, Any]:
+    return {
+        "contact": list(robot.contact),
+        "direction": float(robot.direction),
+        "limit": float(robot.limit),
+        "name": robot.name,
+        "mounted": robot.mounted,
+    }
+
+
+def _stretch(stretch: Stretch) -> dict[str, Any]:
+    return {"start": float(stretch.start), "end": float(stretch.end), "name": stretch.name}
+
+
+def _zone(zone: Zone) -> dict[str, Any]:
+    return {
+        **_stretch(zone.stretch),
+        "attachment": zone.attachment,
+        "half_angle": zone.half_angle,
+        "directions": None if zone.directions is None else list(zone.directions),
+    }
+
+
+def _placement(answer: Placement) -> dict[str, Any]:
+    problem, newcomer = answer.problem, answer.problem.newcomer
+    return {
+        "newcomer": {
+            "limit": float(newcomer.limit),
+            "attachment": newcomer.attachment,
+            "half_angle": newcomer.half_angle,
+            "name": newcomer.name,
+        },
+        "zones": None if problem.zones is None else [_zone(zone) for zone in problem.zones],
+        "no_go": [_stretch(stretch) for stretch in problem.no_go],
+        "spacing": float(problem.spacing),
+        "robot": _robot(answer.robot),
+        "place": answer.place,
+        "quality_before": answer.quality_before,
+        "quality": answer.quality,
+        "upper_bound": answer.upper_bound,
+        "improves": answer.improves,
+        "reason": answer.reason,
+        "runners_up": [
+            {"robot": _robot(r.robot), "quality": r.quality, "place": r.place}
+            for r in answer.runners_up
+        ],
+        "proofs": [
+            {"normals": proof.normals.tolist(), "weights": proof.weights.tolist()}
+            for proof in answer.certificate.proofs
+        ],
+    }

@@ -1,0 +1,62 @@
+"""The question of a placement: swarm, newcomer, and where it may attach."""
+
+import math
+from dataclasses import dataclass
+
+from swarmgrasp.errors import ZoneInvalid
+from swarmgrasp.robot import Newcomer, Zone
+from swarmgrasp.outline import Stretch
+from swarmgrasp.swarm import Swarm
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """One newcomer looking for a place.
+
+    Attributes
+    ----------
+    swarm : Swarm
+        The robots already there.
+    newcomer : Newcomer
+    zones : tuple of Zone, optional
+        Where the newcomer may attach; None means the whole boundary.
+    no_go : tuple of Stretch
+        Where it may not; the ends of a stretch are allowed.
+    spacing : float [m]
+        Least straight-line distance to the contact of any robot that is not mounted.
+
+    Raises
+    ------
+    ZoneInvalid
+        If a stretch leaves the boundary or the spacing is not a finite length >= 0;
+        all faults at once.
+    """
+
+    swarm: Swarm
+    newcomer: Newcomer
+    zones: tuple[Zone, ...] | None = None
+    no_go: tuple[Stretch, ...] = ()
+    spacing: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        perimeter = self.swarm.outline.perimeter
+        reach = perimeter + self.swarm.outline.tolerance
+        named = [("zone", zone.stretch) for zone in self.zones or ()]
+        named += [("no-go stretch", stretch) for stretch in self.no_go]
+        faults = [
+            f"{kind} {s.name!r} runs from {s.start:.9g} to {s.end:.9g} m; both ends should lie "
+            f"in [0, {perimeter:.9g}] m"
+            for kind, s in named
+            if not (0.0 <= s.start <= reach and 0.0 <= s.end <= reach)
+        ]
+        if self.zones is not None and not self.zones:
+            faults.append("the zones are empty; give None for the whole boundary")
+        if not (math.isfinite(self.spacing) and self.spacing >= 0.0):
+            faults.append(f"the spacing is {self.spacing!r}; it should be 0 <= spacing < inf [m]")
+        if faults:
+            raise ZoneInvalid(faults)
+
+    def with_swarm(self, swarm: Swarm) -> "Problem":
+        """Return the same question for another swarm on the same outline."""
+        return Problem(swarm, self.newcomer, self.zones, self.no_go, self.spacing)

@@ -1,0 +1,352 @@
+"""An independent check of an answer, from its plain data alone.
+
+This module uses nothing of the search, nor of the package's outlines, pieces and kernels: it
+finds the allowed places by cutting every edge where anything changes, recomputes each quality by
+sorting the plane across each generator, and bounds every allowed place by the given normals and
+weights, by weak duality (T10): if a robot b reaches the quality t, then t <= h(n) + max(0, n . b)
+for every n, so that t <= max(sum l_k h(n_k) + v . b, max h(n_k)) with v = sum l_k n_k.
+A claim is trusted only after it was recomputed; the normals and weights need no trust at all.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.placement.claims import (
+    Claims,
+    PlacementClaim,
+    RobotClaim,
+    StretchClaim,
+    ZoneClaim,
+    read_claims,
+)
+from swarmgrasp.placement.document import digest_of
+
+RELATIVE = 1e-9
+"""Difference between two qualities, relative to them, that counts as rounding."""
+ABSOLUTE = 1e-12
+"""The same, relative to sum |b_i|; also the share of it up to which a quality counts as 0."""
+NEAR = 2e-6
+"""Distance that counts as none, relative to the outline's extent."""
+ANGLE = 1e-9
+"""Angle [rad] that counts as none."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The outcome of a check; true in a condition when everything holds.
+
+    Attributes
+    ----------
+    faults : tuple of str
+        Every claim that does not hold.
+    upper_bounds : tuple of float [N]
+        The recomputed bound of each placement.
+    """
+
+    faults: tuple[str, ...]
+    upper_bounds: tuple[float, ...]
+
+    def __bool__(self) -> bool:
+        return not self.faults
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Contacts between two points of an edge [m], and a sector of directions [rad]."""
+
+    p: Array
+    q: Array
+    lo: float
+    hi: float
+
+
+def verify_document(document: dict[str, Any]) -> Verdict:
+    """Check an answer's document.
+
+    Parameters
+    ----------
+    document : dict
+        As read from an answer file.
+
+    Returns
+    -------
+    Verdict
+        It names every claim that fails: a digest that does not fit, a robot off the
+        boundary or outside its zone or sector, a quality that is not so, a place that the
+        proofs do not bound.
+
+    Raises
+    ------
+    AnswerInvalid
+        If entries are missing or malformed; all of them are named.
+    """
+    claims = read_claims(document)
+    faults = []
+    if claims.digest != digest_of(document):
+        faults.append("the digest does not fit the content: the file was altered")
+    present = list(claims.robots)
+    bounds = []
+    for index, claim in enumerate(claims.placements):
+        where = f"placement {index + 1}: " if len(claims.placements) > 1 else ""
+        check = _Check(claims, claim, present)
+        faults += [where + fault for fault in check.faults()]
+        bounds.append(check.bound)
+        present.append(claim.robot)
+    return Verdict(tuple(faults), tuple(bounds))
+
+
+class _Check:
+    """One placement, recomputed."""
+
+    def __init__(self, claims: Claims, claim: PlacementClaim, present: list[RobotClaim]) -> None:
+        self.claim = claim
+        self.corners = np.array(claims.outline.vertices)
+        self.origin = np.array(claims.outline.origin)
+        a1, a2 = claims.metric.force_weights
+        length = claims.metric.characteristic_length
+        self.scale = np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / length])
+        self.near = NEAR * float(np.linalg.norm(np.ptp(self.corners, axis=0)))
+        self.present = present
+        self.base = np.array([self.generator(robot) for robot in present]).reshape(-1, 3)
+        arms = np.linalg.norm(self.corners - self.origin, axis=1).max()
+        size = np.linalg.norm(self.base, axis=1).sum()
+        size += claim.newcomer.limit * (self.scale[:2].max() + self.scale[2] * arms)
+        self.rounding = ABSOLUTE * float(size)
+        self.cells = list(self.allowed_cells())
+        self.bound = self.upper_bound()
+
+    def generator(self, robot: RobotClaim) -> Array:
+        """Return the scaled wrench (3,) [N] of a robot at its limit."""
+        x, y = np.array(robot.contact) - self.origin
+        fx, fy = math.cos(robot.direction), math.sin(robot.direction)
+        return robot.limit * np.array([fx, fy, x * fy - y * fx]) * self.scale
+
+    def faults(self) -> Iterator[str]:
+        """Yield every claim that does not hold."""
+        claim = self.claim
+        before = exact_quality(self.base)
+        yield from self.differs("the quality before", claim.quality_before, before)
+        yield from self.robot_faults("the robot", claim.robot, claim.quality)
+        for runner in claim.runners_up:
+            yield from self.robot_faults(
+                f"the runner-up at {runner.place}", runner.robot, runner.quality
+            )
+            if runner.quality > claim.upper_bound + self.slack(claim.upper_bound):
+                yield f"the runner-up at {runner.place} is better than the upper bound"
+        if self.bound > claim.upper_bound + self.slack(self.bound):
+            yield (
+                f"the proofs show an upper bound of {self.bound:.12g} N only, not "
+                f"{claim.upper_bound:.12g} N"
+            )
+        if claim.quality > claim.upper_bound + self.slack(claim.quality):
+            yield f"the upper bound {claim.upper_bound:.12g} N is below the quality"
+        if claim.improves and claim.quality <= claim.quality_before + self.rounding:
+            yield "the newcomer is said to improve the swarm, and does not"
+
+    def slack(self, value: float) -> float:
+        """Return the difference [N] that counts as rounding at a value."""
+        return RELATIVE * value + self.rounding
+
+    def differs(self, what: str, claimed: float, found: float) -> Iterator[str]:
+        """Yield a fault if a claimed quality is not the one found."""
+        if abs(claimed - found) > self.slack(found):
+            yield f"{what} is said to be {claimed:.12g} N and is {found:.12g} N"
+
+    def robot_faults(self, what: str, robot: RobotClaim, value: float) -> Iterator[str]:
+        """Yield what is wrong with a robot said to be allowed and to reach a quality."""
+        if robot.limit != self.claim.newcomer.limit:
+            yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
+        if robot.mounted:
+            yield f"{what} is mounted; a newcomer is on the boundary"
+        contact = np.array(robot.contact)
+        if not any(
+            _to_segment(contact, cell.p, cell.q) <= self.near
+            and _turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
+            for cell in self.cells
+        ):
+            yield (
+                f"{what} at ({contact[0]:.9g}, {contact[1]:.9g}) m pushing at "
+                f"{robot.direction:.9g} rad is not an allowed one"
+            )
+        found = exact_quality(np.vstack([self.base, self.generator(robot)]))
+        yield from self.differs(f"the quality with {what}", value, found)
+
+    def upper_bound(self) -> float:
+        """Bound every allowed robot's quality by the best of the proofs for each cell."""
+        if not self.cells or not self.claim.proofs:
+            return math.inf
+        p, q = np.array([c.p for c in self.cells]), np.array([c.q for c in self.cells])
+        lo, hi = np.array([c.lo for c in self.cells]), np.array([c.hi for c in self.cells])
+        bounds = np.full(len(self.cells), math.inf)
+        for proof in self.claim.proofs:
+            normals, weights = np.array(proof.normals), np.array(proof.weights)
+            sizes = np.linalg.norm(normals, axis=1)
+            if len(weights) != len(normals) or (weights < 0.0).any() or not weights.sum() > 0.0:
+                continue
+            if not (sizes > 0.0).all():
+                continue
+            normals, weights = normals / sizes[:, None], weights / weights.sum()
+            heights = np.maximum(self.base @ normals.T, 0.0).sum(axis=0)
+            covector = (weights @ normals) * self.scale * self.claim.newcomer.limit
+            reach = np.maximum(*(_crest(covector, end - self.origin, lo, hi) for end in (p, q)))
+            bounds = np.minimum(bounds, np.maximum(weights @ heights + reach, heights.max()))
+        return float(bounds.max())
+
+    def allowed_cells(self) -> Iterator[Cell]:
+        """Yield the allowed contacts and directions, edge by edge and side by side."""
+        claim = self.claim
+        everywhere = ZoneClaim(
+            start=0.0, end=0.0, name="", attachment=None, half_angle=None, directions=None
+        )
+        arcs = np.concatenate([[0.0], np.cumsum(self.lengths())])
+        for edge, length in enumerate(self.lengths()):
+            p, q = self.corners[edge], self.corners[(edge + 1) % len(self.corners)]
+            inward = math.atan2(q[0] - p[0], p[1] - q[1])
+            for zone in claim.zones if claim.zones is not None else [everywhere]:
+                is_point = zone is not everywhere and zone.start == zone.end
+                cuts = {0.0, length}
+                for stretch in [*claim.no_go, *([] if zone is everywhere else [zone])]:
+                    for at in (stretch.start, stretch.end):
+                        cuts |= {
+                            min(max(at + turn - arcs[edge], 0.0), length)
+                            for turn in (-arcs[-1], 0.0, arcs[-1])
+                            if -self.near <= at + turn - arcs[edge] <= length + self.near
+                        }
+                cuts |= set(self.spacing_cuts(p, q))
+                marks = sorted(cuts)
+                spans = [(s, s) for s in marks] if is_point else list(zip(marks, marks[1:]))
+                for a, b in spans:
+                    start, end = (p + (q - p) * (s / length) for s in (a, b))
+                    middle = arcs[edge] + 0.5 * (a + b)
+                    if self.is_allowed(middle, arcs[-1], zone if zone is not everywhere else None,
+                                       0.5 * (start + end)):  # fmt: skip
+                        for lo, hi in _sides(claim, zone, inward):
+                            yield Cell(start, end, lo, hi)
+
+    def lengths(self) -> Array:
+        """Return the lengths (k,) [m] of the edges."""
+        return np.asarray(np.linalg.norm(np.roll(self.corners, -1, axis=0) - self.corners, axis=1))
+
+    def spacing_cuts(self, p: Array, q: Array) -> Iterator[float]:
+        """Yield where the circles around the robots cross an edge [m from its start]."""
+        length = float(np.linalg.norm(q - p))
+        for robot in self.present:
+            if not robot.mounted:
+                # |p + s d - c|^2 = spacing^2, a quadratic in s
+                d, to_p = (q - p) / length, p - np.array(robot.contact)
+                half = float(d @ to_p)
+                root = half**2 - float(to_p @ to_p) + self.claim.spacing**2
+                if root > 0.0:
+                    for s in (-half - math.sqrt(root), -half + math.sqrt(root)):
+                        if 0.0 < s < length:
+                            yield s
+
+    def is_allowed(
+        self, arc: float, perimeter: float, zone: ZoneClaim | None, point: Array
+    ) -> bool:
+        """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
+        if zone is not None and not _covers(zone, arc, perimeter, self.near):
+            return False
+        if any(_covers(stretch, arc, perimeter, -self.near) for stretch in self.claim.no_go):
+            return False
+        spacing = self.claim.spacing - self.near
+        return all(
+            robot.mounted or float(np.linalg.norm(point - np.array(robot.contact))) >= spacing
+            for robot in self.present
+        )
+
+
+def exact_quality(generators: Array) -> float:
+    """Compute the quality (T2) in the plane across each generator.
+
+    In that plane the generators are vectors in two dimensions and h is least at a normal to
+    one of them; walking once around, sorted by angle, h changes by running sums.
+
+    Parameters
+    ----------
+    generators : (n, 3) [N]
+        In the metric's coordinates.
+    """
+    sizes = np.linalg.norm(generators, axis=1)
+    least = math.inf
+    for b, size in zip(generators, sizes, strict=True):
+        if size == 0.0:
+            continue
+        basis = np.linalg.svd((b / size)[None, :])[2][1:]
+        flat = generators @ basis.T
+        lengths = np.linalg.norm(flat, axis=1)
+        flip = np.where((flat[:, 1] > 0.0) | ((flat[:, 1] == 0.0) & (flat[:, 0] > 0.0)), 1.0, -1.0)
+        folded = flat * flip[:, None]
+        order = np.argsort(np.arctan2(folded[:, 1], folded[:, 0]))
+        folded, total = folded[order], folded.sum(axis=0)
+        past = np.cumsum(folded, axis=0) - folded
+        spans = lengths[order] > 1e-14 * sizes[order]
+        if not spans.any():
+            continue
+        normals = np.column_stack([-folded[:, 1], folded[:, 0]])[spans]
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        width = (normals * (total - 2.0 * past[spans])).sum(axis=1)
+        skew = np.abs(normals @ flat.sum(axis=0))
+        least = min(least, float(0.5 * (width - skew).min()))
+    zero = ABSOLUTE * float(sizes.sum())
+    return least if zero < least < math.inf else 0.0
+
+
+def _crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
+    """Return the greatest v . (F, arm x F) over unit forces in the sectors [lo, hi], (k,)."""
+    a = covector[0] - covector[2] * arms[:, 1]
+    b = covector[1] + covector[2] * arms[:, 0]
+    top = np.arctan2(b, a)
+    turned = top + 2.0 * math.pi * np.ceil((lo - top) / (2.0 * math.pi))
+    ends = np.maximum(a * np.cos(lo) + b * np.sin(lo), a * np.cos(hi) + b * np.sin(hi))
+    return np.asarray(np.where(turned <= hi, np.hypot(a, b), ends))
+
+
+def _sides(claim: PlacementClaim, zone: ZoneClaim, inward: float) -> Iterator[tuple[float, float]]:
+    """Yield the sectors allowed at an edge, each on one side of it."""
+    own = zone.attachment is not None
+    attachment = zone.attachment if own else claim.newcomer.attachment
+    half = zone.half_angle if own else claim.newcomer.half_angle
+    half = math.pi / 2 if half is None or attachment == "free" else half
+    for side, middle in (("push", inward), ("pull", inward + math.pi)):
+        if attachment not in (side, "free"):
+            continue
+        if zone.directions is None:
+            yield middle - half, middle + half
+            continue
+        first, last = zone.directions
+        width = (last - first) % (2.0 * math.pi)
+        for turn in range(-2, 3):
+            start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
+            lo, hi = max(start, middle - half), min(start + width, middle + half)
+            if lo <= hi:
+                yield lo, hi
+
+
+def _covers(stretch: StretchClaim, arc: float, perimeter: float, slack: float) -> bool:
+    """Tell whether a stretch covers an arc length, its ends widened by a slack [m]."""
+    length = stretch.end - stretch.start
+    if length < 0.0:
+        length += perimeter
+    past = (arc - stretch.start + slack) % perimeter
+    return past <= length + 2.0 * slack
+
+
+def _to_segment(point: Array, p: Array, q: Array) -> float:
+    """Return the distance [m] of a point from a segment."""
+    along = q - p
+    square = float(along @ along)
+    share = min(max(float((point - p) @ along) / square, 0.0), 1.0) if square > 0.0 else 0.0
+    return float(np.linalg.norm(point - p - share * along))
+
+
+def _turns_into(angle: float, lo: float, hi: float) -> bool:
+    """Tell whether an angle lies in [lo, hi], whole turns aside."""
+    return angle + 2.0 * math.pi * math.ceil((lo - angle) / (2.0 * math.pi)) <= hi

@@ -1,0 +1,6 @@
+"""How good a grasp is: one module per quality."""
+
+from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
+from swarmgrasp.quality.words import wrench_words
+
+__all__ = ["ForceClosure", "Quality", "quality", "wrench_words"]

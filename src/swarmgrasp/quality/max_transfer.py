@@ -1,0 +1,127 @@
+"""Max-Transfer quality: the largest ball of wrenches a swarm can make (T1, T2)."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.swarm import Swarm
+
+MARGINAL = 1e-12
+"""Quality relative to sum |b_i| at and below which it counts as zero."""
+ON_FACET = 1e-9
+"""Sine of the angle to a facet within which a generator counts as lying in it."""
+
+
+class ForceClosure(StrEnum):
+    """Whether the swarm can resist a disturbance in every direction."""
+
+    YES = "yes"
+    NO = "no"
+    MARGINAL = "marginal"
+    """On the border: the slightest change of a pose decides."""
+
+
+@dataclass(frozen=True, eq=False)
+class Quality:
+    """The exact quality of a swarm, and what limits it.
+
+    Attributes
+    ----------
+    value : float [N]
+        Radius of the largest ball in the wrench set, in the metric.
+    direction : (3,)
+        Unit normal of the weakest facet, in the metric's coordinates.
+    weakest_wrench : (3,) [N, N, N m]
+        The smallest wrench on the boundary: where the ball touches the facet.
+    facet_robots : tuple of int
+        Indices of the robots whose generators span that facet.
+    force_closure : ForceClosure
+    metric : str
+        The metric in words.
+    """
+
+    value: float
+    direction: NDArray[np.float64]
+    weakest_wrench: NDArray[np.float64]
+    facet_robots: tuple[int, ...]
+    force_closure: ForceClosure
+    metric: str
+
+    @property
+    def is_force_closure(self) -> bool:
+        """Whether force closure is certain."""
+        return self.force_closure is ForceClosure.YES
+
+
+def quality(swarm: Swarm) -> Quality:
+    """Compute the Max-Transfer quality of a swarm, exactly.
+
+    The least support function over all facet normals +-(b_j x b_k) (T2), in O(n^2 log n).
+
+    Parameters
+    ----------
+    swarm : Swarm
+        Of any size, degenerate or not; below 4 robots the quality is 0.
+
+    Returns
+    -------
+    Quality
+
+    Examples
+    --------
+    Four unit robots pull a square with lever arm 0.4: 2 t / sqrt(1 + 2 t^2).
+
+    >>> from math import pi
+    >>> from swarmgrasp import Outline, Robot, Swarm
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> grasp = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> answer = quality(grasp)
+    >>> round(answer.value, 6), str(answer.force_closure), answer.facet_robots
+    (0.696311, 'yes', (0, 2))
+    >>> quality(Swarm(square, grasp.robots[:3])).value
+    0.0
+    """
+    # Numba takes 0.3 s to import: not before it is needed
+    from swarmgrasp.kernels.facets import list_facets
+
+    generators = swarm.scaled_generators
+    sizes = np.linalg.norm(generators, axis=1)
+    value, normal = 0.0, np.array([1.0, 0.0, 0.0])
+    if len(swarm):
+        _, _, normal, value = list_facets(generators, -np.inf)
+    total = float(sizes.sum())
+    if value <= MARGINAL * total:
+        value = 0.0
+    normal.setflags(write=False)
+    wrench = value * normal / swarm.scale
+    wrench.setflags(write=False)
+    facet = np.flatnonzero((sizes > 0.0) & (np.abs(generators @ normal) <= ON_FACET * sizes))
+    return Quality(
+        value=float(value),
+        direction=normal,
+        weakest_wrench=wrench,
+        facet_robots=tuple(int(i) for i in facet),
+        force_closure=ForceClosure.YES if value > 0.0 else _without_closure(generators, sizes),
+        metric=swarm.metric_sentence,
+    )
+
+
+def _without_closure(generators: NDArray[np.float64], sizes: NDArray[np.float64]) -> ForceClosure:
+    """Tell a clear lack of force closure from a marginal one.
+
+    It is clear with fewer than 4 robots, with generators that do not span the wrench space,
+    and where the origin keeps a distance from the convex hull of their directions.
+    """
+    units = generators[sizes > 0.0] / sizes[sizes > 0.0, None]
+    if len(units) < 4 or np.linalg.svd(units, compute_uv=False)[2] <= MARGINAL * len(units):
+        return ForceClosure.NO
+    # SciPy takes 0.5 s to import: not before it is needed
+    from scipy.optimize import nnls
+
+    # distance of the origin from {units' l : l >= 0, sum l = 1}, up to a factor of 2
+    system = np.vstack([units.T, np.ones(len(units))])
+    _, distance = nnls(system, np.array([0.0, 0.0, 0.0, 1.0]))
+    return ForceClosure.MARGINAL if distance <= MARGINAL * len(units) else ForceClosure.NO
