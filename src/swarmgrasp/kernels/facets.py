@@ -1,5 +1,6 @@
 """Facets of a wrench set and its exact quality (T1, T2).
 
+Loops are written out: slices and array expressions would take seconds more to compile.
 All generators are in the metric's coordinates, (n, 3) [N]. The support function is
 h(n) = sum_i max(0, n . b_i) = (n . sum_i b_i + sum_i |n . b_i|) / 2, so one pass serves n and -n.
 Normals orthogonal to b_j are looked for in an orthonormal basis of the plane across b_j:
@@ -125,12 +126,12 @@ def _swept(x, y, key, first, sum_x, sum_y, e, f, normals, heights):
 def _record(u, v, width, sum_x, sum_y, e, f, normals, heights, found):
     """Store the normal u e + v f and its negative; return the new count."""
     skew = u * sum_x + v * sum_y
-    for sign in (1.0, -1.0):
-        for c in range(3):
-            normals[found, c] = sign * (u * e[c] + v * f[c])
-        heights[found] = max(0.0, 0.5 * (width + sign * skew))
-        found += 1
-    return found
+    for c in range(3):
+        normals[found, c] = u * e[c] + v * f[c]
+        normals[found + 1, c] = -normals[found, c]
+    heights[found] = max(0.0, 0.5 * (width + skew))
+    heights[found + 1] = max(0.0, 0.5 * (width - skew))
+    return found + 2
 
 
 @njit(cache=True)
@@ -143,7 +144,7 @@ def null_normal(generators):
         square = b[0] ** 2 + b[1] ** 2 + b[2] ** 2
         if square > size:
             size = square
-            best[:] = b
+            best = b
     if size == 0.0:
         best[0] = 1.0
     return plane_across(best)[0]
@@ -187,16 +188,19 @@ def list_facets(generators, cutoff):
         for k in range(found):
             if row_heights[k] < quality:
                 quality = row_heights[k]
-                weakest[:] = row_normals[k]
+                for c in range(3):
+                    weakest[c] = row_normals[k, c]
             if row_heights[k] < cutoff:
-                normals[count] = row_normals[k]
+                for c in range(3):
+                    normals[count, c] = row_normals[k, c]
                 heights[count] = row_heights[k]
                 count += 1
     if quality == np.inf:  # no two generators span a plane: the set is flat
         quality = 0.0
         weakest = null_normal(generators)
         for k in range(2):
-            normals[k] = weakest if k == 0 else -weakest
+            for c in range(3):
+                normals[k, c] = weakest[c] if k == 0 else -weakest[c]
             heights[k] = 0.0
         count = 2
     return normals[:count], heights[:count], weakest, quality
@@ -207,8 +211,10 @@ def _grown(normals, heights, capacity):
     """Return copies of both arrays with room for `capacity` rows."""
     more_normals = np.empty((capacity, 3))
     more_heights = np.empty(capacity)
-    more_normals[: normals.shape[0]] = normals
-    more_heights[: heights.shape[0]] = heights
+    for k in range(heights.shape[0]):
+        more_heights[k] = heights[k]
+        for c in range(3):
+            more_normals[k, c] = normals[k, c]
     return more_normals, more_heights
 
 
@@ -219,7 +225,7 @@ def least_height_across(generators, axis, x, y, key, normals, heights):
     Returns its index in `normals`, or -1 when every generator is parallel to the axis.
     The other arguments are those of `plane_heights`.
     """
-    found = plane_heights(generators, axis, 0, x, y, key, normals, heights)
+    found = plane_heights(generators, axis, np.int64(0), x, y, key, normals, heights)
     best = -1
     for k in range(found):
         if best < 0 or heights[k] < heights[best]:

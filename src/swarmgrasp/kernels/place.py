@@ -92,12 +92,11 @@ def clash(pool, level, piece, i, j, arc):
 
 @njit(cache=True)
 def average(pool, arc, mean):
-    """Write the mean (m_x, m_y, m_t, h) of an arc's normals, torque cancelled; return the shares."""
+    """Write the mean (m_x, m_y, m_t, h) of an arc's normals; return their two shares."""
     i, j = int(arc[3]), int(arc[4])
-    if i >= 0 and j >= 0:
+    share = 1.0 if i >= 0 else 0.0
+    if i >= 0 and j >= 0:  # so that the torque cancels
         share = pool[i, 4] / (pool[i, 4] + pool[j, 4])
-    else:
-        share = 1.0 if i >= 0 else 0.0
     for c in range(4):
         mean[c] = 0.0
         if i >= 0:
@@ -121,11 +120,13 @@ def prove(pool, piece, one, two, rows, shares):
     bound = best_on_piece(piece, mean_one)[0] + mean_one[3]
     share = 0.0
     if one[3] != two[3] or one[4] != two[4]:
-        step[:] = mean_two - mean_one
+        for c in range(4):
+            step[c] = mean_two[c] - mean_one[c]
         lo, hi = 0.0, 2.0  # the first trial is mu = 1
         for _ in range(48):
             mu = 0.5 * (lo + hi)
-            v[:] = mean_one + mu * step
+            for k in range(4):
+                v[k] = mean_one[k] + mu * step[k]
             value, c, s, torque = best_on_piece(piece, v)
             if value + v[3] < bound:
                 bound, share = value + v[3], mu
@@ -133,7 +134,7 @@ def prove(pool, piece, one, two, rows, shares):
                 hi = mu
             else:
                 lo = mu
-    rows[:2], rows[2:] = one[3:5], two[3:5]
+    rows[0], rows[1], rows[2], rows[3] = one[3], one[4], two[3], two[4]
     shares[0], shares[1] = (1.0 - share) * i_one, (1.0 - share) * j_one
     shares[2], shares[3] = share * i_two, share * j_two
     return bound
@@ -168,7 +169,8 @@ def value_of(generators, pool, count, weights, c, s, torque, work):
     index : int
         The row of `work.normals` that attains it, -1 if there is none.
     """
-    axis = np.array([c * weights[0], s * weights[1], torque * weights[2]])
+    axis = np.empty(3)
+    axis[0], axis[1], axis[2] = c * weights[0], s * weights[1], torque * weights[2]
     index = least_height_across(generators, axis, *work)
     across = work[4][index] if index >= 0 else np.inf
     quality = across
@@ -195,14 +197,13 @@ def reach(generators, pool, count, weights, level, slack, piece, work, best, row
     -------
     status : int
         REACHED, REFUTED or OUT_OF_ROOM.
-    bound : float [N]
-        When refuted, what no robot on the piece exceeds.
     count : int
         Pool rows now.
     """
     lo, hi = piece[4], piece[5]
     arc = np.empty(5)
-    ends = np.full((2, 5), -1.0)  # the arcs that set lo and hi; rows of -1: the sector itself
+    lo_arc, hi_arc = np.empty(5), np.empty(5)  # what set lo and hi; -1: the sector itself
+    lo_arc[3] = lo_arc[4] = hi_arc[3] = hi_arc[4] = -1.0
     while True:
         middle = 0.5 * (lo + hi)
         c, s = np.cos(middle), np.sin(middle)
@@ -213,9 +214,9 @@ def reach(generators, pool, count, weights, level, slack, piece, work, best, row
             if quality > best[0]:
                 best[0], best[1], best[2], best[3] = quality, c, s, torque
             if across >= level - slack:
-                return REACHED, level, count
+                return REACHED, count
             if count == pool.shape[0]:
-                return OUT_OF_ROOM, level, count
+                return OUT_OF_ROOM, count
             store_normal(pool[count], work[3][index], across, weights)
             count += 1
             continue
@@ -226,30 +227,30 @@ def reach(generators, pool, count, weights, level, slack, piece, work, best, row
             clash(pool, level, piece, i, j, arc)
         new_lo, new_hi = narrowed(arc, lo, middle, hi)
         if new_hi - new_lo <= ARC_END:
-            return REFUTED, refutation(pool, piece, arc, ends, rows, shares), count
-        if new_lo > lo:
-            ends[0] = arc
-        if new_hi < hi:
-            ends[1] = arc
+            refute(pool, piece, arc, lo_arc, hi_arc, rows, shares)
+            return REFUTED, count
+        for k in range(5):
+            if new_lo > lo:
+                lo_arc[k] = arc[k]
+            if new_hi < hi:
+                hi_arc[k] = arc[k]
         lo, hi = new_lo, new_hi
 
 
 @njit(cache=True)
-def refutation(pool, piece, arc, ends, rows, shares):
-    """Prove the least bound from the arc that emptied the interval and those at its ends."""
-    bound = prove(pool, piece, arc, arc, rows, shares)
+def refute(pool, piece, arc, lo_arc, hi_arc, rows, shares):
+    """Write the best proof from the arc that emptied the interval and those at its ends."""
     more_rows, more_shares = np.empty(4), np.empty(4)
-    for k in range(2):
-        if ends[k, 3] >= 0.0 or ends[k, 4] >= 0.0:
-            other = prove(pool, piece, arc, ends[k], more_rows, more_shares)
-            if other < bound:
-                bound = other
-                rows[:], shares[:] = more_rows, more_shares
-    highest = 0.0
-    for k in range(4):
-        if rows[k] >= 0.0 and shares[k] > 0.0:
-            highest = max(highest, pool[int(rows[k]), 3])
-    return max(bound, highest)
+    bound = np.inf
+    for k in range(3):
+        other = arc if k == 0 else lo_arc if k == 1 else hi_arc
+        if other[3] < 0.0 and other[4] < 0.0:
+            continue
+        more = prove(pool, piece, arc, other, more_rows, more_shares)
+        if more < bound:
+            bound = more
+            for c in range(4):
+                rows[c], shares[c] = more_rows[c], more_shares[c]
 
 
 @njit(cache=True)
@@ -257,17 +258,19 @@ def share_proof(pool, pieces, proof_rows, proof_shares, bounds, rows, shares):
     """Try one proof on every piece; modifies bounds, rows and shares where it is better."""
     mean = np.zeros(4)
     highest = 0.0
-    for c in range(4):
-        if proof_shares[c] > 0.0:
-            row = pool[int(proof_rows[c])]
-            mean += proof_shares[c] * row[:4]
-            highest = max(highest, row[3])
+    for k in range(4):
+        if proof_shares[k] > 0.0:
+            row = int(proof_rows[k])
+            highest = max(highest, pool[row, 3])
+            for c in range(4):
+                mean[c] += proof_shares[k] * pool[row, c]
     for k in range(pieces.shape[0]):
         if bounds[k] > highest:
             bound = max(highest, best_on_piece(pieces[k], mean)[0] + mean[3])
             if bound < bounds[k]:
                 bounds[k] = bound
-                rows[k], shares[k] = proof_rows, proof_shares
+                for c in range(4):
+                    rows[k, c], shares[k, c] = proof_rows[c], proof_shares[c]
 
 
 @njit(cache=True)
@@ -276,7 +279,10 @@ def fill_pool(pool, normals, heights, quality, weights, pieces, bounds, rows, sh
 
     Writes the first bounds with their proofs, and the pool; returns its number of rows.
     """
-    weakest = int(np.argmin(heights))
+    weakest = 0
+    for k in range(heights.shape[0]):
+        if heights[k] < heights[weakest]:
+            weakest = k
     store_normal(pool[0], normals[weakest], heights[weakest], weights)
     count = 1
     for k in range(heights.shape[0]):  # T17: a set as weak at n as at -n gains from no one robot
@@ -290,10 +296,12 @@ def fill_pool(pool, normals, heights, quality, weights, pieces, bounds, rows, sh
     highest = quality
     for k in range(pieces.shape[0]):
         bounds[k] = pool[0, 3] + max(0.0, best_on_piece(pieces[k], pool[0])[0])
-        rows[k, 0], shares[k, 0] = 0, 1.0
+        for c in range(4):
+            rows[k, c], shares[k, c] = -1.0, 0.0
+        rows[k, 0], shares[k, 0] = 0.0, 1.0
         if pair < bounds[k]:
             bounds[k] = pair
-            rows[k, 1], shares[k, 0], shares[k, 1] = 1, 0.5, 0.5
+            rows[k, 1], shares[k, 0], shares[k, 1] = 1.0, 0.5, 0.5
         highest = max(highest, bounds[k])
     for k in range(heights.shape[0]):
         if heights[k] < highest:
@@ -338,22 +346,23 @@ def solve(generators, normals, heights, quality, weights, pieces, gap, floor, ro
     for i in range(n):
         size += np.sqrt(generators[i, 0] ** 2 + generators[i, 1] ** 2 + generators[i, 2] ** 2)
     pool = np.empty((heights.shape[0] + 2 + room, 5))
-    bounds, settled = np.empty(many), np.zeros(many, dtype=np.bool_)
-    rows, shares = np.full((many, 4), -1.0), np.zeros((many, 4))
+    bounds, settled = np.empty(many), np.zeros(many)
+    rows, shares = np.empty((many, 4)), np.empty((many, 4))
     count = fill_pool(pool, normals, heights, quality, weights, pieces, bounds, rows, shares)
     proof_rows, proof_shares = np.empty(4), np.empty(4)
-    best = np.array([quality, 0.0, 0.0, 0.0, -1.0])
+    best = np.zeros(5)
+    best[0], best[4] = quality, -1.0
     while True:
         k = -1
         for j in range(many):
-            if not settled[j] and (k < 0 or bounds[j] > bounds[k]):
+            if settled[j] == 0.0 and (k < 0 or bounds[j] > bounds[k]):
                 k = j
         if k < 0 or bounds[k] - best[0] <= max(gap * best[0], floor):
             return SOLVED, best, bounds, rows, shares, pool[:count]
         share = PROBE if best[4] >= 0 and k != best[4] else 0.5
         before, high = best[0], bounds[k]
         level = before + share * (high - before)
-        outcome, bound, count = reach(
+        outcome, count = reach(
             generators, pool, count, weights, level, ROUNDING * size, pieces[k], work,
             best, proof_rows, proof_shares,
         )  # fmt: skip
@@ -362,7 +371,9 @@ def solve(generators, normals, heights, quality, weights, pieces, gap, floor, ro
         if outcome == OUT_OF_ROOM:
             return OUT_OF_ROOM, best, bounds, rows, shares, pool[:count]
         if outcome == REACHED:
-            settled[k] = best[0] - before < 0.5 * (level - before)  # by rounding alone
+            if best[0] - before < 0.5 * (level - before):  # by rounding alone
+                settled[k] = 1.0
         else:
             share_proof(pool, pieces, proof_rows, proof_shares, bounds, rows, shares)
-            settled[k] = bounds[k] - level > 0.5 * (high - level)  # held up by rounding alone
+            if bounds[k] - level > 0.5 * (high - level):  # held up by rounding alone
+                settled[k] = 1.0

@@ -101,8 +101,14 @@ def break_tie(generators, pool, weights, pieces, bounds, best, target, direction
             for c in range(3):
                 reach += directions[k, c] * generators[i, c]
             decay[k] += max(0.0, reach)
-    decay = np.exp(-sharpness * (decay - decay.min()))
-    answer = best.copy()
+    lowest = np.inf
+    for k in range(directions.shape[0]):
+        lowest = min(lowest, decay[k])
+    for k in range(directions.shape[0]):
+        decay[k] = np.exp(-sharpness * (decay[k] - lowest))
+    answer = np.empty(5)
+    for k in range(5):
+        answer[k] = best[k]
     least = np.inf
     if best[4] >= 0.0:
         least = softness(directions, decay, sharpness, weights, best[1], best[2], best[3])
@@ -119,8 +125,9 @@ def break_tie(generators, pool, weights, pieces, bounds, best, target, direction
         quality = value_of(generators, pool, count, weights, c, s, torque, work)[0]
         if quality >= target:
             least = scores[k]
-            answer = np.array([quality, c, s, torque, grid[k, 0]])
-            at[:] = grid[k]
+            answer[0], answer[1], answer[2], answer[3] = quality, c, s, torque
+            answer[4] = at[0] = grid[k, 0]
+            at[1], at[2] = grid[k, 1], grid[k, 2]
             break
     else:
         return answer
@@ -138,6 +145,6 @@ def break_tie(generators, pool, weights, pieces, bounds, best, target, direction
                 if quality >= target:
                     least = score
                     at[1], at[2] = along, across
-                    answer = np.array([quality, c, s, torque, at[0]])
+                    answer[0], answer[1], answer[2], answer[3] = quality, c, s, torque
         step *= 0.5
     return answer

@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass
 
 from swarmgrasp.errors import ZoneInvalid
-from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.outline import Stretch
+from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.swarm import Swarm
 
 

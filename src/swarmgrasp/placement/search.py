@@ -1,7 +1,7 @@
 """The globally best place for one newcomer, or for several one after the other (T8, T9)."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,7 @@ from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import certificate_of
-from swarmgrasp.placement.pieces import Piece, piece_rows, pieces_of, point_on
+from swarmgrasp.placement.pieces import piece_rows, pieces_of, point_on
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality import quality, wrench_words
 from swarmgrasp.quality.max_transfer import MARGINAL
@@ -198,7 +198,7 @@ class _Search:
         best = found.best
         target = best[0] - max(self.gap * best[0], self.floor)
         rivals = np.flatnonzero(found.bounds >= target)
-        covectors = np.array([found.covector(k) for k in rivals]) / self.weights
+        covectors = np.array([found.covector(int(k)) for k in rivals]) / self.weights
         if best[4] >= 0.0 and (np.abs(covectors[:, 2]) > FLAT).all():
             return best
         from swarmgrasp.kernels.ties import break_tie

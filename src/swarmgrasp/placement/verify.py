@@ -11,6 +11,7 @@ A claim is trusted only after it was recomputed; the normals and weights need no
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -126,7 +127,7 @@ class _Check:
         """Return the scaled wrench (3,) [N] of a robot at its limit."""
         x, y = np.array(robot.contact) - self.origin
         fx, fy = math.cos(robot.direction), math.sin(robot.direction)
-        return robot.limit * np.array([fx, fy, x * fy - y * fx]) * self.scale
+        return np.asarray(robot.limit * np.array([fx, fy, x * fy - y * fx]) * self.scale)
 
     def faults(self) -> Iterator[str]:
         """Yield every claim that does not hold."""
@@ -221,7 +222,7 @@ class _Check:
                         }
                 cuts |= set(self.spacing_cuts(p, q))
                 marks = sorted(cuts)
-                spans = [(s, s) for s in marks] if is_point else list(zip(marks, marks[1:]))
+                spans = [(s, s) for s in marks] if is_point else list(pairwise(marks))
                 for a, b in spans:
                     start, end = (p + (q - p) * (s / length) for s in (a, b))
                     middle = arcs[edge] + 0.5 * (a + b)

@@ -22,7 +22,7 @@ METADATA: Final[Mapping[str, dict[str, str | None]]] = {
 """What a file says of itself, by suffix: no date, so that equal pictures are equal files."""
 
 
-class PictureNotSaved(SwarmGraspError):  # noqa: N818 (named after the fault, as all are)
+class PictureNotSaved(SwarmGraspError):
     """A picture cannot be written: an unknown suffix, no such folder, or no permission."""
 
 

@@ -1,7 +1,7 @@
 """A wrench direction in a seaman's words."""
 
-from numpy.typing import ArrayLike, NDArray
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 MENTIONED = 0.25
 """Share of a unit direction below which a component goes unmentioned."""
