@@ -6,17 +6,14 @@ the moment arms p and q [m], force directions between lo and hi [rad], 0 <= hi -
 A covector v (3,) [1, 1, 1/m] values such a wrench.
 """
 
+import math
+
 import numpy as np
-from numba import njit
+
+from swarmgrasp.kernels.facets import inner
 
 
-@njit(cache=True)
-def torque_arm(x, y, c, s):
-    """Return the torque [m] of the unit force (c, s) at the moment arm (x, y)."""
-    return x * s - y * c
-
-
-@njit(cache=True)
+@inner
 def best_on_piece(piece, v):
     """Maximise v . b over the robots of a piece.
 
@@ -26,7 +23,7 @@ def best_on_piece(piece, v):
     Parameters
     ----------
     piece : (10,)
-    v : (3,)
+    v : (3,) or longer
 
     Returns
     -------
@@ -37,23 +34,17 @@ def best_on_piece(piece, v):
     """
     c_lo, s_lo, c_hi, s_hi = piece[6], piece[7], piece[8], piece[9]
     value, c, s, end = -np.inf, c_lo, s_lo, 0
-    for k in range(2):
-        a = v[0] - v[2] * piece[2 * k + 1]
-        b = v[1] + v[2] * piece[2 * k]
+    for k in range(0, 4, 2):
+        a = v[0] - v[2] * piece[k + 1]
+        b = v[1] + v[2] * piece[k]
         at_lo, at_hi = a * c_lo + b * s_lo, a * c_hi + b * s_hi
         if at_lo > value:
             value, c, s, end = at_lo, c_lo, s_lo, k
         if at_hi > value:
             value, c, s, end = at_hi, c_hi, s_hi, k
-        crest = np.sqrt(a * a + b * b)
+        crest = math.sqrt(a * a + b * b)
         # Between the ends, and not opposite to them: with lo = hi the first two hold there too.
-        inside = c_lo * b - s_lo * a >= 0.0 and a * s_hi - b * c_hi >= 0.0
-        if inside and crest > value and at_lo + at_hi >= -1e-9 * crest:
+        inside = c_lo * b >= s_lo * a and a * s_hi >= b * c_hi and at_lo + at_hi >= -1e-9 * crest
+        if inside and crest > value:
             value, c, s, end = crest, a / crest, b / crest, k
-    return value, c, s, torque_arm(piece[2 * end], piece[2 * end + 1], c, s)
-
-
-@njit(cache=True)
-def into(angle, middle):
-    """Return the angle turned by whole turns to lie within pi of `middle` [rad]."""
-    return angle - 2.0 * np.pi * np.round((angle - middle) / (2.0 * np.pi))
+    return value, c, s, piece[end] * s - piece[end + 1] * c

@@ -39,30 +39,3 @@ class Certificate:
 
     proofs: tuple[Proof, ...]
     upper_bound: float
-
-
-def certificate_of(
-    bounds: NDArray[np.float64],
-    rows: NDArray[np.float64],
-    shares: NDArray[np.float64],
-    pool: NDArray[np.float64],
-    weights: NDArray[np.float64],
-) -> Certificate:
-    """Gather the search's proofs, each distinct one once.
-
-    Parameters
-    ----------
-    bounds, rows, shares, pool
-        As given by `kernels.place.solve`.
-    weights : (3,)
-        That turned its normals into covectors.
-    """
-    proofs = {}
-    for row, share in zip(rows, shares, strict=True):
-        used = share > 0.0
-        key = (tuple(row[used]), tuple(share[used]))
-        if key not in proofs:
-            normals = pool[row[used].astype(int), :3] / weights
-            normals /= np.linalg.norm(normals, axis=1)[:, None]
-            proofs[key] = Proof(normals, share[used])
-    return Certificate(tuple(proofs.values()), float(bounds.max()))

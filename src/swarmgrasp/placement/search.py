@@ -2,30 +2,18 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
-
-import numpy as np
-from numpy.typing import NDArray
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
-from swarmgrasp.placement.certificate import certificate_of
+from swarmgrasp.placement.optimum import OPPOSITE, Array, Optimum, Search
 from swarmgrasp.placement.pieces import piece_rows, pieces_of, point_on
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.quality import quality, wrench_words
-from swarmgrasp.quality.max_transfer import MARGINAL
+from swarmgrasp.placement.ties import break_tie, is_tied
+from swarmgrasp.quality import Quality, quality, wrench_words
+from swarmgrasp.quality.facets import facets_of
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
-
-POOL_ROOM = 2000
-"""Normals that a search may add to the known facets; some 10 are usual."""
-SHARPNESS = 8.0
-"""Of the soft minimum that breaks ties, relative to the mean of h over directions."""
-DIRECTIONS = 200
-"""Number of directions it is taken over."""
-FLAT = 1e-6
-"""Torque part of a proof's mean normal below which the contact does not matter to it."""
 
 
 def place(
@@ -84,7 +72,7 @@ def place(
         swarm, newcomer, None if zones is None else tuple(zones), tuple(no_go), spacing
     )
     _check_fractions(gap, runners_up)
-    return _Search(problem, gap).placement(runners_up)
+    return _Placing(problem, gap).placement(runners_up)
 
 
 def place_sequence(
@@ -113,107 +101,65 @@ def place_sequence(
     _check_fractions(gap, runners_up)
     answers: list[Placement] = []
     for index in range(1, count + 1):
-        answer = _Search(problem, gap).placement(runners_up, index if count > 1 else None)
+        answer = _Placing(problem, gap).placement(runners_up, index if count > 1 else None)
         answers.append(answer)
         problem = problem.with_swarm(answer.swarm_after)
     return tuple(answers)
 
 
-@dataclass(frozen=True)
-class _Found:
-    """What one run of the kernel gives: see `kernels.place.solve`."""
-
-    best: NDArray[np.float64]
-    bounds: NDArray[np.float64]
-    rows: NDArray[np.float64]
-    shares: NDArray[np.float64]
-    pool: NDArray[np.float64]
-
-    def covector(self, piece: int) -> NDArray[np.float64]:
-        """Return the combined covector (3,) of a piece's proof."""
-        used = self.shares[piece] > 0.0
-        rows = self.rows[piece, used].astype(int)
-        return np.asarray(self.shares[piece, used] @ self.pool[rows, :3])
-
-
-class _Search:
-    """One problem in the kernels' terms."""
+class _Placing:
+    """One problem on its way to an answer."""
 
     def __init__(self, problem: Problem, gap: float) -> None:
-        from swarmgrasp.kernels.facets import list_facets
-
-        self.problem = problem
-        self.gap = 0.5 * gap  # the other half is the tie-break's
         swarm = problem.swarm
-        self.before = quality(swarm)
+        generators = swarm.scaled_generators
+        self.problem = problem
+        self.gap = gap
+        self.facets = facets_of(generators)
+        self.before = self.facets.quality
         self.pieces = pieces_of(problem)
         self.rows = piece_rows(swarm.outline, self.pieces)
-        self.weights = swarm.scale * problem.newcomer.limit
-        self.generators = swarm.scaled_generators
-        self.normals, self.heights, _, self.start = list_facets(self.generators, np.inf)
-        size = np.linalg.norm(self.generators, axis=1).sum()
-        reach = np.linalg.norm(self.weights[:2]) + self.weights[2] * swarm.outline.radius
-        self.floor = MARGINAL * float(size + reach)
+        # half of the gap is the search's, the other half the tie-break's
+        self.search = Search(
+            generators, self.facets, swarm.scale * problem.newcomer.limit, self.rows, 0.5 * gap
+        )
 
-    def solve(self, rows: NDArray[np.float64]) -> _Found:
-        """Run the kernel over some rows of pieces."""
-        from swarmgrasp.kernels.place import solve
-
-        _, *found = solve(
-            self.generators, self.normals, self.heights, self.start, self.weights, rows,
-            self.gap, self.floor, POOL_ROOM,
-        )  # fmt: skip
-        return _Found(*found)
+    def slack(self, value: float) -> float:
+        """Return the difference [N] that does not count at a quality."""
+        return max(self.gap * value, self.search.floor)
 
     def placement(self, fraction: float | None, index: int | None = None) -> Placement:
         """Answer the problem."""
-        found = self.solve(self.rows)
-        best = self.without_tie(found)
-        piece = self.pieces[int(best[4])]
+        found = self.search.solve()
+        target = found.best[0] - 0.5 * self.slack(found.best[0])
+        best = break_tie(self.search, found, target) if is_tied(found, target) else found.best
         name = self.problem.newcomer.name or "newcomer"
-        robot = self.robot(best, name if index is None else f"{name} {index}")
-        after = quality(self.problem.swarm.with_robot(robot)).value
-        gain = after - self.before.value
-        improves = gain > max(2.0 * self.gap * self.before.value, self.floor)
-        certificate = certificate_of(
-            found.bounds, found.rows, found.shares, found.pool, self.weights
-        )
+        name = name if index is None else f"{name} {index}"
+        candidates = [self.runner_up(best, name)]
+        if fraction is not None:
+            candidates += self.others(found, candidates[0], name, fraction)
+        winner = max(candidates, key=lambda c: c.quality)
+        if winner.quality <= candidates[0].quality + self.slack(candidates[0].quality):
+            winner = candidates[0]
+        certificate = found.certificate()
+        improves = winner.quality > self.before + self.slack(self.before)
+        after = quality(self.problem.swarm.with_robot(winner.robot))
         return Placement(
             problem=self.problem,
-            robot=robot,
-            place=piece.place,
-            quality_before=self.before.value,
-            quality=after,
-            upper_bound=max(certificate.upper_bound, after),
+            robot=winner.robot,
+            place=winner.place,
+            quality_before=self.before,
+            quality=winner.quality,
+            upper_bound=max(certificate.upper_bound, winner.quality),
             improves=improves,
-            reason=self.reason(robot) if improves else self.why_not(),
+            reason=_limit_words(after) if improves else self.why_not(),
             certificate=certificate,
-            runners_up=()
-            if fraction is None
-            else self.others(found, piece.place, after * fraction),
+            runners_up=tuple(
+                sorted((c for c in candidates if c is not winner), key=lambda c: -c.quality)
+            ),
         )
 
-    def without_tie(self, found: _Found) -> NDArray[np.float64]:
-        """Return the best robot; among equals the one that lifts the rest of h most."""
-        best = found.best
-        target = best[0] - max(self.gap * best[0], self.floor)
-        rivals = np.flatnonzero(found.bounds >= target)
-        covectors = np.array([found.covector(int(k)) for k in rivals]) / self.weights
-        if best[4] >= 0.0 and (np.abs(covectors[:, 2]) > FLAT).all():
-            return best
-        from swarmgrasp.kernels.ties import break_tie
-
-        directions = even_directions(DIRECTIONS)
-        mean = 0.5 * np.abs(self.generators @ directions.T).sum() / DIRECTIONS
-        mean = max(mean, float(np.linalg.norm(self.weights[:2])) / 4.0)
-        return np.asarray(
-            break_tie(
-                self.generators, found.pool, self.weights, self.rows, found.bounds, best,
-                target, directions, SHARPNESS / mean,
-            )
-        )  # fmt: skip
-
-    def robot(self, best: NDArray[np.float64], name: str) -> Robot:
+    def robot(self, best: Array, name: str) -> Robot:
         """Turn a wrench on a piece into a robot in contact."""
         piece, row = self.pieces[int(best[4])], self.rows[int(best[4])]
         _, c, s, torque = best[:4]
@@ -224,41 +170,40 @@ class _Search:
         angle = math.atan2(s, c)
         return Robot((float(x), float(y)), angle, self.problem.newcomer.limit, name)
 
-    def others(self, found: _Found, taken: str, least: float) -> tuple[RunnerUp, ...]:
-        """Find the best robot in every other place that can reach a quality."""
-        runners = []
-        places = list(dict.fromkeys(piece.place for piece in self.pieces))
-        for label in places:
-            chosen = [k for k, piece in enumerate(self.pieces) if piece.place == label]
-            if label == taken or found.bounds[chosen].max() < least:
-                continue
-            best = self.solve(self.rows[chosen]).best
-            if best[4] < 0.0:
-                continue  # nothing here betters the swarm as it is
-            best[4] = chosen[int(best[4])]
-            robot = self.robot(best, self.problem.newcomer.name or "newcomer")
-            value = quality(self.problem.swarm.with_robot(robot)).value
-            if value >= least:
-                runners.append(RunnerUp(robot, value, label))
-        return tuple(sorted(runners, key=lambda runner: -runner.quality))
+    def runner_up(self, best: Array, name: str) -> RunnerUp:
+        """Turn the best robot of some pieces into one in contact, with its exact quality."""
+        robot = self.robot(best, name)
+        value = quality(self.problem.swarm.with_robot(robot)).value
+        return RunnerUp(robot, value, self.pieces[int(best[4])].place)
 
-    def reason(self, robot: Robot) -> str:
-        """Say what limits the swarm with its new robot."""
-        after = quality(self.problem.swarm.with_robot(robot))
-        return f"what remains weakest is {wrench_words(after.direction)}"
+    def others(
+        self, found: Optimum, winner: RunnerUp, name: str, fraction: float
+    ) -> list[RunnerUp]:
+        """Find the best robot in every other place that is nearly as good."""
+        runners = []
+        least = fraction * winner.quality
+        for place in dict.fromkeys(piece.place for piece in self.pieces):
+            chosen = [k for k, piece in enumerate(self.pieces) if piece.place == place]
+            if place == winner.place or found.bounds[chosen].max() < least:
+                continue
+            best = self.search.solve(chosen).best
+            if best[4] >= 0.0:  # otherwise nothing there betters the swarm as it is
+                best[4] = chosen[int(best[4])]
+                runners.append(self.runner_up(best, name))
+        return [runner for runner in runners if runner.quality >= least]
 
     def why_not(self) -> str:
         """Say why no newcomer improves the swarm."""
         present = len(self.problem.swarm)
-        weakest = wrench_words(self.before.direction)
+        weakest = wrench_words(self.facets.weakest)
         if present < 3:
             return (
                 f"with {present + 1} robots the quality is 0 wherever they are: force closure "
                 "takes at least 4"
             )
-        opposite = self.normals @ self.before.direction < -1.0 + 1e-9
-        tolerance = max(2.0 * self.gap * self.before.value, self.floor)
-        if opposite.any() and self.heights[opposite].min() <= self.before.value + tolerance:
+        opposite = self.facets.normals @ self.facets.weakest < OPPOSITE
+        heights = self.facets.heights[opposite]
+        if len(heights) and heights.min() <= self.before + self.slack(self.before):
             return (
                 f"the swarm is equally weak in {weakest} and in the opposite direction, and one "
                 "robot can push only one way: place two"
@@ -269,12 +214,9 @@ class _Search:
         )
 
 
-def even_directions(count: int) -> NDArray[np.float64]:
-    """Spread directions evenly over the sphere on a Fibonacci spiral, (count, 3)."""
-    k = np.arange(count)
-    z = 1.0 - (2.0 * k + 1.0) / count
-    radius, turn = np.sqrt(1.0 - z * z), k * math.pi * (3.0 - math.sqrt(5.0))
-    return np.column_stack([radius * np.cos(turn), radius * np.sin(turn), z])
+def _limit_words(after: Quality) -> str:
+    """Say what limits the swarm with its new robot."""
+    return f"what remains weakest is {wrench_words(after.direction)}"
 
 
 def _check_fractions(gap: float, runners_up: float | None) -> None:

@@ -6,10 +6,9 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.quality.facets import MARGINAL, facets_of
 from swarmgrasp.swarm import Swarm
 
-MARGINAL = 1e-12
-"""Quality relative to sum |b_i| at and below which it counts as zero."""
 ON_FACET = 1e-9
 """Sine of the angle to a facet within which a generator counts as lying in it."""
 
@@ -84,17 +83,10 @@ def quality(swarm: Swarm) -> Quality:
     >>> quality(Swarm(square, grasp.robots[:3])).value
     0.0
     """
-    # Numba takes 0.3 s to import: not before it is needed
-    from swarmgrasp.kernels.facets import list_facets
-
     generators = swarm.scaled_generators
     sizes = np.linalg.norm(generators, axis=1)
-    value, normal = 0.0, np.array([1.0, 0.0, 0.0])
-    if len(swarm):
-        _, _, normal, value = list_facets(generators, -np.inf)
-    total = float(sizes.sum())
-    if value <= MARGINAL * total:
-        value = 0.0
+    facets = facets_of(generators, cutoff=-np.inf)
+    normal, value = facets.weakest, facets.quality
     normal.setflags(write=False)
     wrench = value * normal / swarm.scale
     wrench.setflags(write=False)

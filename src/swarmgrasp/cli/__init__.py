@@ -1,0 +1,5 @@
+"""The command line: one file per command, each reads, calls and shows."""
+
+from swarmgrasp.cli.app import main
+
+__all__ = ["main"]

@@ -1,0 +1,120 @@
+"""The application: its commands, its help, and what its exit status means."""
+
+import io
+import os
+import sys
+from collections.abc import Sequence
+
+from cyclopts import App, CycloptsError
+from cyclopts.help import DefaultFormatter, PanelSpec
+
+from swarmgrasp.cli.dash import hidden, shown
+from swarmgrasp.cli.examples import examples
+from swarmgrasp.cli.place import place
+from swarmgrasp.cli.plot import plot
+from swarmgrasp.cli.quality import quality
+from swarmgrasp.cli.report import complain
+from swarmgrasp.cli.schema import schema
+from swarmgrasp.cli.verify import verify
+from swarmgrasp.errors import SwarmGraspError
+
+WRONG_INPUT = 2
+INTERRUPTED = 130
+READER_LEFT = 141
+"""What a shell reports for a program whose reader closed the pipe, as `head` does."""
+
+HELP = """
+Where should the next robot attach to a large object, and which way should it push?
+
+The answer is the best of all allowed contacts and directions, with a proof that
+anybody can check again.
+
+- Try an example: `swarmgrasp place deck-barge`
+- Start a file of your own: `swarmgrasp examples deck-barge > my.yaml`
+- Ask about one command: `swarmgrasp place --help`
+
+FILE is a scenario in YAML, "-" for standard input, or the name of a built-in example
+when there is no such file. Answers are in SI units whatever the file's: metres, newtons
+or kilonewtons, and degrees counter-clockwise from +x; JSON is in radians.
+"""
+
+STATUS = """
+Exit status: 0 done; 1 an answer was refused (verify only); 2 wrong input or usage;
+130 interrupted with Ctrl-C.
+"""
+
+
+def build() -> App:
+    """Return the application, its help laid out for where it goes."""
+    app = App(
+        name="swarmgrasp",
+        help=HELP,
+        help_epilogue=STATUS,
+        help_format="markdown",
+        help_formatter=_without_boxes(),
+        version=_version,
+        suppress_keyboard_interrupt=False,
+        exit_on_error=False,
+        print_error=False,
+        result_action="return_value",
+    )
+    for command in (place, quality, verify, plot, examples, schema):
+        app.command(command, help_epilogue="")
+    return app
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        Those of the process when left out.
+
+    Returns
+    -------
+    int
+        The exit status.
+    """
+    given = hidden(sys.argv[1:] if arguments is None else arguments)
+    if isinstance(sys.stdout, io.TextIOWrapper):  # a name must not break an ASCII terminal
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        status = build()(given)
+        sys.stdout.flush()
+    except CycloptsError as error:
+        command = next((word for word in given[:1] if word in _commands()), "")
+        complain(
+            [shown(str(error)), f"For help: swarmgrasp {command + ' ' if command else ''}--help"]
+        )
+        return WRONG_INPUT
+    except SwarmGraspError as error:
+        complain(error.faults)
+        return WRONG_INPUT
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except (BrokenPipeError, SystemExit):  # rich, which writes the help, turns one into the other
+        # Python flushes once more as it ends; let that go nowhere
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return READER_LEFT
+    except OSError as error:
+        complain([f"{error.filename or 'the output'}: cannot be written: {error.strerror}"])
+        return WRONG_INPUT
+    return status if isinstance(status, int) else 0
+
+
+def _without_boxes() -> DefaultFormatter:
+    """Return a layout of help whose panels have no frames, for terminals and pipes alike."""
+    from rich.box import Box
+
+    return DefaultFormatter(panel_spec=PanelSpec(box=Box("    \n" * 8), padding=(0, 0)))
+
+
+def _commands() -> set[str]:
+    return {command.__name__ for command in (place, quality, verify, plot, examples, schema)}
+
+
+def _version() -> str:
+    from importlib.metadata import version
+
+    return version("swarmgrasp")

@@ -1,0 +1,133 @@
+"""What commands read, and the checks of where they are to write."""
+
+import io
+import os
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from swarmgrasp.cli.dash import DASH
+from swarmgrasp.errors import SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.scenario import Scenario
+
+STDIN = "<stdin>"
+PICTURES = (".pdf", ".png", ".svg")
+
+
+class UsageFault(SwarmGraspError):
+    """What was asked for cannot be done: nothing was computed, nothing written."""
+
+
+def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
+    """Read a scenario, and tell its faults together with those found before.
+
+    Parameters
+    ----------
+    file : str
+        A path, "-" for standard input, or the name of a built-in example.
+    faults : iterable of str
+        Already found, for instance in where to write.
+
+    Raises
+    ------
+    UsageFault
+        If there is any fault.
+    """
+    found = list(faults)
+    try:
+        scenario = _scenario(file)
+    except SwarmGraspError as error:
+        found += error.faults
+    if found:
+        raise UsageFault(found)
+    return scenario
+
+
+def _scenario(file: str) -> "Scenario":
+    from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
+    from swarmgrasp.scenario.reading import LARGEST_FILE
+
+    if file == DASH:
+        raw = read_stdin(LARGEST_FILE)
+        try:
+            return parse_scenario(raw.decode("utf-8-sig"), STDIN)
+        except UnicodeDecodeError as error:
+            raise UsageFault(f"{STDIN}: not UTF-8 (byte {error.start})") from None
+    if not os.path.lexists(file):
+        known = example_names()
+        if file in known:
+            return load_example(file)
+        raise UsageFault(
+            f"{file}: there is no such file, and no built-in example of that name; "
+            f"the examples: {', '.join(known)}"
+        )
+    return load_scenario(file)
+
+
+def read_stdin(largest: int) -> bytes:
+    """Return standard input.
+
+    Raises
+    ------
+    UsageFault
+        If it is larger than a number of bytes.
+    """
+    raw = sys.stdin.buffer.read(largest + 1)
+    if len(raw) > largest:
+        raise UsageFault(f"{STDIN}: is too large; it should have at most {largest} bytes")
+    return raw
+
+
+def output_faults(path: str | Path | None, suffixes: tuple[str, ...]) -> list[str]:
+    """Return what is wrong with where to write, before anything is computed.
+
+    Parameters
+    ----------
+    path : str, Path or None
+        None and "-" are fine.
+    suffixes : tuple of str
+        Those allowed; a suffix guards against overwriting a scenario by a slip.
+    """
+    if path is None or str(path) == DASH:
+        return []
+    target, faults = Path(path), []
+    if target.suffix.lower() not in suffixes:
+        faults.append(f"{target}: the name should end in {' or '.join(suffixes)}")
+    if not target.parent.is_dir():
+        faults.append(f"{target}: there is no folder {target.parent}; create it first")
+    elif not os.access(target.parent, os.W_OK):
+        faults.append(f"{target}: the folder {target.parent} may not be written to")
+    elif target.is_dir():
+        faults.append(f"{target}: this is a folder; give the path of a file")
+    return faults
+
+
+def print_json(text: str) -> None:
+    """Print JSON and nothing else, in UTF-8 as its standard asks."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(encoding="utf-8", errors="strict")
+    sys.stdout.write(text)
+
+
+def put_json(path: str | None, data: dict[str, Any]) -> None:
+    """Write data as JSON to a file and say so, or to standard output for "-"."""
+    if path is None:
+        return
+    import json
+
+    text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+    if path == DASH:
+        print_json(text)
+        return
+    from swarmgrasp.placement.document import write_whole
+
+    write_whole(path, text.encode())
+    print(f"wrote {path}")
+
+
+def json_faults(path: str | Path | None) -> list[str]:
+    """Return what is wrong with where to write JSON."""
+    return output_faults(path, (".json",))

@@ -1,0 +1,61 @@
+"""The pictures that `place --plot` and `plot` write."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from swarmgrasp.cli.report import complain
+from swarmgrasp.errors import WrenchSetTooLarge
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from swarmgrasp.placement import Placement
+    from swarmgrasp.swarm import Swarm
+
+Picture = Literal["plan", "wrenches", "landscape"]
+
+
+def pictures(
+    wanted: dict[Picture, Path], swarm: "Swarm", answers: "Sequence[Placement]"
+) -> list[Path]:
+    """Write pictures, once all of them are drawn.
+
+    Parameters
+    ----------
+    wanted : dict of {"plan", "wrenches", "landscape"} to Path
+        The suffix of a path is the format.
+    swarm : Swarm
+        The robots already there.
+    answers : sequence of Placement
+        The newcomers; a landscape needs one, and shows what the first could choose from.
+
+    Returns
+    -------
+    list of Path
+        Those written: of several pictures, a wrench set with too many faces is left out
+        with a word on standard error.
+    """
+    from swarmgrasp.plot import save
+
+    drawn = {}
+    for what, path in wanted.items():
+        try:
+            drawn[path] = _figure(what, swarm, answers)
+        except WrenchSetTooLarge as error:
+            if len(wanted) == 1:
+                raise
+            complain(f"{path}: not drawn: {fault}" for fault in error.faults)
+    return [save(figure, path) for path, figure in drawn.items()]
+
+
+def _figure(what: Picture, swarm: "Swarm", answers: "Sequence[Placement]") -> "Figure":
+    """Draw one picture."""
+    from swarmgrasp.plot import landscape, plan, wrench_sets
+    from swarmgrasp.quality import quality
+
+    if what == "plan":
+        return plan(swarm, quality=quality(swarm), placements=answers)
+    if what == "wrenches":
+        return wrench_sets(swarm, answers[-1].swarm_after if answers else None)
+    return landscape(answers[0])

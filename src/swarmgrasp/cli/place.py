@@ -1,0 +1,136 @@
+"""`swarmgrasp place`: where the next robot goes."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.inputs import (
+    PICTURES,
+    UsageFault,
+    json_faults,
+    output_faults,
+    print_json,
+    read_scenario,
+)
+from swarmgrasp.cli.pictures import Picture
+from swarmgrasp.cli.report import told_written
+
+if TYPE_CHECKING:
+    from swarmgrasp.placement import Placement
+    from swarmgrasp.scenario import Scenario
+
+
+def place(
+    file: Dashed,
+    /,
+    *,
+    robots: int = 1,
+    gap: float = 1e-6,
+    runners_up: float = 0.9,
+    plot: Path | None = None,
+    json: Dashed | None = None,
+) -> None:
+    """Find where the next robot attaches and which way it pushes.
+
+    Prints the contact, the direction, what the robot adds, how far the answer can be from
+    the best, what limits the swarm then, and the next best places.
+
+    Example: swarmgrasp place deck-barge --plot barge.png --json barge.json
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+    robots
+        How many robots like the newcomer to place, one after the other: each is best
+        given those before it.
+    gap
+        Stop when no place can be better by more than this share, between 0 and 1.
+    runners_up
+        Also list the best place on every other edge or zone that reaches this share of
+        the best quality, from 0 (all that help) to 1 (only equals).
+    plot
+        Write pictures of the plan (NAME.png), the wrenches (NAME-wrenches.png) and
+        the landscape of all places (NAME-landscape.png); .png, .svg or .pdf.
+    json
+        Write the answer with its proof to this .json file, which `swarmgrasp verify`
+        checks; "-" prints it and nothing else. SI units and radians.
+    """
+    wanted = {} if plot is None else _pictures(plot)
+    faults = _number_faults(robots, gap, runners_up) + json_faults(json)
+    faults += output_faults(plot, PICTURES)
+    scenario = read_scenario(file, faults)
+    answers = solve(scenario, file, robots, gap, runners_up)
+    if json == DASH:
+        from swarmgrasp.placement.document import answer_text
+
+        print_json(answer_text(answers))
+    else:
+        from swarmgrasp.cli.placed import show
+
+        show(scenario.name, answers)
+    written: list[str | Path] = []
+    if json not in (None, DASH):
+        from swarmgrasp.placement import write_answer
+
+        write_answer(str(json), answers)
+        written.append(str(json))
+    if wanted:
+        from swarmgrasp.cli.pictures import pictures
+
+        written += pictures(wanted, scenario.swarm, answers)
+    told_written(written, aside=json == DASH)
+
+
+def solve(
+    scenario: "Scenario", file: str, robots: int = 1, gap: float = 1e-6, runners_up: float = 0.9
+) -> "tuple[Placement, ...]":
+    """Place a scenario's newcomer.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    file : str
+        What messages call it.
+    robots, gap, runners_up
+        As for the command.
+
+    Raises
+    ------
+    UsageFault
+        If the scenario has no newcomer.
+    """
+    if scenario.newcomer is None:
+        raise UsageFault(
+            f"{file}: has no newcomer to place; add one, such as "
+            "`newcomer: {limit: 100, attachment: push}`"
+        )
+    from swarmgrasp.cli.first_run import announce_compilation
+    from swarmgrasp.placement import Problem, place_sequence
+
+    announce_compilation(placing=True)
+    problem = Problem(
+        scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
+    )
+    return place_sequence(problem, robots, gap=gap, runners_up=runners_up)
+
+
+def _number_faults(robots: int, gap: float, runners_up: float) -> list[str]:
+    """Return what is wrong with the numbers given as options."""
+    faults = []
+    if robots < 1:
+        faults.append(f"--robots is {robots}; it should be at least 1")
+    if not 0.0 < gap < 1.0:
+        faults.append(f"--gap is {gap:g}; it should be between 0 and 1, both excluded")
+    if not 0.0 <= runners_up <= 1.0:
+        faults.append(f"--runners-up is {runners_up:g}; it should be from 0 to 1")
+    return faults
+
+
+def _pictures(plot: Path) -> dict[Picture, Path]:
+    """Return the paths of the three pictures."""
+    return {
+        "plan": plot,
+        "wrenches": plot.with_name(f"{plot.stem}-wrenches{plot.suffix}"),
+        "landscape": plot.with_name(f"{plot.stem}-landscape{plot.suffix}"),
+    }

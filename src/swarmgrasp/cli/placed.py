@@ -1,0 +1,183 @@
+"""How `swarmgrasp place` tells its answer."""
+
+from collections.abc import Sequence
+
+from swarmgrasp.cli.report import ALONG, NOTES, Column, Forces, Lengths, Report, percent
+from swarmgrasp.cli.words import Stance, degrees, stance
+from swarmgrasp.placement import Placement
+from swarmgrasp.robot import Robot
+
+FEWEST = 1e-12
+"""Relative gap below which bound and answer count as equal."""
+
+
+def show(name: str, answers: Sequence[Placement]) -> None:
+    """Write the answer for people.
+
+    Parameters
+    ----------
+    name : str
+        The scenario's.
+    answers : sequence of Placement
+        One newcomer, or several placed one after the other.
+    """
+    report = Report()
+    unit = Forces.for_size(answers[-1].quality, answers[-1].upper_bound)
+    if len(answers) == 1:
+        _show_one(report, name, answers[0], unit)
+    else:
+        _show_sequence(report, name, answers, unit)
+    _show_runners_up(report, answers, unit)
+    report.blank()
+    report.note(f"Metric: {answers[0].problem.swarm.metric_sentence}.")
+    for note in (*NOTES, ALONG):
+        report.note(note)
+
+
+def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> None:
+    """Tell where one newcomer goes."""
+    robot = answer.robot
+    if answer.improves:
+        report.headline(f"{name}: the best place for {robot.name}", "good")
+        why = []
+    else:
+        report.headline(f"{name}: no allowed place for {robot.name} raises the quality", "caution")
+        why = [
+            ("Why", answer.reason),
+            (
+                "Suggestion",
+                f"{robot.name} adds nothing now; of all places this one prepares best for the "
+                "next robot (--robots 2 goes on from here)",
+            ),
+        ]
+    placed = _stance(answer)
+    report.blank()
+    report.facts(
+        [
+            *why,
+            ("Where", _where(answer, placed)),
+            ("", _spot(answer, placed)),
+            ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
+            ("Force", f"{Forces.for_size(robot.limit).text(robot.limit)}, its limit"),
+            ("Quality", _gain(answer.quality_before, answer.quality, unit)),
+            ("Proven", _sure(answer, unit)),
+            *([("Limit now", answer.reason)] if answer.improves else []),
+        ]
+    )  # fmt: skip
+
+
+def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit: Forces) -> None:
+    """Tell where several newcomers go, one row each."""
+    first, last = answers[0], answers[-1]
+    helps = last.quality > first.quality_before and any(a.improves for a in answers)
+    called = first.problem.newcomer.name or "newcomer"
+    report.headline(
+        f"{name}: {len(answers)} robots like {called}, one after the other"
+        + ("" if helps else ": no gain in quality"),
+        "good" if helps else "caution",
+    )
+    report.blank()
+    lengths = Lengths.for_outline(first.problem.swarm.outline)
+    columns = [
+        *(Column(text) for text in ("robot", "place")),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "along [m]", "to [deg]")),
+        Column(f"quality [{unit.name}]", is_number=True),
+        Column("gain", is_number=True),
+        Column("off the normal [deg]"),
+    ]
+    rows = []
+    for answer in answers:
+        placed = _stance(answer)
+        rows.append([
+            answer.robot.name, answer.place, *_numbers(answer.robot, placed, lengths),
+            unit.number(answer.quality), _percent_gain(answer.quality_before, answer.quality)
+            if answer.improves else "none", placed.short,
+        ])  # fmt: skip
+    report.table(columns, rows)
+    report.blank()
+    worst = max(answers, key=lambda a: a.gap / a.quality if a.quality else 0.0)
+    report.facts([
+        ("Quality", _gain(first.quality_before, last.quality, unit)),
+        ("Proven", f"for each robot given those before it: {_sure(worst, unit, bound=False)}; "
+                   "other places for all of them together may be better still"),
+        ("Limit now" if last.improves else "Why no more", last.reason),
+    ])  # fmt: skip
+
+
+def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces) -> None:
+    """Tell the best robots in other places, for newcomers that help."""
+    told = [answer for answer in answers if answer.improves and answer.runners_up]
+    if not told:
+        return
+    lengths = Lengths.for_outline(answers[0].problem.swarm.outline)
+    several = len(answers) > 1
+    columns = [
+        *([Column("instead of")] if several else []), Column("place"),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "along [m]", "to [deg]")),
+        Column(f"quality [{unit.name}]", is_number=True),
+        Column("of best", is_number=True), Column("off the normal [deg]"),
+    ]  # fmt: skip
+    rows = []
+    for answer in told:
+        for runner in answer.runners_up:
+            placed = stance(answer.problem.swarm.outline, runner.robot)
+            rows.append([
+                *([answer.robot.name] if several else []), runner.place,
+                *_numbers(runner.robot, placed, lengths), unit.number(runner.quality),
+                percent(runner.quality / answer.quality), placed.short,
+            ])  # fmt: skip
+    report.blank()
+    report.headline("Next best: the best robot on each other edge or zone")
+    report.table(columns, rows)
+
+
+def _stance(answer: Placement) -> Stance:
+    return stance(answer.problem.swarm.outline, answer.robot)
+
+
+def _where(answer: Placement, placed: Stance) -> str:
+    """Return the place, and the edge when the place is a zone."""
+    return (
+        answer.place if placed.where == f"on {answer.place}" else f"{answer.place}, {placed.where}"
+    )
+
+
+def _spot(answer: Placement, placed: Stance) -> str:
+    """Return the contact."""
+    lengths = Lengths.for_outline(answer.problem.swarm.outline)
+    point = lengths.point(answer.robot.contact)
+    return f"contact {point}, {lengths.number(placed.arc_length)} m along the outline"
+
+
+def _numbers(robot: Robot, placed: Stance, lengths: Lengths) -> list[str]:
+    """Return x, y, arc length and direction for a table."""
+    figures = [lengths.number(v) for v in (*robot.contact, placed.arc_length)]
+    return [*figures, degrees(robot.direction)]
+
+
+def _gain(before: float, after: float, unit: Forces) -> str:
+    """Say how the quality changes."""
+    if after <= before * (1.0 + FEWEST):
+        return f"stays {unit.text(before)}"
+    change = f"{unit.number(before)} -> {unit.text(after)}"
+    return f"{change} ({_percent_gain(before, after)})"
+
+
+def _percent_gain(before: float, after: float) -> str:
+    """Say by what share a quality grows."""
+    if before == 0.0:
+        return "from none" if after > 0.0 else "none"
+    return f"+{percent(after / before - 1.0)}" if after > before else "none"
+
+
+def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
+    """Say how far the answer can be from the best."""
+    if answer.gap <= FEWEST * answer.quality:
+        said = "no allowed place is better"
+    else:
+        said = (
+            f"no allowed place is better by more than {percent(answer.gap / answer.quality)}"
+            if answer.quality
+            else f"no allowed place exceeds {unit.text(answer.upper_bound)}"
+        )
+    return f"{said} (upper bound {unit.text(answer.upper_bound)})" if bound else said

@@ -1,0 +1,37 @@
+"""`swarmgrasp plot`: pictures of a scenario."""
+
+from pathlib import Path
+
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.inputs import PICTURES, output_faults, read_scenario
+from swarmgrasp.cli.pictures import Picture
+
+
+def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
+    """Draw a scenario, its newcomer in the best place.
+
+    Example: swarmgrasp plot deck-barge barge.svg --what landscape
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+    picture
+        File to write; its suffix .png, .svg or .pdf is the format.
+    what
+        plan shows the object from above with its robots and zones; wrenches shows all the
+        forces and torques the swarm can exert; landscape shows the quality for every
+        contact and direction of the newcomer.
+    """
+    scenario = read_scenario(file, output_faults(picture, PICTURES))
+    from swarmgrasp.cli.first_run import announce_compilation
+    from swarmgrasp.cli.pictures import pictures
+    from swarmgrasp.cli.place import solve
+    from swarmgrasp.cli.report import told_written
+
+    if scenario.newcomer is None and what != "landscape":
+        announce_compilation(placing=False)
+        written = pictures({what: picture}, scenario.swarm, ())
+    else:
+        written = pictures({what: picture}, scenario.swarm, solve(scenario, file))
+    told_written(written)

@@ -1,0 +1,252 @@
+"""Text for people: colour and tables on a terminal, plain aligned columns in a pipe."""
+
+import math
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from swarmgrasp.outline import Outline
+
+Mood = Literal["", "good", "caution", "bad"]
+STYLES: dict[Mood, str] = {
+    "": "bold",
+    "good": "bold green",
+    "caution": "bold yellow",
+    "bad": "bold red",
+}
+GAP = "  "
+NOTES = (
+    "Units: SI with degrees, whatever the file's; x and y in the file's frame.",
+    "Directions: degrees counter-clockwise from +x, the way the force acts on the object.",
+)
+ALONG = "Along the outline: counter-clockwise from its first vertex."
+
+
+def clean(text: str) -> str:
+    r"""Return text on one line without control characters, so that no name can play tricks.
+
+    Examples
+    --------
+    >>> clean("Zoë\n\x1b[31m")
+    'Zoë\\n\\x1b[31m'
+    """
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
+def complain(faults: Iterable[str]) -> None:
+    """Write faults to standard error, one per line."""
+    for fault in faults:
+        print(clean(fault), file=sys.stderr)
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table.
+
+    Attributes
+    ----------
+    name : str
+        Its heading, with the unit in square brackets.
+    is_number : bool
+        Numbers stand flush right.
+    """
+
+    name: str
+    is_number: bool = False
+
+
+class Report:
+    """Writes to standard output, for a terminal or for a pipe."""
+
+    def __init__(self) -> None:
+        self._console: Console | None = None
+        if sys.stdout.isatty():
+            from rich import console
+
+            self._console = console.Console(highlight=False, markup=False, emoji=False)
+
+    def headline(self, text: str, mood: Mood = "") -> None:
+        """Write what matters most."""
+        if self._console is None:
+            print(clean(text))
+        else:
+            self._console.print(clean(text), style=STYLES[mood])
+
+    def sentence(self, text: str) -> None:
+        """Write a sentence."""
+        if self._console is None:
+            print(clean(text))
+        else:
+            self._console.print(clean(text))
+
+    def note(self, text: str) -> None:
+        """Write small print."""
+        if self._console is None:
+            print(clean(text))
+        else:
+            self._console.print(clean(text), style="dim")
+
+    def blank(self) -> None:
+        """Write an empty line."""
+        self.sentence("")
+
+    def facts(self, rows: Sequence[tuple[str, str]]) -> None:
+        """Write labelled facts; an empty label continues the one above."""
+        if self._console is None:
+            self._write_columns([[label, fact] for label, fact in rows], [False, False])
+            return
+        from rich.table import Table
+
+        grid = Table.grid(padding=(0, 2))
+        grid.add_column(style="cyan", no_wrap=True)
+        grid.add_column()
+        for label, fact in rows:
+            grid.add_row(clean(label), clean(fact))
+        self._console.print(grid)
+
+    def table(self, columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> None:
+        """Write a table."""
+        if self._console is None:
+            cells = [[column.name for column in columns], *map(list, rows)]
+            self._write_columns(cells, [column.is_number for column in columns])
+            return
+        from rich import box
+        from rich.table import Table
+
+        table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="cyan")
+        for column in columns:
+            table.add_column(column.name, justify="right" if column.is_number else "left")
+        for row in rows:
+            table.add_row(*map(clean, row))
+        self._console.print(table)
+
+    def _write_columns(self, rows: Sequence[Sequence[str]], is_number: Sequence[bool]) -> None:
+        """Write rows as aligned columns, as wide as they need to be."""
+        tidy = [[clean(cell) for cell in row] for row in rows]
+        widths = [max(map(len, column)) for column in zip(*tidy, strict=True)]
+        for row in tidy:
+            cells = [
+                cell.rjust(width) if right else cell.ljust(width)
+                for cell, width, right in zip(row, widths, is_number, strict=True)
+            ]
+            print(GAP.join(cells).rstrip())
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The unit one report shows forces in, chosen by the largest of them.
+
+    Examples
+    --------
+    >>> unit = Forces.for_size(229_220.4)
+    >>> unit.text(229_220.4), unit.number(1200.0)
+    ('229.22 kN', '1.2000')
+    """
+
+    newtons: float
+    name: str
+
+    @classmethod
+    def for_size(cls, *sizes: float) -> "Forces":
+        """Choose the unit."""
+        largest = max(map(abs, sizes), default=1.0)
+        if largest >= 1e6:
+            return cls(1e6, "MN")
+        if largest >= 1e3:
+            return cls(1e3, "kN")
+        return cls(1.0, "N") if largest >= 1e-2 or largest == 0.0 else cls(1e-3, "mN")
+
+    def number(self, force: float) -> str:
+        """Return a force without its unit, five digits."""
+        return digits(force / self.newtons)
+
+    def text(self, force: float) -> str:
+        """Return a force with its unit."""
+        return f"{self.number(force)} {self.name}"
+
+    def part(self, force: float, whole: float, unit: str = "") -> str:
+        """Return a component with its unit, rounded to 1/10 000 of the whole, never -0.
+
+        Parameters
+        ----------
+        force, whole : float [N, or N m for both]
+        unit : str
+            Follows the unit of force: " m" for a torque.
+
+        Examples
+        --------
+        >>> Forces.for_size(2e3).part(-1e-9, 2e3), Forces.for_size(2e3).part(-1500.0, 2e3)
+        ('0 kN', '-1.5000 kN')
+        """
+        held = 0.0 if abs(force) < 1e-4 * abs(whole) else force
+        return f"{digits(held / self.newtons)} {self.name}{unit}"
+
+
+def digits(value: float) -> str:
+    """Return a number to five significant digits, plainly.
+
+    Examples
+    --------
+    >>> [digits(v) for v in (0.0, 123.456, 0.000123456, 1234567.0, -2.5)]
+    ['0', '123.46', '0.00012346', '1234567', '-2.5000']
+    """
+    if value == 0.0:
+        return "0"
+    power = math.floor(math.log10(abs(value)))
+    return f"{value:.{max(0, 4 - power)}f}" if power > -6 else f"{value:.4e}"
+
+
+@dataclass(frozen=True)
+class Lengths:
+    """How many decimals suit the lengths of one outline: some 1/10 000 of its extent."""
+
+    decimals: int
+
+    @classmethod
+    def for_outline(cls, outline: "Outline") -> "Lengths":
+        """Choose the number of decimals."""
+        return cls(max(0, 4 - math.floor(math.log10(outline.extent))))
+
+    def number(self, length: float) -> str:
+        """Return a length [m] without its unit."""
+        return f"{round(length, self.decimals) + 0.0:.{self.decimals}f}"
+
+    def point(self, point: tuple[float, float]) -> str:
+        """Return a point as "(x, y) m"."""
+        return f"({self.number(point[0])}, {self.number(point[1])}) m"
+
+
+def percent(fraction: float) -> str:
+    """Return a share in percent, to three digits.
+
+    Examples
+    --------
+    >>> percent(1.0806), percent(0.0), percent(2.2e-7), percent(0.975)
+    ('108 %', '0 %', '0.000022 %', '97.5 %')
+    """
+    value = 100.0 * fraction
+    if value == 0.0:
+        return "0 %"
+    power = math.floor(math.log10(abs(value)))
+    figures = 2 if power >= -1 else 1
+    return f"{value:.{max(0, figures - power)}f} %"
+
+
+def told_written(paths: Iterable[str | Path], *, aside: bool = False) -> None:
+    """Say which files were written.
+
+    Parameters
+    ----------
+    paths : iterable of str or Path
+    aside : bool
+        On standard error, because standard output holds data.
+    """
+    for path in paths:
+        print(f"wrote {clean(str(path))}", file=sys.stderr if aside else sys.stdout)

@@ -1,0 +1,87 @@
+"""A robot's place and direction in words."""
+
+import math
+from dataclasses import dataclass
+
+from swarmgrasp.outline import Outline
+from swarmgrasp.robot import Robot
+
+SQUARE = 0.05
+"""Angle [deg] below which a force counts as square to the edge."""
+
+
+@dataclass(frozen=True)
+class Stance:
+    """How a robot stands on the outline.
+
+    Attributes
+    ----------
+    arc_length : float [m]
+    where : str
+        "on" its edge, or "at" a corner.
+    way : str
+        "pushing" or "pulling", and how far off the normal.
+    short : str
+        The same for a table.
+    """
+
+    arc_length: float
+    where: str
+    way: str
+    short: str
+
+
+def stance(outline: Outline, robot: Robot) -> Stance:
+    """Describe a robot in contact with the boundary.
+
+    At a corner, the normal meant is the one nearer to the force.
+
+    Parameters
+    ----------
+    outline : Outline
+    robot : Robot
+        Not a mounted one.
+    """
+    contact = outline.at_point(robot.contact)
+    edges = [contact.edge]
+    where = f"on {outline.edge_label(contact.edge)}"
+    if contact.is_corner:
+        edges.append((contact.edge - 1) % len(outline))
+        first, second = (outline.edge_label(edge) for edge in reversed(edges))
+        where = f"at the corner of {first} and {second}"
+    sides = [
+        (turned(robot.direction - outline.inward_normal(edge) - turn), way, edge)
+        for edge in edges
+        for way, turn in (("pushing", 0.0), ("pulling", math.pi))
+    ]
+    off, way, edge = min(sides, key=lambda side: abs(side[0]))
+    of_edge = f" of {outline.edge_label(edge)}" if contact.is_corner else ""
+    return Stance(contact.arc_length, where, *_ways(way, off, of_edge))
+
+
+def _ways(way: str, off: float, of_edge: str) -> tuple[str, str]:
+    """Say at length and shortly how far a force is off the normal [deg]."""
+    normal = f"{'inward' if way == 'pushing' else 'outward'} normal{of_edge}"
+    if abs(off) < SQUARE:
+        return f"{way} along the {normal}", f"{way[:4]} along it"
+    sense = "counter-clockwise" if off > 0.0 else "clockwise"
+    return (
+        f"{way}, {abs(off):.1f} deg {sense} off the {normal}",
+        f"{way[:4]} {abs(off):.1f} {sense}",
+    )
+
+
+def turned(angle: float) -> float:
+    """Return an angle [rad] in degrees within (-180, 180].
+
+    Examples
+    --------
+    >>> [round(turned(a), 6) for a in (math.pi, -math.pi, 0.0, 5.5 * math.pi)]
+    [180.0, 180.0, 0.0, -90.0]
+    """
+    return 180.0 - (180.0 - math.degrees(angle)) % 360.0
+
+
+def degrees(angle: float) -> str:
+    """Return a direction [rad] in degrees as text, never -0."""
+    return f"{round(turned(angle), 1) + 0.0:.1f}"

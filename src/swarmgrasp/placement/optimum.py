@@ -1,0 +1,172 @@
+"""One placement in the kernels' terms: its pool of normals, its pieces, and their optimum."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.placement.certificate import Certificate, Proof
+from swarmgrasp.quality.facets import Facets
+
+POOL_ROOM = 2000, 20
+"""Normals that a search may add to the known facets, and more per piece; some 10 are usual."""
+ROUNDING = 1e-14
+"""A level missed by less than this share of sum |b_i| counts as reached."""
+FLOOR = 1e-13
+"""Gap between bound and best, relative to sum |b_i|, that is not worth closing."""
+OPPOSITE = -1.0 + 1e-12
+"""Cosine below which two normals count as opposite."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """The best robot over some pieces, and what bounds them: see `kernels.place.solve`.
+
+    Attributes
+    ----------
+    best : (5,)
+        Quality [N] and (cos, sin, torque) [1, 1, m] of the best robot, and its piece; -1
+        when none betters the swarm as it is.
+    bounds : (k,) [N]
+        What no robot on each piece exceeds.
+    rows, shares : (k, 4), (k, 4)
+        The proof of each bound: rows of `normals`, and weights.
+    normals : (m, 3)
+        In the metric's coordinates.
+    """
+
+    best: Array
+    bounds: Array
+    rows: Array
+    shares: Array
+    normals: Array
+
+    def mean_normals(self, pieces: Sequence[int]) -> Array:
+        """Return the weighted mean normal of each piece's proof, (k, 3)."""
+        chosen = list(pieces)
+        normals = self.normals[self.rows[chosen].astype(int)]
+        return np.asarray((self.shares[chosen][:, :, None] * normals).sum(axis=1))
+
+    def certificate(self) -> Certificate:
+        """Gather the proofs, each distinct one once."""
+        proofs = {}
+        for row, share in zip(self.rows, self.shares, strict=True):
+            used = share > 0.0
+            key = (tuple(row[used]), tuple(share[used]))
+            if key not in proofs:
+                proofs[key] = Proof(self.normals[row[used].astype(int)], share[used])
+        return Certificate(tuple(proofs.values()), float(self.bounds.max()))
+
+
+class Search:
+    """The kernels' view of a swarm and a newcomer.
+
+    Parameters
+    ----------
+    generators : (n, 3) [N]
+        Of the base swarm, in the metric's coordinates.
+    facets : Facets
+        Of the base swarm, all of them.
+    weights : (3,) [N, N, N/m]
+        Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
+    pieces : (k, 10)
+        See `kernels.sector`.
+    gap : float
+        Largest difference between bound and best, relative to the best.
+    """
+
+    def __init__(
+        self, generators: Array, facets: Facets, weights: Array, pieces: Array, gap: float
+    ) -> None:
+        self.generators = np.array(generators)
+        self.weights, self.pieces, self.gap = weights, pieces, gap
+        self.before = facets.quality
+        reach = np.abs(pieces[:, :4]).max() * weights[2]
+        size = np.linalg.norm(generators, axis=1).sum() + np.linalg.norm(weights[:2]) + reach
+        self.floor, self.slack = FLOOR * float(size), ROUNDING * float(size)
+        # T17: a set as weak at n as at -n gains nothing from one robot
+        opposite = np.flatnonzero(facets.normals @ facets.weakest < OPPOSITE)
+        first = [int(np.argmin(facets.heights))]
+        first += [int(opposite[np.argmin(facets.heights[opposite])])] if len(opposite) else []
+        rest = np.ones(len(facets.heights), dtype=bool)
+        rest[first] = False
+        rest &= facets.heights < facets.quality + np.linalg.norm(weights[:2]) + 2.0 * reach
+        order = np.concatenate([first, np.flatnonzero(rest)])
+        self.pool, self.count = self._pool(facets.normals[order], facets.heights[order])
+        self.first = np.zeros((len(first), 2, 4))
+        self.first[:, 0, :2] = (2, 3) if len(first) > 1 else (2, 2)
+        self.first[0, 1, 0] = 1.0
+        self.first[1:, 1, :2] = 0.5
+
+    def _pool(self, normals: Array, heights: Array) -> tuple[Array, int]:
+        """Return the kernels' pool with room to grow, and its number of rows so far."""
+        from swarmgrasp.kernels.place import PIECE_ROWS, TORQUE_FREE
+
+        count = PIECE_ROWS + len(heights)
+        pool = np.empty((count + POOL_ROOM[0] + POOL_ROOM[1] * len(self.pieces), 5))
+        rows = pool[PIECE_ROWS:count]
+        rows[:, :3] = normals * self.weights
+        rows[:, 3] = heights
+        free = np.abs(normals[:, 2]) <= TORQUE_FREE * np.abs(normals[:, :2]).sum(axis=1)
+        rows[free, 2] = 0.0
+        rows[:, 4] = 1.0 / np.where(free, 1.0, np.abs(rows[:, 2]))
+        return pool, count
+
+    def solve(self, chosen: Sequence[int] | None = None) -> Optimum:
+        """Find the best robot over all pieces, or over the chosen ones.
+
+        The numbers of pieces in the answer count the chosen ones. Normals met on the way
+        serve the next run.
+        """
+        from swarmgrasp.kernels.place import solve
+
+        pieces = self.pieces if chosen is None else self.pieces[list(chosen)]
+        best = np.array([self.before, 0.0, 0.0, 0.0, -1.0])
+        _, self.count, bounds, rows, shares = solve(
+            self.generators, self.pool, self.count, self.weights, pieces, self.first, best,
+            self.gap, self.floor, self.slack,
+        )  # fmt: skip
+        normals = self.pool[: self.count, :3] / self.weights
+        sizes = np.linalg.norm(normals, axis=1)[:, None]
+        return Optimum(best, bounds, rows, shares, normals / np.where(sizes > 0.0, sizes, 1.0))
+
+    def qualities(self, robots: Array) -> Array:
+        """Compute the exact quality with each of many new robots, one at a time.
+
+        Parameters
+        ----------
+        robots : (r, 3) [1, 1, m]
+            Unit wrenches (cos, sin, torque) that the pieces allow.
+
+        Returns
+        -------
+        (r,) [N]
+        """
+        from swarmgrasp.kernels.place import qualities_with
+
+        return np.asarray(
+            qualities_with(self.generators, self.pool, self.count, self.weights, robots)
+        )
+
+
+def robots_at(rows: Array, along: Array, across: Array) -> Array:
+    """Return unit wrenches at shares of the way p to q and of the sector lo to hi.
+
+    Parameters
+    ----------
+    rows : (r, 10)
+        One piece per robot.
+    along, across : (r,)
+
+    Returns
+    -------
+    (r, 3) [1, 1, m]
+    """
+    angles = rows[:, 4] + across * (rows[:, 5] - rows[:, 4])
+    c, s = np.cos(angles), np.sin(angles)
+    x = rows[:, 0] + along * (rows[:, 2] - rows[:, 0])
+    y = rows[:, 1] + along * (rows[:, 3] - rows[:, 1])
+    return np.column_stack([c, s, x * s - y * c])
