@@ -3,11 +3,11 @@ import math
 import numpy as np
 import pytest
 
-from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone
-from swarmgrasp.placement import place
+from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place
+from swarmgrasp.placement import Problem
+from swarmgrasp.placement.optimum import Search
 from swarmgrasp.plot import landscape
 from swarmgrasp.plot.landscape import cell_qualities
-from swarmgrasp.plot.quality_grid import quality_grid
 from swarmgrasp.quality import quality
 
 RESOLUTION = (120, 90)
@@ -18,12 +18,14 @@ def test_the_grid_is_the_quality_of_each_swarm_with_one_more(crowd, count):
     base = Swarm(crowd.outline, crowd.robots[:count], crowd.characteristic_length)
     contacts = np.array([(1.8, 0.1), (-0.4, 0.8), (1.8, -0.8)])
     directions = np.array([0.0, 1.0, math.pi, -2.5])
-    grid = quality_grid(base, contacts, directions, 1.5)
-    for i, contact in enumerate(contacts):
-        for j, direction in enumerate(directions):
-            with_one = base.with_robot(Robot(tuple(contact), float(direction), 1.5))
-            truth = quality(with_one).value
-            assert grid[i, j] == pytest.approx(truth, abs=1e-12)
+    search = Search(Problem(base, Newcomer(1.5)))
+    for contact in contacts:
+        arm = contact - base.outline.origin
+        for direction in directions:
+            force = np.cos(direction), np.sin(direction)
+            unit = np.array([[*force, arm[0] * force[1] - arm[1] * force[0]]])
+            truth = quality(base.with_robot(Robot(tuple(contact), float(direction), 1.5))).value
+            assert search.qualities(unit)[0] == pytest.approx(truth, abs=1e-12)
 
 
 @pytest.mark.parametrize("attachment", ["push", "pull", "free"])

@@ -56,7 +56,6 @@ def place(
         Write the answer with its proof to this .json file, which `swarmgrasp verify`
         checks; "-" prints it and nothing else. SI units and radians.
     """
-    wanted = {} if plot is None else _pictures(plot)
     faults = _number_faults(robots, gap, runners_up) + json_faults(json)
     faults += output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
@@ -75,10 +74,10 @@ def place(
 
         write_answer(str(json), answers)
         written.append(str(json))
-    if wanted:
+    if plot is not None:
         from swarmgrasp.cli.pictures import pictures
 
-        written += pictures(wanted, scenario.swarm, answers)
+        written += pictures(_beside(plot), scenario.swarm, answers)
     told_written(written, aside=json == DASH)
 
 
@@ -127,8 +126,8 @@ def _number_faults(robots: int, gap: float, runners_up: float) -> list[str]:
     return faults
 
 
-def _pictures(plot: Path) -> dict[Picture, Path]:
-    """Return the paths of the three pictures."""
+def _beside(plot: Path) -> dict[Picture, Path]:
+    """Return the paths of the three pictures, two of them beside the first."""
     return {
         "plan": plot,
         "wrenches": plot.with_name(f"{plot.stem}-wrenches{plot.suffix}"),

@@ -80,10 +80,12 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
     lengths = Lengths.for_outline(first.problem.swarm.outline)
     columns = [
         *(Column(text) for text in ("robot", "place")),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "along [m]", "to [deg]")),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
+        Column("along [m]", is_number=True, is_spare=True),
+        Column("to [deg]", is_number=True),
         Column(f"quality [{unit.name}]", is_number=True),
         Column("gain", is_number=True),
-        Column("off the normal [deg]"),
+        Column("off the normal [deg]", is_spare=True),
     ]
     rows = []
     for answer in answers:
@@ -113,9 +115,11 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces)
     several = len(answers) > 1
     columns = [
         *([Column("instead of")] if several else []), Column("place"),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "along [m]", "to [deg]")),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
+        Column("along [m]", is_number=True, is_spare=True),
+        Column("to [deg]", is_number=True),
         Column(f"quality [{unit.name}]", is_number=True),
-        Column("of best", is_number=True), Column("off the normal [deg]"),
+        Column("of best", is_number=True), Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
     rows = []
     for answer in told:

@@ -142,7 +142,8 @@ def _show_robots(report: "Report", swarm: "Swarm") -> None:
     columns = [
         Column("robot"),
         *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "to [deg]")),
-        Column(f"limit [{unit.name}]", is_number=True), Column("place"), Column("off the normal [deg]"),
+        Column(f"limit [{unit.name}]", is_number=True), Column("place"),
+        Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
     rows = []
     for index, robot in enumerate(swarm.robots):

@@ -55,11 +55,14 @@ class Column:
     name : str
         Its heading, with the unit in square brackets.
     is_number : bool
-        Numbers stand flush right.
+        Numbers stand flush right and never wrap.
+    is_spare : bool
+        Left out on a terminal too narrow for the whole table.
     """
 
     name: str
     is_number: bool = False
+    is_spare: bool = False
 
 
 class Report:
@@ -117,15 +120,32 @@ class Report:
             cells = [[column.name for column in columns], *map(list, rows)]
             self._write_columns(cells, [column.is_number for column in columns])
             return
-        from rich import box
         from rich.table import Table
 
-        table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, header_style="cyan")
-        for column in columns:
-            table.add_column(column.name, justify="right" if column.is_number else "left")
+        kept = self._fitting(self._console.width, columns, rows)
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="cyan")
+        for index in kept:
+            is_number = columns[index].is_number
+            table.add_column(
+                columns[index].name, justify="right" if is_number else "left", no_wrap=is_number
+            )
         for row in rows:
-            table.add_row(*map(clean, row))
+            table.add_row(*(clean(row[index]) for index in kept))
         self._console.print(table)
+        if len(kept) < len(columns):
+            left = ", ".join(c.name for i, c in enumerate(columns) if i not in kept)
+            self.note(f"A wider terminal, or a pipe, also shows: {left}.")
+
+    @staticmethod
+    def _fitting(room: int, columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> list[int]:
+        """Return the columns to show in a number of characters: spare ones go, last first."""
+        cells = [[column.name for column in columns], *rows]
+        widths = [max(map(len, column)) + len(GAP) for column in zip(*cells, strict=True)]
+        kept = list(range(len(columns)))
+        for index in reversed(range(len(columns))):
+            if columns[index].is_spare and sum(widths[i] for i in kept) > room:
+                kept.remove(index)
+        return kept
 
     def _write_columns(self, rows: Sequence[Sequence[str]], is_number: Sequence[bool]) -> None:
         """Write rows as aligned columns, as wide as they need to be."""

@@ -1,5 +1,6 @@
 """What an answer file says, checked for form only."""
 
+import json
 from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
@@ -128,6 +129,4 @@ def read_claims(document: dict[str, Any]) -> Claims:
 
 def _as_json(document: dict[str, Any]) -> str:
     """Return the document as JSON text: its lists then stand for tuples, even strictly."""
-    import json
-
     return json.dumps(document)

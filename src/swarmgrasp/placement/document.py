@@ -1,6 +1,5 @@
 """Answers as JSON: complete enough that a stranger can check them."""
 
-import hashlib
 import json
 import os
 import tempfile
@@ -11,6 +10,7 @@ from typing import Any
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement
+from swarmgrasp.placement.digest import digest_of
 from swarmgrasp.robot import Robot, Zone
 
 FORMAT = "swarmgrasp answer 1"
@@ -45,13 +45,6 @@ def document_of(answers: Sequence[Placement]) -> dict[str, Any]:
         "placements": [_placement(answer) for answer in answers],
     }
     return {**document, "digest": digest_of(document)}
-
-
-def digest_of(document: dict[str, Any]) -> str:
-    """Return the digest of a document without its own "digest" entry."""
-    content = {key: value for key, value in document.items() if key != "digest"}
-    text = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
-    return "sha256:" + hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def answer_text(answers: Sequence[Placement]) -> str:

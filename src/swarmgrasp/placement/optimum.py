@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.placement.certificate import Certificate, Proof
-from swarmgrasp.quality.facets import Facets
+from swarmgrasp.placement.pieces import piece_rows, pieces_of
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.quality.facets import MARGINAL, facets_of
 
 POOL_ROOM = 2000, 20
 """Normals that a search may add to the known facets, and more per piece; some 10 are usual."""
@@ -62,31 +64,40 @@ class Optimum:
 
 
 class Search:
-    """The kernels' view of a swarm and a newcomer.
+    """The kernels' view of a problem.
 
-    Parameters
+    Attributes
     ----------
-    generators : (n, 3) [N]
-        Of the base swarm, in the metric's coordinates.
+    pieces : tuple of Piece
     facets : Facets
         Of the base swarm, all of them.
+    generators : (n, 3) [N]
+        Of the base swarm, in the metric's coordinates.
     weights : (3,) [N, N, N/m]
         Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
-    pieces : (k, 10)
-        See `kernels.sector`.
     gap : float
         Largest difference between bound and best, relative to the best.
+    floor : float [N]
+        Difference not worth closing, whatever the best.
+
+    Raises
+    ------
+    NowhereToAttach
+        If the problem leaves no boundary point to the newcomer.
     """
 
-    def __init__(
-        self, generators: Array, facets: Facets, weights: Array, pieces: Array, gap: float
-    ) -> None:
-        self.generators = np.array(generators)
-        self.weights, self.pieces, self.gap = weights, pieces, gap
-        self.before = facets.quality
-        reach = np.abs(pieces[:, :4]).max() * weights[2]
-        size = np.linalg.norm(generators, axis=1).sum() + np.linalg.norm(weights[:2]) + reach
+    def __init__(self, problem: Problem, gap: float = 1e-6) -> None:
+        swarm = problem.swarm
+        self.pieces = tuple(pieces_of(problem))
+        self.rows = piece_rows(swarm.outline, self.pieces)
+        self.generators = np.array(swarm.scaled_generators)
+        self.facets = facets = facets_of(self.generators)
+        self.weights = weights = swarm.scale * problem.newcomer.limit
+        self.gap = gap
+        reach = np.abs(self.rows[:, :4]).max() * weights[2]
+        size = np.linalg.norm(self.generators, axis=1).sum() + np.linalg.norm(weights[:2]) + reach
         self.floor, self.slack = FLOOR * float(size), ROUNDING * float(size)
+        self.zero = MARGINAL * float(size)
         # T17: a set as weak at n as at -n gains nothing from one robot
         opposite = np.flatnonzero(facets.normals @ facets.weakest < OPPOSITE)
         first = [int(np.argmin(facets.heights))]
@@ -106,7 +117,7 @@ class Search:
         from swarmgrasp.kernels.place import PIECE_ROWS, TORQUE_FREE
 
         count = PIECE_ROWS + len(heights)
-        pool = np.empty((count + POOL_ROOM[0] + POOL_ROOM[1] * len(self.pieces), 5))
+        pool = np.zeros((count + POOL_ROOM[0] + POOL_ROOM[1] * len(self.pieces), 5))
         rows = pool[PIECE_ROWS:count]
         rows[:, :3] = normals * self.weights
         rows[:, 3] = heights
@@ -123,8 +134,8 @@ class Search:
         """
         from swarmgrasp.kernels.place import solve
 
-        pieces = self.pieces if chosen is None else self.pieces[list(chosen)]
-        best = np.array([self.before, 0.0, 0.0, 0.0, -1.0])
+        pieces = self.rows if chosen is None else self.rows[list(chosen)]
+        best = np.array([self.facets.quality, 0.0, 0.0, 0.0, -1.0])
         _, self.count, bounds, rows, shares = solve(
             self.generators, self.pool, self.count, self.weights, pieces, self.first, best,
             self.gap, self.floor, self.slack,
@@ -147,9 +158,8 @@ class Search:
         """
         from swarmgrasp.kernels.place import qualities_with
 
-        return np.asarray(
-            qualities_with(self.generators, self.pool, self.count, self.weights, robots)
-        )
+        values = qualities_with(self.generators, self.pool, self.count, self.weights, robots)
+        return np.where(values > self.zero, values, 0.0)
 
 
 def robots_at(rows: Array, along: Array, across: Array) -> Array:

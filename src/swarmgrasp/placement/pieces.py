@@ -1,7 +1,7 @@
 """The pieces of a placement: straight contacts with one-sided sectors of directions (T8)."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,7 +69,7 @@ def pieces_of(problem: Problem) -> list[Piece]:
     return pieces
 
 
-def piece_rows(outline: Outline, pieces: list[Piece]) -> NDArray[np.float64]:
+def piece_rows(outline: Outline, pieces: Sequence[Piece]) -> NDArray[np.float64]:
     """Return the pieces as rows for the kernels, (k, 10); see `kernels.sector`."""
     rows = np.empty((len(pieces), 10))
     for row, piece in zip(rows, pieces, strict=True):

@@ -7,11 +7,10 @@ from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.optimum import OPPOSITE, Array, Optimum, Search
-from swarmgrasp.placement.pieces import piece_rows, pieces_of, point_on
+from swarmgrasp.placement.pieces import point_on
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.ties import break_tie, is_tied
 from swarmgrasp.quality import Quality, quality, wrench_words
-from swarmgrasp.quality.facets import facets_of
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
 
@@ -65,8 +64,10 @@ def place(
     >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2)]
     >>> three = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
     >>> answer = place(three, Newcomer(limit=1.0, attachment="pull", half_angle=0.0))
-    >>> answer.robot.contact, round(answer.quality, 6), bool(answer.verify())
-    ((1.0, -1.0), 0.8, True)
+    >>> [round(v, 3) for v in answer.robot.contact], round(answer.quality, 5)
+    ([0.4, -1.0], 0.69631)
+    >>> bool(answer.verify())
+    True
     """
     problem = Problem(
         swarm, newcomer, None if zones is None else tuple(zones), tuple(no_go), spacing
@@ -111,18 +112,10 @@ class _Placing:
     """One problem on its way to an answer."""
 
     def __init__(self, problem: Problem, gap: float) -> None:
-        swarm = problem.swarm
-        generators = swarm.scaled_generators
-        self.problem = problem
-        self.gap = gap
-        self.facets = facets_of(generators)
+        self.problem, self.gap = problem, gap
+        self.search = Search(problem, 0.5 * gap)  # the other half is the tie-break's
+        self.pieces, self.facets = self.search.pieces, self.search.facets
         self.before = self.facets.quality
-        self.pieces = pieces_of(problem)
-        self.rows = piece_rows(swarm.outline, self.pieces)
-        # half of the gap is the search's, the other half the tie-break's
-        self.search = Search(
-            generators, self.facets, swarm.scale * problem.newcomer.limit, self.rows, 0.5 * gap
-        )
 
     def slack(self, value: float) -> float:
         """Return the difference [N] that does not count at a quality."""
@@ -161,7 +154,7 @@ class _Placing:
 
     def robot(self, best: Array, name: str) -> Robot:
         """Turn a wrench on a piece into a robot in contact."""
-        piece, row = self.pieces[int(best[4])], self.rows[int(best[4])]
+        piece, row = self.pieces[int(best[4])], self.search.rows[int(best[4])]
         _, c, s, torque = best[:4]
         from_p, from_q = (x * s - y * c for x, y in (row[0:2], row[2:4]))
         spread = from_q - from_p

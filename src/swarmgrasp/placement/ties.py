@@ -51,12 +51,12 @@ def break_tie(search: Search, found: Optimum, target: float) -> Array:
     def softness(robots: Array) -> Array:
         return np.asarray(np.exp(-np.maximum(robots @ covectors.T, 0.0)) @ decay)
 
-    grid, step = _grid(search.pieces, np.flatnonzero(found.bounds >= target).tolist())
+    grid, step = _grid(search.rows, np.flatnonzero(found.bounds >= target).tolist())
     best, least = found.best, math.inf
     if best[4] >= 0.0:
         least = float(softness(best[None, 1:4])[0])
     for _ in range(1 + ZOOMS):
-        rows = search.pieces[grid[:, 0].astype(int)]
+        rows = search.rows[grid[:, 0].astype(int)]
         robots = robots_at(rows, grid[:, 1], grid[:, 2])
         scores = softness(robots)
         values = search.qualities(robots)

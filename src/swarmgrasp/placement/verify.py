@@ -12,20 +12,21 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.claims import (
-    Claims,
-    PlacementClaim,
-    RobotClaim,
-    StretchClaim,
-    ZoneClaim,
-    read_claims,
-)
-from swarmgrasp.placement.document import digest_of
+from swarmgrasp.placement.digest import digest_of
+
+if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
+    from swarmgrasp.placement.claims import (
+        Claims,
+        PlacementClaim,
+        RobotClaim,
+        StretchClaim,
+        ZoneClaim,
+    )
 
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
@@ -88,6 +89,8 @@ def verify_document(document: dict[str, Any]) -> Verdict:
     AnswerInvalid
         If entries are missing or malformed; all of them are named.
     """
+    from swarmgrasp.placement.claims import read_claims
+
     claims = read_claims(document)
     faults = []
     if claims.digest != digest_of(document):
@@ -106,7 +109,9 @@ def verify_document(document: dict[str, Any]) -> Verdict:
 class _Check:
     """One placement, recomputed."""
 
-    def __init__(self, claims: Claims, claim: PlacementClaim, present: list[RobotClaim]) -> None:
+    def __init__(
+        self, claims: "Claims", claim: "PlacementClaim", present: "list[RobotClaim]"
+    ) -> None:
         self.claim = claim
         self.corners = np.array(claims.outline.vertices)
         self.origin = np.array(claims.outline.origin)
@@ -123,7 +128,7 @@ class _Check:
         self.cells = list(self.allowed_cells())
         self.bound = self.upper_bound()
 
-    def generator(self, robot: RobotClaim) -> Array:
+    def generator(self, robot: "RobotClaim") -> Array:
         """Return the scaled wrench (3,) [N] of a robot at its limit."""
         x, y = np.array(robot.contact) - self.origin
         fx, fy = math.cos(robot.direction), math.sin(robot.direction)
@@ -160,7 +165,7 @@ class _Check:
         if abs(claimed - found) > self.slack(found):
             yield f"{what} is said to be {claimed:.12g} N and is {found:.12g} N"
 
-    def robot_faults(self, what: str, robot: RobotClaim, value: float) -> Iterator[str]:
+    def robot_faults(self, what: str, robot: "RobotClaim", value: float) -> Iterator[str]:
         """Yield what is wrong with a robot said to be allowed and to reach a quality."""
         if robot.limit != self.claim.newcomer.limit:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
@@ -202,34 +207,36 @@ class _Check:
 
     def allowed_cells(self) -> Iterator[Cell]:
         """Yield the allowed contacts and directions, edge by edge and side by side."""
-        claim = self.claim
-        everywhere = ZoneClaim(
-            start=0.0, end=0.0, name="", attachment=None, half_angle=None, directions=None
-        )
-        arcs = np.concatenate([[0.0], np.cumsum(self.lengths())])
-        for edge, length in enumerate(self.lengths()):
+        lengths = self.lengths()
+        arcs = np.concatenate([[0.0], np.cumsum(lengths)])
+        for edge, length in enumerate(lengths):
             p, q = self.corners[edge], self.corners[(edge + 1) % len(self.corners)]
             inward = math.atan2(q[0] - p[0], p[1] - q[1])
-            for zone in claim.zones if claim.zones is not None else [everywhere]:
-                is_point = zone is not everywhere and zone.start == zone.end
-                cuts = {0.0, length}
-                for stretch in [*claim.no_go, *([] if zone is everywhere else [zone])]:
-                    for at in (stretch.start, stretch.end):
-                        cuts |= {
-                            min(max(at + turn - arcs[edge], 0.0), length)
-                            for turn in (-arcs[-1], 0.0, arcs[-1])
-                            if -self.near <= at + turn - arcs[edge] <= length + self.near
-                        }
-                cuts |= set(self.spacing_cuts(p, q))
-                marks = sorted(cuts)
-                spans = [(s, s) for s in marks] if is_point else list(pairwise(marks))
-                for a, b in spans:
+            for zone in [None] if self.claim.zones is None else self.claim.zones:
+                marks = sorted(self.cuts(zone, arcs[edge], arcs[-1], p, q))
+                is_point = zone is not None and zone.start == zone.end
+                for a, b in ((s, s) for s in marks) if is_point else pairwise(marks):
+                    if b - a <= self.near and not is_point:
+                        continue  # no wider than rounding
                     start, end = (p + (q - p) * (s / length) for s in (a, b))
                     middle = arcs[edge] + 0.5 * (a + b)
-                    if self.is_allowed(middle, arcs[-1], zone if zone is not everywhere else None,
-                                       0.5 * (start + end)):  # fmt: skip
-                        for lo, hi in _sides(claim, zone, inward):
+                    if self.is_allowed(zone, middle, arcs[-1], 0.5 * (start + end)):
+                        for lo, hi in _sides(self.claim, zone, inward):
                             yield Cell(start, end, lo, hi)
+
+    def cuts(
+        self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array
+    ) -> set[float]:
+        """Return where anything changes along an edge [m from its start], its ends included."""
+        length = float(np.linalg.norm(q - p))
+        cuts = {0.0, length, *self.spacing_cuts(p, q)}
+        for stretch in [*self.claim.no_go, *([] if zone is None else [zone])]:
+            for arc in (stretch.start, stretch.end):
+                for turn in (-perimeter, 0.0, perimeter):
+                    at = arc + turn - base
+                    if -self.near <= at <= length + self.near:
+                        cuts.add(min(max(at, 0.0), length))
+        return cuts
 
     def lengths(self) -> Array:
         """Return the lengths (k,) [m] of the edges."""
@@ -250,7 +257,7 @@ class _Check:
                             yield s
 
     def is_allowed(
-        self, arc: float, perimeter: float, zone: ZoneClaim | None, point: Array
+        self, zone: "ZoneClaim | None", arc: float, perimeter: float, point: Array
     ) -> bool:
         """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
         if zone is not None and not _covers(zone, arc, perimeter, self.near):
@@ -310,16 +317,17 @@ def _crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
     return np.asarray(np.where(turned <= hi, np.hypot(a, b), ends))
 
 
-def _sides(claim: PlacementClaim, zone: ZoneClaim, inward: float) -> Iterator[tuple[float, float]]:
+def _sides(
+    claim: "PlacementClaim", zone: "ZoneClaim | None", inward: float
+) -> Iterator[tuple[float, float]]:
     """Yield the sectors allowed at an edge, each on one side of it."""
-    own = zone.attachment is not None
-    attachment = zone.attachment if own else claim.newcomer.attachment
-    half = zone.half_angle if own else claim.newcomer.half_angle
-    half = math.pi / 2 if half is None or attachment == "free" else half
+    source = claim.newcomer if zone is None or zone.attachment is None else zone
+    free = source.attachment == "free"
+    half = math.pi / 2 if free or source.half_angle is None else source.half_angle
     for side, middle in (("push", inward), ("pull", inward + math.pi)):
-        if attachment not in (side, "free"):
+        if not free and source.attachment != side:
             continue
-        if zone.directions is None:
+        if zone is None or zone.directions is None:
             yield middle - half, middle + half
             continue
         first, last = zone.directions
@@ -331,7 +339,7 @@ def _sides(claim: PlacementClaim, zone: ZoneClaim, inward: float) -> Iterator[tu
                 yield lo, hi
 
 
-def _covers(stretch: StretchClaim, arc: float, perimeter: float, slack: float) -> bool:
+def _covers(stretch: "StretchClaim", arc: float, perimeter: float, slack: float) -> bool:
     """Tell whether a stretch covers an arc length, its ends widened by a slack [m]."""
     length = stretch.end - stretch.start
     if length < 0.0:

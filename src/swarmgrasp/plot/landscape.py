@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Placement, Problem
-from swarmgrasp.placement.pieces import pieces_of
+from swarmgrasp.placement.optimum import Search
 from swarmgrasp.plot import style
-from swarmgrasp.plot.quality_grid import quality_grid
+from swarmgrasp.swarm import wrenches
 
 COLOURS: Final = "cividis"
 """Even in lightness, and the same to every kind of colour vision."""
@@ -109,7 +109,8 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
     rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
     grid = np.full(resolution, np.nan)
-    for piece in pieces_of(problem):
+    search = Search(problem)
+    for piece in search.pieces:
         base = float(outline.corner_arc_lengths[piece.edge])
         where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
         p, q = outline.edge_ends(piece.edge)
@@ -119,9 +120,11 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
         width = piece.hi - piece.lo
         parts = [_samples(rows, low - t, low - t + width) for t in (0.0, math.tau)]
         which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
-        values = quality_grid(problem.swarm, contacts, directions, problem.newcomer.limit)
+        arms = np.repeat(contacts - outline.origin, len(directions), axis=0)
+        turns = np.tile(directions, len(contacts))
+        values = search.qualities(wrenches(arms, turns, np.ones(len(turns))))
         cells = np.ix_(where, which)
-        grid[cells] = np.fmax(grid[cells], values)
+        grid[cells] = np.fmax(grid[cells], values.reshape(len(where), len(which)))
     return grid
 
 

@@ -1,0 +1,63 @@
+# make demo and make test do all the set-up on a fresh machine with Python 3.11+.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+KERNELS := $(wildcard src/swarmgrasp/kernels/*.py)
+
+.PHONY: demo test test-long lint docs bench lock clean
+
+demo: $(VENV)/installed
+	mkdir -p demo
+	$(BIN)/swarmgrasp place deck-barge --plot demo/deck-barge.png --json demo/deck-barge.json
+	$(BIN)/swarmgrasp verify demo/deck-barge.json
+
+test: $(VENV)/developing $(VENV)/kernels
+	$(BIN)/python -m pytest -n 2
+
+test-long: $(VENV)/developing $(VENV)/kernels
+	$(BIN)/python -m pytest -n 2 -m long
+
+lint: $(VENV)/developing
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+docs: $(VENV)/documenting
+	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build
+
+bench: $(VENV)/developing $(VENV)/kernels
+	$(BIN)/python benchmarks/placement.py
+	$(BIN)/python benchmarks/commands.py
+
+# The package itself goes in last, from this folder, without fetching anything.
+$(VENV)/installed: requirements.lock pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	touch $@
+
+$(VENV)/developing: $(VENV)/installed requirements-dev.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
+	touch $@
+
+$(VENV)/documenting: $(VENV)/developing requirements-docs.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-docs.lock
+	touch $@
+
+# Numba does not see a change in a kernel that another file's kernel calls: forget what is compiled.
+$(VENV)/kernels: $(KERNELS) | $(VENV)/installed
+	rm -f src/swarmgrasp/kernels/__pycache__/*.nb?
+	touch $@
+
+LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
+	--no-emit-find-links --no-header --no-annotate --upgrade pyproject.toml
+
+lock:
+	$(LOCK) --extra build -o requirements.lock
+	$(LOCK) --extra build --extra dev -o requirements-dev.lock
+	$(LOCK) --extra build --extra dev --extra docs -o requirements-docs.lock
+
+clean:
+	rm -rf $(VENV) demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,114 @@
+import os
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+
+from swarmgrasp.cli import first_run
+
+COMMANDS = ["place", "quality", "verify", "plot", "examples", "schema"]
+
+
+def shell(line):
+    """Run a shell line with `swarmgrasp` in it, its output piped."""
+    program = f"{sys.executable} -m swarmgrasp"
+    environment = {**os.environ, "PYTHONWARNINGS": "error"}
+    return subprocess.run(
+        ["bash", "-c", line.replace("swarmgrasp", program)],
+        capture_output=True, text=True, env=environment, timeout=60, check=False,
+    )  # fmt: skip
+
+
+def test_help_lists_commands_and_exit_status(run):
+    """The first thing a new user reads."""
+    status, said, _ = run("--help")
+    assert status == 0
+    assert all(f"\n {command} " in said for command in COMMANDS)
+    assert "Exit status: 0 done; 1 an answer was refused (verify only); 2 wrong input" in said
+    assert "swarmgrasp place deck-barge" in said
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_explains_itself(run, command):
+    """Each help has an example, and no parameter without a word."""
+    status, said, _ = run(command, "--help")
+    assert status == 0
+    assert f"swarmgrasp {command}" in said
+    assert "│" not in said
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fault"),
+    [
+        (["plaice"], 'Unknown command "plaice". Did you mean "place"?'),
+        (["place"], "requires an argument"),
+        (["place", "deck-barge", "--gaps", "1"], "Unknown option: --gaps"),
+        (["place", "--json", "--plot", "a.png"], "--json requires an argument"),
+        (["quality", "--lonely"], "--lonely"),
+        (["-"], 'Unknown command "-"'),
+    ],
+)
+def test_wrong_usage(run, arguments, fault):
+    """Two lines on standard error: what is wrong, and where to look."""
+    status, said, complaints = run(*arguments)
+    first, second = complaints.splitlines()
+    assert (status, said) == (2, "")
+    assert fault in first
+    assert second.startswith("For help: swarmgrasp ")
+
+
+def test_an_interrupt_is_quiet(run, monkeypatch):
+    """Ctrl-C ends with 130 and no traceback."""
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("swarmgrasp.cli.quality.read_scenario", interrupt)
+    assert run("quality", "deck-barge") == (130, "", "")
+
+
+def test_piped_output_is_plain():
+    """No escape codes, no frames, no broken lines; the exit status is the program's."""
+    done = shell("swarmgrasp place deck-barge")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\x1b" not in done.stdout
+    assert "─" not in done.stdout
+    assert max(map(len, done.stdout.splitlines())) > 80
+
+
+def test_a_reader_that_leaves_is_no_fault():
+    """`| head` is quiet."""
+    done = shell("set -o pipefail; swarmgrasp schema | head -1")
+    assert (done.stdout, done.stderr) == ("{\n", "")
+    done = shell("set -o pipefail; swarmgrasp examples deck-barge | true")
+    assert (done.returncode in (0, 141), done.stderr) == (True, "")
+
+
+def test_a_pipe_of_commands_verifies():
+    """An answer goes from `place` to `verify` without a file."""
+    done = shell("set -o pipefail; swarmgrasp place model-ship --json - | swarmgrasp verify -")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("<stdin>: verified\n")
+
+
+def kernel():
+    """Stand in for a compiled function."""
+
+
+def test_compilation_is_announced_until_cached(tmp_path):
+    """A kernel counts as cached once its index is there, newer than its source."""
+    compiled = SimpleNamespace(py_func=kernel, stats=SimpleNamespace(cache_path=str(tmp_path)))
+    assert not first_run.is_cached(compiled)
+    python = f"py{sys.version_info.major}{sys.version_info.minor}"
+    index = tmp_path / f"test_app.kernel-{kernel.__code__.co_firstlineno}.{python}.nbi"
+    index.write_bytes(b"")
+    assert first_run.is_cached(compiled)
+    os.utime(index, (0, 0))
+    assert not first_run.is_cached(compiled)
+
+
+def test_without_a_cache_folder_every_run_compiles():
+    """Numba then has no path for its cache."""
+    stats = SimpleNamespace(cache_path=None)
+    assert not first_run.is_cached(SimpleNamespace(py_func=kernel, stats=stats))

@@ -1,0 +1,122 @@
+import json
+import re
+
+import pytest
+
+METRIC = "Metric: force weights 1 and 1, characteristic length"
+
+
+def test_says_where_which_way_how_much_and_how_sure(run, pontoon):
+    """The answer names contact, direction, gain, bound, what limits now, metric and units."""
+    status, said, complaints = run("place", pontoon)
+    assert (status, complaints) == (0, "")
+    assert said.startswith("Pontoon: the best place for E\n")
+    assert re.search(r"contact \(-?[\d.]+, -?[\d.]+\) m, [\d.]+ m along the outline", said)
+    assert re.search(r"Direction +-?[\d.]+ deg: pushing.* the inward normal", said)
+    assert re.search(r"Force +1\.5000 kN, its limit", said)
+    assert re.search(r"Quality +\S+ -> \S+ k?N \((\+\d.* %|from none)\)", said)
+    assert re.search(r"Proven +no allowed place is better.*upper bound", said)
+    assert re.search(r"Limit now +what remains weakest is", said)
+    assert METRIC in said
+    assert "Units: SI with degrees" in said
+
+
+def test_an_unimproving_newcomer_is_told_first(run):
+    """Where no single robot helps, the first lines say so, and why."""
+    status, said, _ = run("place", "drillship-thrusters")
+    first, _, why, suggestion = said.splitlines()[:4]
+    assert status == 0
+    assert first == "Drillship thrusters: no allowed place for helper raises the quality"
+    assert "equally weak" in why
+    assert "prepares best for the next robot" in suggestion
+
+
+def test_several_robots_have_a_row_each(run, pontoon):
+    """--robots 3 tells three placements and the quality from first to last."""
+    status, said, _ = run("place", pontoon, "--robots", 3)
+    assert status == 0
+    assert [f"E {k} " in said for k in (1, 2, 3, 4)] == [True, True, True, False]
+    assert "for each robot given those before it" in said
+
+
+def test_runners_up_are_those_near_the_best(run):
+    """--runners-up 1 asks for equals only; 0.9 also lists the other pads."""
+    _, said, _ = run("place", "deck-barge")
+    assert re.search(r"^port fore pads +3\.048 .* 97\.5 %", said, re.MULTILINE)
+    _, said, _ = run("place", "deck-barge", "--runners-up", 1)
+    assert "Next best" not in said
+
+
+def test_json_on_standard_output_is_json_alone(run, pontoon):
+    """`--json -` prints the answer file and nothing else."""
+    status, said, complaints = run("place", pontoon, "--json", "-")
+    assert (status, complaints) == (0, "")
+    assert json.loads(said)["format"] == "swarmgrasp answer 1"
+
+
+def test_files_are_written_and_named(run, pontoon, tmp_path):
+    """--json and --plot write the answer and three pictures, and say so."""
+    target, picture = tmp_path / "a.json", tmp_path / "a.svg"
+    status, said, _ = run("place", pontoon, "--json", target, "--plot", picture)
+    names = ["a.json", "a.svg", "a-wrenches.svg", "a-landscape.svg"]
+    assert status == 0
+    assert said.splitlines()[-4:] == [f"wrote {tmp_path / name}" for name in names]
+    assert {path.name for path in tmp_path.iterdir()} == {*names, "pontoon.yaml"}
+
+
+def test_every_fault_is_told_at_once_and_nothing_written(run, tmp_path):
+    """Faults of options, output paths and the scenario come together, one per line."""
+    bad = tmp_path / "bad.yaml"
+    bad.write_text("outline: {vertices: [[0, 0], [1, 0], [1, 1]]}\nrobots: [{at: 9, limit: -1}]\n")
+    before = sorted(tmp_path.iterdir())
+    status, said, complaints = run(
+        "place", bad, "--robots", 0, "--gap", 2, "--runners-up", 7,
+        "--json", tmp_path / "answer.yaml", "--plot", tmp_path / "no" / "plan.bmp",
+    )  # fmt: skip
+    told = complaints.splitlines()
+    assert (status, said) == (2, "")
+    assert [line.split(" is ")[0] for line in told[:3]] == ["--robots", "--gap", "--runners-up"]
+    assert told[3].endswith("answer.yaml: the name should end in .json")
+    assert "plan.bmp: the name should end in .pdf or .png or .svg" in told[4]
+    assert "there is no folder" in told[5]
+    assert all(re.match(rf"{re.escape(str(bad))}:\d+:\d+: robots\.0", line) for line in told[6:])
+    assert len(told) == 9
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_folder_without_permission_is_told_before_computing(run, pontoon, tmp_path, monkeypatch):
+    """An unwritable folder is a fault, not a surprise after the search."""
+    monkeypatch.setattr("swarmgrasp.cli.inputs.os.access", lambda *_: False)
+    status, said, complaints = run("place", pontoon, "--json", tmp_path / "a.json")
+    assert (status, said) == (2, "")
+    assert complaints == f"{tmp_path / 'a.json'}: the folder {tmp_path} may not be written to\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "fault"),
+    [
+        ("nowhere.yaml", "there is no such file, and no built-in example of that name"),
+        ("/", "is a directory"),
+    ],
+)
+def test_a_file_that_cannot_be_read(run, file, fault):
+    """A missing file or a directory is told in one line."""
+    status, said, complaints = run("place", file)
+    assert (status, said, complaints.count("\n")) == (2, "", 1)
+    assert fault in complaints
+
+
+def test_a_scenario_without_newcomer_has_nobody_to_place(run, pontoon):
+    """The fault says what to add."""
+    pontoon.write_text("\n".join(pontoon.read_text().splitlines()[:-1]))
+    status, said, complaints = run("place", pontoon)
+    assert (status, said) == (2, "")
+    assert "has no newcomer to place; add one" in complaints
+
+
+def test_names_cannot_play_tricks(run, pontoon):
+    """Control characters in a name are shown, not sent to the terminal."""
+    pontoon.write_text(pontoon.read_text().replace("name: E", r'name: "E\e[31m[red]\n"'))
+    status, said, _ = run("place", pontoon)
+    assert status == 0
+    assert r"the best place for E\x1b[31m[red]\n" in said.splitlines()[0]

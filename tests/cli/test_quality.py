@@ -1,0 +1,56 @@
+import io
+import json
+import sys
+
+import pytest
+
+
+def test_tells_quality_closure_and_robots(run):
+    """The supply vessel's quality is the published 748.42 kN, with all its thrusters listed."""
+    status, said, complaints = run("quality", "supply-vessel")
+    assert (status, complaints) == (0, "")
+    assert said.startswith("Supply vessel: quality 748.42 kN\n")
+    assert "Force closure   yes" in said
+    assert "Weakest wrench  yaw to" in said
+    assert said.count(" on board") == 12
+    assert "Metric: force weights 1 and 1, characteristic length 38.1 m." in said
+
+
+def test_no_force_closure_is_said_plainly(run):
+    """With a quality of 0 the report names a wrench that the robots cannot exert."""
+    _, said, _ = run("quality", "rectangle-5")
+    assert "quality 0 N" in said
+    assert "Force closure   no" in said
+    assert "the robots exert nothing that way" in said
+
+
+def test_a_scenario_may_have_no_robots(run, pontoon):
+    """Nobody there: quality 0, and no table."""
+    text = pontoon.read_text()
+    pontoon.write_text(text[: text.index("robots:")] + "robots: []\n")
+    status, said, _ = run("quality", pontoon)
+    assert status == 0
+    assert "there are no robots" in said
+
+
+def test_json_holds_the_numbers(run, tmp_path):
+    """The efficiency is the quality over sum u / pi (T3)."""
+    target = tmp_path / "quality.json"
+    status, said, _ = run("quality", "supply-vessel", "--json", target)
+    found = json.loads(target.read_text())
+    assert status == 0
+    assert said.endswith(f"wrote {target}\n")
+    limits = 8 * 200e3 + 4 * 799e3
+    assert found["efficiency"] == pytest.approx(found["quality"] * 3.141592653589793 / limits)
+    assert found["quality"] == pytest.approx(748420, rel=1e-5)
+    assert found["metric"]["characteristic_length"] == pytest.approx(38.1)
+
+
+def test_reads_standard_input(run, pontoon, monkeypatch):
+    """A lone dash is standard input; its faults are told as <stdin>."""
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(pontoon.read_bytes())))
+    assert run("quality", "-")[1].startswith("Pontoon: quality ")
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"robots: 3\n")))
+    status, said, complaints = run("quality", "-")
+    assert (status, said) == (2, "")
+    assert "<stdin>:1:9: robots: should be a list" in complaints

@@ -1,0 +1,95 @@
+import io
+import json
+import sys
+
+import pytest
+
+from swarmgrasp.placement.document import digest_of
+
+
+@pytest.fixture
+def answer(run, pontoon, tmp_path):
+    """Write an answer file for two newcomers."""
+    path = tmp_path / "answer.json"
+    assert run("place", pontoon, "--robots", 2, "--json", path)[0] == 0
+    return path
+
+
+def tamper(path, change, *, sealed):
+    """Change an answer file; a sealed one gets a digest that fits."""
+    document = json.loads(path.read_text())
+    change(document["placements"][0])
+    if sealed:
+        document["digest"] = digest_of(document)
+    path.write_text(json.dumps(document))
+
+
+def move(placement):
+    placement["robot"]["contact"][0] += 1e-3
+
+
+def lower(placement):
+    placement["upper_bound"] -= 1e-3 * placement["upper_bound"]
+
+
+def rename(placement):
+    placement["robot"]["name"] = "F"
+
+
+def test_a_good_answer_is_verified(run, answer):
+    """The verdict shows each robot with its recomputed bound."""
+    status, said, complaints = run("verify", answer)
+    assert (status, complaints) == (0, "")
+    assert said.startswith(f"{answer}: verified\n")
+    assert said.count("no allowed place exceeds") == 2
+    assert "Metric: force weights 1 and 1, characteristic length" in said
+
+
+def test_standard_input_and_json(run, answer, monkeypatch):
+    """`place --json - | verify - --json -` works."""
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(answer.read_bytes())))
+    status, said, _ = run("verify", "-", "--json", "-")
+    verdict = json.loads(said)
+    assert status == 0
+    assert (verdict["verified"], verdict["faults"]) == (True, [])
+    assert len(verdict["upper_bounds"]) == 2
+
+
+@pytest.mark.parametrize("change", [move, lower, rename])
+def test_an_altered_answer_is_refused(run, answer, change):
+    """A moved contact, a lower bound or another name: the digest tells."""
+    tamper(answer, change, sealed=False)
+    status, said, complaints = run("verify", answer)
+    assert (status, complaints) == (1, "")
+    assert said.startswith(f"{answer}: refused")
+    assert "- the digest does not fit the content: the file was altered\n" in said
+
+
+@pytest.mark.parametrize("change", [move, lower])
+def test_a_forged_digest_does_not_help(run, answer, change):
+    """What the answer claims is recomputed, whatever its digest says."""
+    tamper(answer, change, sealed=True)
+    status, said, _ = run("verify", answer)
+    assert status == 1
+    assert "the digest does not fit" not in said
+    assert said.count("\n- ") >= 1
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        (None, "cannot be read"),
+        ("{", ":1:2: "),
+        ("[]", "an answer is a JSON object"),
+        ("{}", "placements: Field required"),
+    ],
+)
+def test_what_is_no_answer_is_malformed(run, tmp_path, text, fault):
+    """A missing file, broken JSON or missing entries give status 2, with the file's name."""
+    path = tmp_path / "broken.json"
+    if text is not None:
+        path.write_text(text)
+    status, said, complaints = run("verify", path)
+    assert (status, said) == (2, "")
+    assert all(line.startswith(str(path)) for line in complaints.splitlines())
+    assert fault in complaints

@@ -1,0 +1,97 @@
+"""The form of an answer file: every fault of it is told, and none is a crash."""
+
+import copy
+import math
+
+import pytest
+
+from answers import first, honest_document
+from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.placement import read_answer, verify_document
+
+
+@pytest.fixture
+def document():
+    """Return an honest document to spoil."""
+    return copy.deepcopy(honest_document())
+
+
+@pytest.mark.parametrize(
+    ("where", "value", "says"),
+    [
+        (("format",), "swarmgrasp answer 2", "format: Input should be 'swarmgrasp answer 1'"),
+        (("metric", "characteristic_length"), math.nan, "should be a finite number"),
+        (("metric", "characteristic_length"), 0.0, "greater than 0"),
+        (("metric", "force_weights"), [1.0], "metric.force_weights"),
+        (("metric", "force_weights"), [-1.0, 1.0], "metric.force_weights"),
+        (("metric", "force_weights"), [0.0, 1.0], "metric.force_weights"),
+        (("outline", "vertices"), [[0, 0], [1, 0]], "at least 3"),
+        (("outline", "vertices"), [[0, 0], [1, 0], [1, math.inf]], "finite"),
+        (("outline", "vertices"), [[1, 1]] * 4, "outline"),
+        (("outline", "vertices"), [[-2, 1], [2, 1], [2, -1], [-2, -1]], "outline"),  # clockwise
+        (("robots", 0, "limit"), "1", "robots.0.limit: Input should be a valid number"),
+        (("robots", 0, "limit"), -1.0, "robots.0.limit"),
+        (("robots", 0, "mounted"), 0, "robots.0.mounted"),
+        (("placements",), [], "placements"),
+        (("placements", 0, "quality"), True, "placements.0.quality"),
+        (("placements", 0, "quality"), 10**400, "placements.0.quality"),
+        (("placements", 0, "robot", "contact"), [0.0], "placements.0.robot.contact"),
+        (("placements", 0, "newcomer", "attachment"), "glue", "newcomer.attachment"),
+        (("placements", 0, "newcomer", "half_angle"), 10.0, "half_angle"),
+        (("placements", 0, "zones", 0, "start"), -1.0, "zones.0.start"),
+        (("placements", 0, "zones", 0, "end"), 1e9, "zones.0"),
+        (("placements", 0, "spacing"), 1e308, ""),
+        (("placements", 0, "proofs", 0, "normals"), [[1.0, 0.0]], "proofs.0.normals"),
+        (("placements", 0, "proofs", 0, "weights"), [], "proofs.0.weights"),
+        (("digest",), 5, "digest"),
+    ],
+)
+def test_a_malformed_entry_is_named(document, where, value, says):
+    """Wrong kinds, wrong signs, numbers that are none: refused before anything is computed."""
+    spot = document
+    for key in where[:-1]:
+        spot = spot[key]
+    spot[where[-1]] = value
+    with pytest.raises(AnswerInvalid) as caught:
+        verify_document(document)
+    assert any(says in fault for fault in caught.value.faults), caught.value.faults
+
+
+def test_every_missing_and_every_unknown_entry_is_named(document):
+    """All faults at once."""
+    del document["metric"], first(document)["robot"]["limit"]
+    document["extra"] = first(document)["quality_afterwards"] = 1
+    with pytest.raises(AnswerInvalid) as caught:
+        verify_document(document)
+    named = {fault.partition(":")[0] for fault in caught.value.faults}
+    assert named == {
+        "metric", "placements.0.robot.limit", "extra", "placements.0.quality_afterwards"
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("document", [{}, [], None, "text", {"placements": object()}])
+def test_what_is_no_answer_at_all(document):
+    """Empty, of another kind, or not even data."""
+    with pytest.raises(AnswerInvalid):
+        verify_document(document)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "{", "[1]", "nul", '{"a": ' + "[" * 5000, '{"a": ' + "1" * 5000 + "}", "\ufeff{}", "\x00"],
+    ids=["empty", "open", "list", "word", "deep", "long number", "mark", "zero"],
+)
+def test_a_file_that_is_no_json_object(tmp_path, text):
+    """Refused with the file's name."""
+    path = tmp_path / "answer.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(AnswerInvalid, match=r"answer\.json"):
+        read_answer(path)
+
+
+def test_a_file_that_is_not_there_or_not_text(tmp_path):
+    """Neither is a crash."""
+    (tmp_path / "bytes.json").write_bytes(b"\xff\xfe{}")
+    for name in ("none.json", "bytes.json", "."):
+        with pytest.raises(AnswerInvalid):
+            read_answer(tmp_path / name)

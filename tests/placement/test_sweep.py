@@ -1,0 +1,57 @@
+"""Thousands of random and degenerate placements: each closes its gap and proves its bound."""
+
+import time
+
+import numpy as np
+import pytest
+
+import reference
+from strategies import FAMILIES, problem_of
+from swarmgrasp import place_sequence
+from swarmgrasp.errors import NowhereToAttach
+
+
+def sweep(seeds, verify_every):
+    """Answer one problem per family and seed; return the failures and the slowest time [s]."""
+    failures, slowest = [], (0.0, "", 0)
+    for seed in seeds:
+        n = int(np.random.default_rng([seed, 2]).integers(0, 17))
+        for family in FAMILIES:
+            problem = problem_of(family, seed, n)
+            start = time.perf_counter()
+            try:
+                (answer,) = place_sequence(problem, 1)
+            except NowhereToAttach:
+                continue
+            slowest = max(slowest, (time.perf_counter() - start, family, seed))
+            faults = faults_of(answer, (seed % verify_every) == 0)
+            failures += [f"problem_of({family!r}, {seed}, {n}): {fault}" for fault in faults]
+    return failures, slowest
+
+
+def faults_of(answer, thorough):
+    """Return what is wrong with an answer; a thorough check verifies it too."""
+    swarm = answer.swarm_after
+    reach = np.linalg.norm(swarm.scale[:2]) + swarm.outline.radius * swarm.scale[2]
+    total = np.linalg.norm(swarm.scaled_generators, axis=1).sum() + answer.robot.limit * reach
+    if not 0.0 <= answer.gap <= 1e-6 * answer.quality + 4e-12 * total:
+        yield f"gap {answer.gap:.3g} N at {answer.quality:.3g} N"
+    if thorough:
+        truth = reference.quality(swarm.scaled_generators)
+        if abs(truth - answer.quality) > 1e-9 * truth + 2e-12 * total:
+            yield f"quality {answer.quality!r} N instead of {truth!r} N"
+        yield from answer.verify().faults
+
+
+def test_a_few_hundred():
+    """The first of the long sweep."""
+    failures, _ = sweep(range(30), 3)
+    assert failures == []
+
+
+@pytest.mark.long
+def test_ten_thousand():
+    """All families, 0 to 16 robots (balanced ones in pairs), newcomers of any strength."""
+    failures, (seconds, family, seed) = sweep(range(30, 30 + 10_000 // len(FAMILIES)), 10)
+    print(f"slowest {1e3 * seconds:.2f} ms: {family}, seed {seed}")  # noqa: T201
+    assert failures == []
