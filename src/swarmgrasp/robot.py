@@ -104,7 +104,8 @@ class Zone:
         Goes with `attachment`.
     directions : tuple of float [rad, rad], optional
         An absolute range of force directions, counter-clockwise from the first to the
-        second. Further limits whatever the attachment allows.
+        second; whole turns apart they mean any direction, equal ones just that one.
+        Further limits whatever the attachment allows.
 
     Raises
     ------
@@ -132,6 +133,24 @@ class Zone:
             faults.append(f"the directions are {self.directions}; they should be finite [rad]")
         if faults:
             raise ZoneInvalid(f"zone {self.stretch.name!r}: {fault}" for fault in faults)
+
+    def sectors(self, lo: float, hi: float) -> list[tuple[float, float]]:
+        """Return the parts of a sector of directions [lo, hi] [rad] that the zone's range allows.
+
+        Parameters
+        ----------
+        lo, hi : float [rad]
+            ``0 <= hi - lo <= pi``.
+        """
+        if self.directions is None:
+            return [(lo, hi)]
+        first, last = self.directions
+        width = (last - first) % math.tau
+        if width == 0.0 and last != first:
+            return [(lo, hi)]
+        start = first + math.tau * math.floor((lo - first) / math.tau)
+        ranges = [(start, start + width), (start + math.tau, start + math.tau + width)]
+        return [(max(lo, a), min(hi, b)) for a, b in ranges if max(lo, a) <= min(hi, b)]
 
 
 def limit_faults(limit: float) -> list[str]:

@@ -46,12 +46,13 @@ def faults_of(answer, thorough):
 def test_a_few_hundred():
     """The first of the long sweep."""
     failures, _ = sweep(range(30), 3)
-    assert failures == []
+    assert not failures, "\n".join(failures)
 
 
 @pytest.mark.long
 def test_ten_thousand():
     """All families, 0 to 16 robots (balanced ones in pairs), newcomers of any strength."""
+    sweep(range(1), 1)  # compiles
     failures, (seconds, family, seed) = sweep(range(30, 30 + 10_000 // len(FAMILIES)), 10)
     print(f"slowest {1e3 * seconds:.2f} ms: {family}, seed {seed}")  # noqa: T201
-    assert failures == []
+    assert not failures, "\n".join(failures)

@@ -1,13 +1,22 @@
 """What an answer file says, checked for form only."""
 
 import json
-from typing import Any, Literal
+import math
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from shapely import LinearRing
 
 from swarmgrasp.errors import AnswerInvalid
 
-Point = tuple[float, float]
+LARGEST = 1e100
+"""Of any number: its cube is still one."""
+
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
+Positive = Annotated[float, Field(gt=0.0, le=LARGEST)]
+HalfAngle = Annotated[float, Field(ge=0.0, le=math.pi / 2)]
+Point = tuple[Number, Number]
 
 
 class _Form(BaseModel):
@@ -20,8 +29,8 @@ class RobotClaim(_Form):
     """A robot in contact."""
 
     contact: Point
-    direction: float
-    limit: float = Field(gt=0.0)
+    direction: Number
+    limit: Positive
     name: str
     mounted: bool
 
@@ -29,8 +38,8 @@ class RobotClaim(_Form):
 class StretchClaim(_Form):
     """A stretch of the boundary by arc length."""
 
-    start: float = Field(ge=0.0)
-    end: float = Field(ge=0.0)
+    start: Size
+    end: Size
     name: str
 
 
@@ -38,16 +47,16 @@ class ZoneClaim(StretchClaim):
     """Where a newcomer may attach, and how."""
 
     attachment: Literal["push", "pull", "free"] | None
-    half_angle: float | None
+    half_angle: HalfAngle | None
     directions: Point | None
 
 
 class NewcomerClaim(_Form):
     """The newcomer."""
 
-    limit: float = Field(gt=0.0)
+    limit: Positive
     attachment: Literal["push", "pull", "free"]
-    half_angle: float | None
+    half_angle: HalfAngle | None
     name: str
 
 
@@ -55,15 +64,15 @@ class RunnerUpClaim(_Form):
     """The best robot in another place."""
 
     robot: RobotClaim
-    quality: float = Field(ge=0.0)
+    quality: Size
     place: str
 
 
 class ProofClaim(_Form):
     """A convex combination of directions."""
 
-    normals: list[tuple[float, float, float]] = Field(min_length=1)
-    weights: list[float] = Field(min_length=1)
+    normals: list[tuple[Number, Number, Number]] = Field(min_length=1)
+    weights: list[Number] = Field(min_length=1)
 
 
 class PlacementClaim(_Form):
@@ -72,12 +81,12 @@ class PlacementClaim(_Form):
     newcomer: NewcomerClaim
     zones: list[ZoneClaim] | None
     no_go: list[StretchClaim]
-    spacing: float = Field(ge=0.0)
+    spacing: Size
     robot: RobotClaim
     place: str
-    quality_before: float = Field(ge=0.0)
-    quality: float = Field(ge=0.0)
-    upper_bound: float = Field(ge=0.0)
+    quality_before: Size
+    quality: Size
+    upper_bound: Size
     improves: bool
     reason: str
     runners_up: list[RunnerUpClaim]
@@ -91,12 +100,25 @@ class OutlineClaim(_Form):
     origin: Point
     edge_names: list[str]
 
+    @model_validator(mode="after")
+    def check_ring(self) -> Self:
+        """Refuse a polygon that crosses itself, runs clockwise or has no area."""
+        ring = LinearRing(self.vertices)
+        if len(set(self.vertices)) < len(self.vertices) or not (ring.is_simple and ring.is_ccw):
+            raise ValueError("the vertices should run counter-clockwise around a simple polygon")
+        return self
+
+    @property
+    def perimeter(self) -> float:
+        """Length of the boundary [m]."""
+        return float(LinearRing(self.vertices).length)
+
 
 class MetricClaim(_Form):
     """The metric of wrenches."""
 
-    force_weights: Point
-    characteristic_length: float = Field(gt=0.0)
+    force_weights: tuple[Positive, Positive]
+    characteristic_length: Positive
 
 
 class Claims(_Form):
@@ -109,6 +131,17 @@ class Claims(_Form):
     placements: list[PlacementClaim] = Field(min_length=1)
     digest: str
 
+    @model_validator(mode="after")
+    def check_stretches(self) -> Self:
+        """Refuse stretches beyond the boundary's length."""
+        reach = self.outline.perimeter * (1.0 + 1e-6)
+        for index, placement in enumerate(self.placements):
+            for kind, stretches in (("zones", placement.zones or []), ("no_go", placement.no_go)):
+                for k, stretch in enumerate(stretches):
+                    if max(stretch.start, stretch.end) > reach:
+                        raise ValueError(f"placements.{index}.{kind}.{k} leaves the boundary")
+        return self
+
 
 def read_claims(document: dict[str, Any]) -> Claims:
     """Return the document in typed form.
@@ -119,14 +152,13 @@ def read_claims(document: dict[str, Any]) -> Claims:
         If entries are missing, unknown or of the wrong kind; all of them are named.
     """
     try:
-        return Claims.model_validate_json(_as_json(document))
+        text = json.dumps(document)  # as JSON, lists stand for tuples even strictly
+    except (TypeError, ValueError) as error:
+        raise AnswerInvalid(f"the answer is not plain data: {error}") from None
+    try:
+        return Claims.model_validate_json(text)
     except ValidationError as error:
         raise AnswerInvalid(
             f"{'.'.join(map(str, fault['loc'])) or 'the file'}: {fault['msg']}"
             for fault in error.errors()
         ) from None
-
-
-def _as_json(document: dict[str, Any]) -> str:
-    """Return the document as JSON text: its lists then stand for tuples, even strictly."""
-    return json.dumps(document)

@@ -94,8 +94,8 @@ def read_answer(path: str | Path) -> dict[str, Any]:
         raise AnswerInvalid(f"{path}: not UTF-8 text (byte {error.start})") from None
     except json.JSONDecodeError as error:
         raise AnswerInvalid(f"{path}:{error.lineno}:{error.colno}: {error.msg}") from None
-    except RecursionError:
-        raise AnswerInvalid(f"{path}: nested too deeply for an answer") from None
+    except (RecursionError, ValueError) as error:  # nested too deeply, or a number too long
+        raise AnswerInvalid(f"{path}: not an answer: {error}") from None
     if not isinstance(document, dict):
         raise AnswerInvalid(f"{path}:1:1: an answer is a JSON object")
     return document

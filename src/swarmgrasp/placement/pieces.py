@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
-from swarmgrasp.outline import Outline
+from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.robot import RIGHT_ANGLE, Zone
 
@@ -94,35 +94,36 @@ def _allowed(problem: Problem, zone: Zone | None) -> Iterator[tuple[int, float, 
     for edge in range(len(outline)):
         wanted = [(0.0, float(outline.lengths[edge]))]
         if zone is not None:
-            wanted = _on_edge(outline, edge, zone.stretch.start, zone.stretch.end)
-        taken = [
-            part for s in problem.no_go for part in _on_edge(outline, edge, s.start, s.end)
-        ] + list(_crowded(problem, edge))
+            wanted = _on_edge(outline, edge, zone.stretch)
+        taken = [run for stretch in problem.no_go for run in _runs(outline, edge, stretch)]
+        taken += _crowded(problem, edge)
         for start, end in wanted:
             for a, b in _minus((start, end), taken):
                 if b - a > outline.tolerance or start == end:
                     yield edge, a, b
 
 
-def _on_edge(outline: Outline, edge: int, start: float, end: float) -> list[Interval]:
+def _runs(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
+    """Return a stretch as distances along an edge, on every lap that may touch it."""
+    lap = outline.perimeter
+    start = stretch.start - float(outline.corner_arc_lengths[edge])
+    length = stretch.end - stretch.start + (lap if stretch.end < stretch.start else 0.0)
+    return [(start + turn, start + turn + length) for turn in (-lap, 0.0, lap)]
+
+
+def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     """Return the parts of an edge that a stretch covers, as distances along the edge.
 
     A point on a corner belongs to both edges; a longer stretch that only touches an
     edge's end does not cover it.
     """
-    base, length = float(outline.corner_arc_lengths[edge]), float(outline.lengths[edge])
-    perimeter, slack = outline.perimeter, outline.tolerance
-    runs = [(start, end)] if start <= end else [(start, perimeter), (0.0, end)]
+    length, slack = float(outline.lengths[edge]), outline.tolerance
     parts = []
-    for a, b in runs:
-        if a == b:
-            for turn in (-perimeter, 0.0, perimeter):
-                at = a + turn - base
-                if -slack <= at <= length + slack:
-                    parts.append((min(max(at, 0.0), length),) * 2)
-            continue
-        lo, hi = max(a - base, 0.0), min(b - base, length)
-        if hi - lo > slack:
+    for a, b in _runs(outline, edge, stretch):
+        lo, hi = max(a, 0.0), min(b, length)
+        if stretch.is_point and -slack <= a <= length + slack:
+            parts.append((min(lo, length),) * 2)
+        elif hi - lo > slack:
             parts.append((lo, hi))
     return parts
 
@@ -170,10 +171,4 @@ def _sectors(
         return []
     half = RIGHT_ANGLE if half_angle is None else half_angle
     lo, hi = middle - half, middle + half
-    if zone is None or zone.directions is None:
-        return [(lo, hi)]
-    first, last = zone.directions
-    width = (last - first) % (2.0 * math.pi)
-    start = first + 2.0 * math.pi * math.floor((lo - first) / (2.0 * math.pi))
-    ranges = [(start + turn, start + turn + width) for turn in (0.0, 2.0 * math.pi)]
-    return [(max(lo, a), min(hi, b)) for a, b in ranges if max(lo, a) <= min(hi, b)]
+    return [(lo, hi)] if zone is None else zone.sectors(lo, hi)

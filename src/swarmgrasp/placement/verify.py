@@ -332,6 +332,9 @@ def _sides(
             continue
         first, last = zone.directions
         width = (last - first) % (2.0 * math.pi)
+        if width == 0.0 and last != first:  # whole turns: any direction
+            yield middle - half, middle + half
+            continue
         for turn in range(-2, 3):
             start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
             lo, hi = max(start, middle - half), min(start + width, middle + half)
