@@ -11,6 +11,8 @@ Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""
 
 RIGHT_ANGLE = math.pi / 2
+WEAKEST, STRONGEST = 1e-100, 1e100
+"""Range of force limits [N] whose squares and cubes are still numbers."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,8 @@ class Robot:
         if faults:
             raise RobotInvalid(f"{self.name or 'robot'}: {fault}" for fault in faults)
         object.__setattr__(self, "contact", point)
+        object.__setattr__(self, "direction", float(self.direction))
+        object.__setattr__(self, "limit", float(self.limit))
 
 
 @dataclass(frozen=True)
@@ -129,8 +133,9 @@ class Zone:
             faults += attachment_faults(self.attachment, self.half_angle)
         elif self.half_angle is not None:
             faults.append("a half angle needs an attachment beside it")
-        if self.directions is not None and not all(map(math.isfinite, self.directions)):
-            faults.append(f"the directions are {self.directions}; they should be finite [rad]")
+        ends = self.directions
+        if ends is not None and (len(ends) != 2 or not all(map(math.isfinite, ends))):
+            faults.append(f"the directions are {ends}; they should be two finite angles [rad]")
         if faults:
             raise ZoneInvalid(f"zone {self.stretch.name!r}: {fault}" for fault in faults)
 
@@ -155,9 +160,9 @@ class Zone:
 
 def limit_faults(limit: float) -> list[str]:
     """Return what is wrong with a force limit [N]."""
-    if math.isfinite(limit) and limit > 0.0:
+    if WEAKEST <= limit <= STRONGEST:
         return []
-    return [f"the limit is {limit!r}; it should be 0 < limit < inf [N]"]
+    return [f"the limit is {limit!r}; it should be {WEAKEST:g} <= limit <= {STRONGEST:g} [N]"]
 
 
 def attachment_faults(attachment: str, half_angle: float | None) -> list[str]:

@@ -10,8 +10,7 @@ from strategies import FAMILIES, problem_of, seeds, swarm_of
 from swarmgrasp import Newcomer, place_sequence
 from swarmgrasp.kernels.sector import best_on_piece
 from swarmgrasp.placement import Problem, optimum
-from swarmgrasp.placement.optimum import robots_at
-from swarmgrasp.placement.search import _Placing
+from swarmgrasp.placement.optimum import Search, robots_at
 
 
 def piece_row(rng):
@@ -48,9 +47,9 @@ def test_the_support_function_of_a_piece(seed):
 @settings(max_examples=100)
 def test_the_quality_with_one_robot_more(family, seed, n):
     """As by summing anew over all facets of the larger swarm, wherever the robot is."""
-    search = _Placing(Problem(swarm_of(family, seed, n), Newcomer()), 1e-6).search
+    search = Search(Problem(swarm_of(family, seed, n), Newcomer()))
     rng = np.random.default_rng(seed)
-    rows = search.pieces[rng.integers(len(search.pieces), size=20)]
+    rows = search.rows[rng.integers(len(search.rows), size=20)]
     robots = robots_at(rows, *rng.choice([0.0, 0.3, 0.5, 1.0], (2, 20)))
     B = search.generators
     for value, robot in zip(search.qualities(robots), robots, strict=True):
@@ -67,7 +66,8 @@ def test_bounds_hold_when_the_search_runs_out_of_room(family, room, monkeypatch)
         problem = problem_of(family, seed, 8)
         (fine,) = place_sequence(problem, 1)
         with monkeypatch.context() as patch:
-            patch.setattr(optimum, "POOL_ROOM", (room, 0))
+            patch.setattr(optimum, "POOL_ROOM", room)
+            patch.setattr(optimum, "MOST_NORMALS", 0)
             (coarse,) = place_sequence(problem, 1)
         slack = 1e-12 * np.linalg.norm(fine.swarm_after.scaled_generators, axis=1).sum()
         assert coarse.quality <= fine.upper_bound * (1.0 + 1e-9) + slack

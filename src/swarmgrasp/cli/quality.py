@@ -50,24 +50,12 @@ def data_of(scenario: "Scenario", found: "Quality") -> dict[str, Any]:
         "weakest_direction": found.direction.tolist(),
         "weakest_wrench": found.weakest_wrench.tolist(),
         "weakest_robots": [swarm.robot_label(i) for i in found.facet_robots],
-        "efficiency": efficiency(swarm, found.value),
+        "efficiency": found.efficiency,
         "metric": {
             "force_weights": list(swarm.force_weights),
             "characteristic_length": swarm.characteristic_length,
         },
     }
-
-
-def most(swarm: "Swarm") -> float:
-    """Return the quality [N] that no robots of these limits exceed, wherever they are (T3)."""
-    import numpy as np
-
-    return float(np.linalg.norm(swarm.scaled_generators[:, :2], axis=1).sum() / np.pi)
-
-
-def efficiency(swarm: "Swarm", value: float) -> float:
-    """Return a quality as a share of what these robots could reach at most (T3)."""
-    return value / most(swarm) if len(swarm) else 0.0
 
 
 def show(scenario: "Scenario", found: "Quality") -> None:
@@ -80,7 +68,7 @@ def show(scenario: "Scenario", found: "Quality") -> None:
     report.headline(f"{scenario.name}: quality {unit.text(found.value)}", "good" if held else "bad")
     report.blank()
     weighted = "" if swarm.force_weights == (1.0, 1.0) else "weighted "
-    share = percent(efficiency(swarm, found.value))
+    share = percent(found.efficiency)
     facts = [
         ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
         *_weakest(swarm, found, unit),
@@ -88,7 +76,7 @@ def show(scenario: "Scenario", found: "Quality") -> None:
     if len(swarm):
         facts.append((
             "Efficiency",
-            f"{share} of {unit.text(most(swarm))}, the {weighted}sum of the limits / pi, which "
+            f"{share} of {unit.text(found.ceiling)}, the {weighted}sum of the limits / pi, which "
             "these robots could not exceed wherever they were",
         ))  # fmt: skip
     report.facts(facts)

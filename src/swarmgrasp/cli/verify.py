@@ -1,6 +1,5 @@
 """`swarmgrasp verify`: check an answer without trusting it."""
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.cli.dash import DASH, Dashed
@@ -53,22 +52,10 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
 
 def _read(answer: str) -> dict[str, Any]:
     """Read an answer from a file or from standard input."""
-    from swarmgrasp.placement import read_answer
-
-    if answer != DASH:
-        return read_answer(answer)
-    from tempfile import TemporaryDirectory
-
+    from swarmgrasp.placement import parse_answer, read_answer
     from swarmgrasp.placement.document import LARGEST_FILE
 
-    with TemporaryDirectory() as folder:
-        copy = Path(folder) / "answer.json"
-        copy.write_bytes(read_stdin(LARGEST_FILE))
-        try:
-            return read_answer(copy)
-        except AnswerInvalid as error:
-            told = [fault.replace(str(copy), STDIN, 1) for fault in error.faults]
-            raise AnswerInvalid(told) from None
+    return parse_answer(read_stdin(LARGEST_FILE), STDIN) if answer == DASH else read_answer(answer)
 
 
 def data_of(verdict: "Verdict") -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
-from swarmgrasp.placement.document import read_answer, write_answer
+from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import place, place_sequence
 from swarmgrasp.placement.verify import Verdict, verify_document
@@ -14,6 +14,7 @@ __all__ = [
     "Proof",
     "RunnerUp",
     "Verdict",
+    "parse_answer",
     "place",
     "place_sequence",
     "read_answer",

@@ -106,6 +106,8 @@ class OutlineClaim(_Form):
         ring = LinearRing(self.vertices)
         if len(set(self.vertices)) < len(self.vertices) or not (ring.is_simple and ring.is_ccw):
             raise ValueError("the vertices should run counter-clockwise around a simple polygon")
+        if len(self.edge_names) != len(self.vertices):
+            raise ValueError("there should be one edge name per vertex")
         return self
 
     @property

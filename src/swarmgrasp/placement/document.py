@@ -87,18 +87,28 @@ def read_answer(path: str | Path) -> dict[str, Any]:
             raise AnswerInvalid(
                 f"{path}: the file has {size} bytes; an answer has at most {LARGEST_FILE}"
             )
-        document = json.loads(Path(path).read_text(encoding="utf-8"))
+        return parse_answer(Path(path).read_bytes(), str(path))
     except OSError as error:
         raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def parse_answer(content: bytes, source: str) -> dict[str, Any]:
+    """Do the same for the bytes of a file; `source` names it in messages."""
+    try:
+        document = json.loads(content.decode())
     except UnicodeDecodeError as error:
-        raise AnswerInvalid(f"{path}: not UTF-8 text (byte {error.start})") from None
+        raise AnswerInvalid(f"{source}: not UTF-8 text (byte {error.start})") from None
     except json.JSONDecodeError as error:
-        raise AnswerInvalid(f"{path}:{error.lineno}:{error.colno}: {error.msg}") from None
+        raise AnswerInvalid(f"{source}:{error.lineno}:{error.colno}: {error.msg}") from None
     except (RecursionError, ValueError) as error:  # nested too deeply, or a number too long
-        raise AnswerInvalid(f"{path}: not an answer: {error}") from None
+        raise AnswerInvalid(f"{source}: not an answer: {error}") from None
     if not isinstance(document, dict):
-        raise AnswerInvalid(f"{path}:1:1: an answer is a JSON object")
+        raise AnswerInvalid(f"{source}:1:1: an answer is a JSON object")
     return document
+
+
+def _number(value: float | None) -> float | None:
+    return None if value is None else float(value)
 
 
 def _robot(robot: Robot) -> dict[str, Any]:
@@ -119,8 +129,10 @@ def _zone(zone: Zone) -> dict[str, Any]:
     return {
         **_stretch(zone.stretch),
         "attachment": zone.attachment,
-        "half_angle": zone.half_angle,
-        "directions": None if zone.directions is None else list(zone.directions),
+        "half_angle": _number(zone.half_angle),
+        "directions": None
+        if zone.directions is None
+        else [float(angle) for angle in zone.directions],
     }
 
 
@@ -130,7 +142,7 @@ def _placement(answer: Placement) -> dict[str, Any]:
         "newcomer": {
             "limit": float(newcomer.limit),
             "attachment": newcomer.attachment,
-            "half_angle": newcomer.half_angle,
+            "half_angle": _number(newcomer.half_angle),
             "name": newcomer.name,
         },
         "zones": None if problem.zones is None else [_zone(zone) for zone in problem.zones],

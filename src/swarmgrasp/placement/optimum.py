@@ -11,8 +11,10 @@ from swarmgrasp.placement.pieces import piece_rows, pieces_of
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.facets import MARGINAL, facets_of
 
-POOL_ROOM = 2000, 20
-"""Normals that a search may add to the known facets, and more per piece; some 10 are usual."""
+POOL_ROOM = 2000
+"""Normals that a search may add to the known facets at first; some 10 are usual."""
+MOST_NORMALS = 200_000
+"""Pool size at which a search that still wants more stops with the bound it has."""
 ROUNDING = 1e-14
 """A level missed by less than this share of sum |b_i| counts as reached."""
 FLOOR = 1e-13
@@ -117,7 +119,7 @@ class Search:
         from swarmgrasp.kernels.place import PIECE_ROWS, TORQUE_FREE
 
         count = PIECE_ROWS + len(heights)
-        pool = np.zeros((count + POOL_ROOM[0] + POOL_ROOM[1] * len(self.pieces), 5))
+        pool = np.zeros((count + POOL_ROOM, 5))
         rows = pool[PIECE_ROWS:count]
         rows[:, :3] = normals * self.weights
         rows[:, 3] = heights
@@ -132,14 +134,19 @@ class Search:
         The numbers of pieces in the answer count the chosen ones. Normals met on the way
         serve the next run.
         """
-        from swarmgrasp.kernels.place import solve
+        from swarmgrasp.kernels.place import OUT_OF_ROOM, solve
 
         pieces = self.rows if chosen is None else self.rows[list(chosen)]
-        best = np.array([self.facets.quality, 0.0, 0.0, 0.0, -1.0])
-        _, self.count, bounds, rows, shares = solve(
-            self.generators, self.pool, self.count, self.weights, pieces, self.first, best,
-            self.gap, self.floor, self.slack,
-        )  # fmt: skip
+        while True:
+            best = np.array([self.facets.quality, 0.0, 0.0, 0.0, -1.0])
+            status, self.count, bounds, rows, shares = solve(
+                self.generators, self.pool, self.count, self.weights, pieces, self.first, best,
+                self.gap, self.floor, self.slack,
+            )  # fmt: skip
+            if status != OUT_OF_ROOM or self.count >= MOST_NORMALS:
+                break
+            # Normals met so far are kept: the second run is quick to come as far as the first.
+            self.pool = np.concatenate([self.pool, np.zeros_like(self.pool)])
         normals = self.pool[: self.count, :3] / self.weights
         sizes = np.linalg.norm(normals, axis=1)[:, None]
         return Optimum(best, bounds, rows, shares, normals / np.where(sizes > 0.0, sizes, 1.0))

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable
 
-from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.optimum import OPPOSITE, Array, Optimum, Search
@@ -13,6 +13,9 @@ from swarmgrasp.placement.ties import break_tie, is_tied
 from swarmgrasp.quality import Quality, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
+
+RISE = 1e-9
+"""Relative gain below which a newcomer does not count as an improvement."""
 
 
 def place(
@@ -96,13 +99,40 @@ def place_sequence(
     -------
     tuple of Placement
         Each with the swarm it found as its problem's swarm.
+
+    Raises
+    ------
+    NowhereToAttach
+        If spacing leaves no point to one of them; the message says how many fit.
+    SwarmGraspError
+        If `count`, `gap` or `runners_up` is outside its range.
+
+    Examples
+    --------
+    A fifth robot cannot raise a balanced square, the sixth does.
+
+    >>> from math import pi
+    >>> from swarmgrasp import Outline, Problem
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> four = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> pulling = Newcomer(limit=1.0, attachment="pull", half_angle=0.0)
+    >>> fifth, sixth = place_sequence(Problem(four, pulling), 2)
+    >>> fifth.improves, sixth.improves
+    (False, True)
     """
     if count < 1:
         raise SwarmGraspError(f"the number of robots is {count}; it should be at least 1")
     _check_fractions(gap, runners_up)
     answers: list[Placement] = []
     for index in range(1, count + 1):
-        answer = _Placing(problem, gap).placement(runners_up, index if count > 1 else None)
+        try:
+            placing = _Placing(problem, gap)
+        except NowhereToAttach as fault:
+            raise NowhereToAttach(
+                f"only {index - 1} of {count} robots find a place: {fault}"
+            ) from None
+        answer = placing.placement(runners_up, index if count > 1 else None)
         answers.append(answer)
         problem = problem.with_swarm(answer.swarm_after)
     return tuple(answers)
@@ -135,7 +165,7 @@ class _Placing:
         if winner.quality <= candidates[0].quality + self.slack(candidates[0].quality):
             winner = candidates[0]
         certificate = found.certificate()
-        improves = winner.quality > self.before + self.slack(self.before)
+        improves = winner.quality > self.before * (1.0 + RISE) + 10.0 * self.search.zero
         after = quality(self.problem.swarm.with_robot(winner.robot))
         return Placement(
             problem=self.problem,
@@ -145,7 +175,8 @@ class _Placing:
             quality=winner.quality,
             upper_bound=max(certificate.upper_bound, winner.quality),
             improves=improves,
-            reason=_limit_words(after) if improves else self.why_not(),
+            reason=(_limit_words(after) if improves else self.why_not())
+            + self.stop_words(certificate.upper_bound - winner.quality, winner.quality),
             certificate=certificate,
             runners_up=tuple(
                 sorted((c for c in candidates if c is not winner), key=lambda c: -c.quality)
@@ -185,14 +216,20 @@ class _Placing:
                 runners.append(self.runner_up(best, name))
         return [runner for runner in runners if runner.quality >= least]
 
+    def stop_words(self, gap: float, value: float) -> str:
+        """Say so when the search stopped before the gap was closed."""
+        if gap <= 2.0 * self.slack(value):
+            return ""
+        return f"; the search stopped early, a gap of {gap:.3g} N remains"
+
     def why_not(self) -> str:
         """Say why no newcomer improves the swarm."""
         present = len(self.problem.swarm)
         weakest = wrench_words(self.facets.weakest)
         if present < 3:
             return (
-                f"with {present + 1} robots the quality is 0 wherever they are: force closure "
-                "takes at least 4"
+                "force closure takes at least 4 robots, wherever they are; with this one there "
+                f"{'are' if present else 'is'} {present + 1}"
             )
         opposite = self.facets.normals @ self.facets.weakest < OPPOSITE
         heights = self.facets.heights[opposite]

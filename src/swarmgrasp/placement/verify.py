@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
         Claims,
         PlacementClaim,
         RobotClaim,
+        RunnerUpClaim,
         StretchClaim,
         ZoneClaim,
     )
@@ -32,6 +33,8 @@ RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
 ABSOLUTE = 1e-12
 """The same, relative to sum |b_i|; also the share of it up to which a quality counts as 0."""
+RISE = 1e-9
+"""Relative gain below which a newcomer does not count as an improvement."""
 NEAR = 2e-6
 """Distance that counts as none, relative to the outline's extent."""
 ANGLE = 1e-9
@@ -63,6 +66,7 @@ class Verdict:
 class Cell:
     """Contacts between two points of an edge [m], and a sector of directions [rad]."""
 
+    place: str
     p: Array
     q: Array
     lo: float
@@ -115,6 +119,7 @@ class _Check:
         self.claim = claim
         self.corners = np.array(claims.outline.vertices)
         self.origin = np.array(claims.outline.origin)
+        self.edge_names = claims.outline.edge_names
         a1, a2 = claims.metric.force_weights
         length = claims.metric.characteristic_length
         self.scale = np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / length])
@@ -137,24 +142,30 @@ class _Check:
     def faults(self) -> Iterator[str]:
         """Yield every claim that does not hold."""
         claim = self.claim
+        for index, robot in enumerate(self.present):
+            if not robot.mounted and not self.is_on_boundary(robot):
+                yield f"robot {index} {robot.name!r} is off the boundary"
         before = exact_quality(self.base)
         yield from self.differs("the quality before", claim.quality_before, before)
-        yield from self.robot_faults("the robot", claim.robot, claim.quality)
+        yield from self.robot_faults("the robot", claim)
         for runner in claim.runners_up:
-            yield from self.robot_faults(
-                f"the runner-up at {runner.place}", runner.robot, runner.quality
-            )
+            yield from self.robot_faults(f"the runner-up at {runner.place}", runner)
             if runner.quality > claim.upper_bound + self.slack(claim.upper_bound):
                 yield f"the runner-up at {runner.place} is better than the upper bound"
-        if self.bound > claim.upper_bound + self.slack(self.bound):
+        if not self.bound <= claim.upper_bound + self.slack(claim.upper_bound):
             yield (
                 f"the proofs show an upper bound of {self.bound:.12g} N only, not "
                 f"{claim.upper_bound:.12g} N"
             )
+        if claim.quality > self.bound + self.slack(claim.quality):
+            yield f"the proofs bound the quality by {self.bound:.12g} N, below what is claimed"
         if claim.quality > claim.upper_bound + self.slack(claim.quality):
             yield f"the upper bound {claim.upper_bound:.12g} N is below the quality"
-        if claim.improves and claim.quality <= claim.quality_before + self.rounding:
+        gain = claim.quality - claim.quality_before
+        if claim.improves and gain <= self.rounding:
             yield "the newcomer is said to improve the swarm, and does not"
+        if not claim.improves and gain > 2.0 * RISE * claim.quality_before + 20.0 * self.rounding:
+            yield "the newcomer is said not to improve the swarm, and does"
 
     def slack(self, value: float) -> float:
         """Return the difference [N] that counts as rounding at a value."""
@@ -165,24 +176,37 @@ class _Check:
         if abs(claimed - found) > self.slack(found):
             yield f"{what} is said to be {claimed:.12g} N and is {found:.12g} N"
 
-    def robot_faults(self, what: str, robot: "RobotClaim", value: float) -> Iterator[str]:
+    def is_on_boundary(self, robot: "RobotClaim") -> bool:
+        """Tell whether a robot's contact lies on an edge."""
+        ends = np.roll(self.corners, -1, axis=0)
+        point = np.array(robot.contact)
+        return any(
+            _to_segment(point, p, q) <= self.near for p, q in zip(self.corners, ends, strict=True)
+        )
+
+    def robot_faults(self, what: str, claim: "PlacementClaim | RunnerUpClaim") -> Iterator[str]:
         """Yield what is wrong with a robot said to be allowed and to reach a quality."""
+        robot = claim.robot
         if robot.limit != self.claim.newcomer.limit:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
         if robot.mounted:
             yield f"{what} is mounted; a newcomer is on the boundary"
         contact = np.array(robot.contact)
-        if not any(
-            _to_segment(contact, cell.p, cell.q) <= self.near
-            and _turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
+        places = {
+            cell.place
             for cell in self.cells
-        ):
+            if _to_segment(contact, cell.p, cell.q) <= self.near
+            and _turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
+        }
+        if not places:
             yield (
                 f"{what} at ({contact[0]:.9g}, {contact[1]:.9g}) m pushing at "
                 f"{robot.direction:.9g} rad is not an allowed one"
             )
+        elif claim.place not in places:
+            yield f"{what} is said to be at {claim.place!r} and is at {' or '.join(sorted(places))}"
         found = exact_quality(np.vstack([self.base, self.generator(robot)]))
-        yield from self.differs(f"the quality with {what}", value, found)
+        yield from self.differs(f"the quality with {what}", claim.quality, found)
 
     def upper_bound(self) -> float:
         """Bound every allowed robot's quality by the best of the proofs for each cell."""
@@ -207,7 +231,7 @@ class _Check:
 
     def allowed_cells(self) -> Iterator[Cell]:
         """Yield the allowed contacts and directions, edge by edge and side by side."""
-        lengths = self.lengths()
+        lengths, names = self.lengths(), self.edge_names
         arcs = np.concatenate([[0.0], np.cumsum(lengths)])
         for edge, length in enumerate(lengths):
             p, q = self.corners[edge], self.corners[(edge + 1) % len(self.corners)]
@@ -221,8 +245,9 @@ class _Check:
                     start, end = (p + (q - p) * (s / length) for s in (a, b))
                     middle = arcs[edge] + 0.5 * (a + b)
                     if self.is_allowed(zone, middle, arcs[-1], 0.5 * (start + end)):
+                        place = (zone.name if zone else "") or names[edge] or f"edge {edge}"
                         for lo, hi in _sides(self.claim, zone, inward):
-                            yield Cell(start, end, lo, hi)
+                            yield Cell(place, start, end, lo, hi)
 
     def cuts(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array

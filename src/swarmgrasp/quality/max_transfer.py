@@ -37,6 +37,9 @@ class Quality:
     facet_robots : tuple of int
         Indices of the robots whose generators span that facet.
     force_closure : ForceClosure
+    ceiling : float [N]
+        Sum of the limits / pi, weighted by the metric: no robots with these limits and
+        directions exceed it, wherever they are (T3).
     metric : str
         The metric in words.
     """
@@ -46,12 +49,18 @@ class Quality:
     weakest_wrench: NDArray[np.float64]
     facet_robots: tuple[int, ...]
     force_closure: ForceClosure
+    ceiling: float
     metric: str
 
     @property
     def is_force_closure(self) -> bool:
         """Whether force closure is certain."""
         return self.force_closure is ForceClosure.YES
+
+    @property
+    def efficiency(self) -> float:
+        """Quality as a share of its ceiling, within [0, 1]."""
+        return self.value / self.ceiling if self.ceiling > 0.0 else 0.0
 
 
 def quality(swarm: Swarm) -> Quality:
@@ -78,8 +87,8 @@ def quality(swarm: Swarm) -> Quality:
     >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
     >>> grasp = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
     >>> answer = quality(grasp)
-    >>> round(answer.value, 6), str(answer.force_closure), answer.facet_robots
-    (0.696311, 'yes', (0, 2))
+    >>> round(answer.value, 6), str(answer.force_closure), round(answer.efficiency, 3)
+    (0.696311, 'yes', 0.547)
     >>> quality(Swarm(square, grasp.robots[:3])).value
     0.0
     """
@@ -97,6 +106,7 @@ def quality(swarm: Swarm) -> Quality:
         weakest_wrench=wrench,
         facet_robots=tuple(int(i) for i in facet),
         force_closure=ForceClosure.YES if value > 0.0 else _without_closure(generators, sizes),
+        ceiling=float(np.linalg.norm(generators[:, :2], axis=1).sum() / np.pi),
         metric=swarm.metric_sentence,
     )
 
