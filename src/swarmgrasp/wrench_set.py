@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import MetricInvalid, WrenchInvalid
+from swarmgrasp.linear import minimise
 from swarmgrasp.mesh import (
     ANGLE_TOLERANCE,
     Mesh,
@@ -285,21 +286,17 @@ def _least_miss(G: NDArray[np.float64], wrench: NDArray[np.float64]) -> float:
     With unit columns and v_i = u_i |b_i| as unknowns, a giant among dwarfs does not make
     the solver drop the dwarfs' coefficients. The miss is computed anew from the answer.
     """
-    from scipy.optimize import linprog  # 0.2 s to load
-
     directions = unit_directions(G)
     lengths = np.linalg.norm(G, axis=1)
     lengths = lengths[lengths > 0.0]
     unit_force = lengths.max(initial=0.0) or 1.0
     w = wrench / unit_force
     slack = np.ones((3, 1))
-    result = linprog(
+    solution = minimise(
         np.append(np.zeros(len(directions)), 1.0),
-        A_ub=np.block([[directions.T, -slack], [-directions.T, -slack]]),
-        b_ub=np.concatenate([w, -w]),
-        bounds=[*((0.0, length) for length in lengths / unit_force), (0.0, None)],
-        method="highs",
-        options={"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10},
+        np.block([[directions.T, -slack], [-directions.T, -slack]]),
+        rows=(-np.inf, np.concatenate([w, -w])),
+        columns=(0.0, np.append(lengths / unit_force, np.inf)),
     )
-    forces = np.clip(result.x[:-1], 0.0, lengths / unit_force)
+    forces = np.clip(solution[:-1], 0.0, lengths / unit_force)
     return float(np.abs(forces @ directions - w).max() * unit_force)

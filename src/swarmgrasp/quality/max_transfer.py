@@ -6,9 +6,12 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.linear import minimise
 from swarmgrasp.quality.facets import MARGINAL, facets_of
 from swarmgrasp.swarm import Swarm
 
+SEPARATED = 1e-9
+"""Cosine by which a direction opposes all robots where force closure is clearly lacking."""
 ON_FACET = 1e-9
 """Sine of the angle to a facet within which a generator counts as lying in it."""
 
@@ -120,10 +123,8 @@ def _without_closure(generators: NDArray[np.float64], sizes: NDArray[np.float64]
     units = generators[sizes > 0.0] / sizes[sizes > 0.0, None]
     if len(units) < 4 or np.linalg.svd(units, compute_uv=False)[2] <= MARGINAL * len(units):
         return ForceClosure.NO
-    # SciPy takes 0.5 s to import: not before it is needed
-    from scipy.optimize import nnls
-
-    # distance of the origin from {units' l : l >= 0, sum l = 1}, up to a factor of 2
-    system = np.vstack([units.T, np.ones(len(units))])
-    _, distance = nnls(system, np.array([0.0, 0.0, 0.0, 1.0]))
-    return ForceClosure.MARGINAL if distance <= MARGINAL * len(units) else ForceClosure.NO
+    # largest s with n . unit_i <= -s for some n in the unit cube
+    cost = np.array([0.0, 0.0, 0.0, -1.0])
+    matrix = np.column_stack([units, np.ones(len(units))])
+    margin = minimise(cost, matrix, rows=(-np.inf, 0.0), columns=(-1.0, 1.0))[3]
+    return ForceClosure.NO if margin > SEPARATED else ForceClosure.MARGINAL
