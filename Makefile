@@ -28,7 +28,6 @@ docs: $(VENV)/documenting
 
 bench: $(VENV)/developing $(VENV)/kernels
 	$(BIN)/python benchmarks/placement.py
-	$(BIN)/python benchmarks/commands.py
 
 # The package itself goes in last, from this folder, without fetching anything.
 $(VENV)/installed: requirements.lock pyproject.toml

@@ -127,9 +127,9 @@ class WrenchSet:
 
     @property
     def volume(self) -> float:
-        """Volume [N^3 m] of the set: sum of |det(b_i, b_j, b_k)| over triples, 0 if flat.
+        """Volume [N^3 m] of the set: sum of ``|det(b_i, b_j, b_k)|`` over triples, 0 if flat.
 
-        For each b_j the sum over the other two is |b_j| times the area of the zonogon
+        For each b_j the sum over the other two is ``|b_j|`` times the area of the zonogon
         that they make across b_j; every triple is met three times.
 
         Examples
@@ -203,7 +203,7 @@ class WrenchSet:
         wrenches : (m, 3) or (3,) [N, N, N m]
         tolerance : float
             A wrench counts as made when the least largest miss of a scaled component is
-            at most this share of sum |b_i|. Below 1e-10 rounding decides.
+            at most this share of ``sum |b_i|``. Below 1e-10 rounding decides.
 
         Returns
         -------

@@ -1,0 +1,52 @@
+"""The README shows what the program prints today."""
+
+import contextlib
+import io
+import re
+from pathlib import Path
+
+import pytest
+
+from swarmgrasp.cli import main
+
+ROOT = Path(__file__).parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
+
+
+def blocks(kind):
+    return re.findall(rf"```{kind}\n(.*?)```", README, re.DOTALL)
+
+
+def assert_same(shown, printed):
+    """Compare word for word, numbers to a thousandth; a gap's size is rounding."""
+    gap = re.compile(r"by more than \S+ %")
+    shown, printed = (gap.sub("", text).strip() for text in (shown, printed))
+    assert NUMBER.sub("#", shown) == NUMBER.sub("#", printed)
+    numbers = (list(map(float, NUMBER.findall(text))) for text in (shown, printed))
+    for left, right in zip(*numbers, strict=True):
+        assert left == pytest.approx(right, rel=1e-3)
+
+
+@pytest.mark.parametrize("block", [b for b in blocks("console") if "$ .venv" in b])
+def test_a_command_prints_what_the_readme_shows(block, capsys, monkeypatch):
+    """Standard output of a command that works, the complaints of one that does not."""
+    monkeypatch.chdir(ROOT)
+    command, _, shown = block.partition("\n")
+    status = main(command.removeprefix("$ .venv/bin/swarmgrasp ").split())
+    said = capsys.readouterr()
+    assert_same(shown, said.out if status == 0 else said.err)
+
+
+def test_the_python_example_prints_what_the_readme_shows():
+    """The code block runs as it stands."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(blocks("python")[0], {})
+    assert_same(blocks("text")[0], printed.getvalue())
+
+
+def test_every_file_the_readme_links_is_there():
+    """No dead links."""
+    for target in re.findall(r"\]\(([^)#:]+)\)", README):
+        assert (ROOT / target).exists(), target
