@@ -1,8 +1,6 @@
 """Run the command line as ``python -m swarmgrasp``."""
 
-import sys
-
-from swarmgrasp.cli import main
+from swarmgrasp.cli import run
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()
