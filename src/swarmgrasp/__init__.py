@@ -3,7 +3,7 @@
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Contact, Outline, Stretch
 from swarmgrasp.placement import Placement, Problem, place, place_sequence
-from swarmgrasp.quality import ForceClosure, Quality, quality
+from swarmgrasp.quality import ForceClosure, Quality, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
@@ -25,4 +25,5 @@ __all__ = [
     "place",
     "place_sequence",
     "quality",
+    "wrench_words",
 ]

@@ -67,6 +67,7 @@ def test_bounds_hold_when_the_search_runs_out_of_room(family, room, monkeypatch)
         (fine,) = place_sequence(problem, 1)
         with monkeypatch.context() as patch:
             patch.setattr(optimum, "POOL_ROOM", room)
+            patch.setattr(optimum, "ROOM_PER_PIECE", 0)
             patch.setattr(optimum, "MOST_NORMALS", 0)
             (coarse,) = place_sequence(problem, 1)
         slack = 1e-12 * np.linalg.norm(fine.swarm_after.scaled_generators, axis=1).sum()

@@ -12,7 +12,9 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.facets import MARGINAL, facets_of
 
 POOL_ROOM = 2000
-"""Normals that a search may add to the known facets at first; some 10 are usual."""
+"""Normals that a search may add to the known facets before the pool grows; some 10 are usual."""
+ROOM_PER_PIECE = 16
+"""More of them for every piece: many edges and a newcomer of another size can take that many."""
 MOST_NORMALS = 200_000
 """Pool size at which a search that still wants more stops with the bound it has."""
 ROUNDING = 1e-14
@@ -119,7 +121,7 @@ class Search:
         from swarmgrasp.kernels.place import PIECE_ROWS, TORQUE_FREE
 
         count = PIECE_ROWS + len(heights)
-        pool = np.zeros((count + POOL_ROOM, 5))
+        pool = np.zeros((count + POOL_ROOM + ROOM_PER_PIECE * len(self.pieces), 5))
         rows = pool[PIECE_ROWS:count]
         rows[:, :3] = normals * self.weights
         rows[:, 3] = heights
