@@ -8,6 +8,8 @@ from hypothesis import strategies as st
 import reference
 from strategies import FAMILIES, problem_of, seeds, swarm_of
 from swarmgrasp import Newcomer, place_sequence
+from swarmgrasp.kernels import facets
+from swarmgrasp.kernels import place as kernels
 from swarmgrasp.kernels.sector import best_on_piece
 from swarmgrasp.placement import Problem, optimum
 from swarmgrasp.placement.optimum import Search, robots_at
@@ -74,3 +76,11 @@ def test_bounds_hold_when_the_search_runs_out_of_room(family, room, monkeypatch)
         assert coarse.quality <= fine.upper_bound * (1.0 + 1e-9) + slack
         assert coarse.upper_bound >= fine.quality * (1.0 - 1e-9) - slack
         assert coarse.verify()
+
+
+def test_kernels_are_compiled_ahead_for_the_types_they_are_called_with():
+    """One compiled version each, however it came about."""
+    for module, kernel in ((facets, facets.list_facets), (kernels, kernels.solve)):
+        module.compile_ahead()
+        place_sequence(problem_of("free", 0, 6), 2)
+        assert len(kernel.signatures) == 1

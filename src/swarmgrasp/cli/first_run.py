@@ -1,29 +1,43 @@
-"""A word of patience before the kernels are compiled for the first time."""
+"""The kernels are compiled at the first run: a word of patience, and both processors at it."""
 
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
 NOTICE = "compiling the kernels, once: a few seconds ..."
+ELSEWHERE = "from swarmgrasp.kernels.place import compile_ahead; compile_ahead()"
 
 
-def announce_compilation(*, placing: bool) -> None:
-    """Say on standard error that kernels will be compiled, unless they are cached.
+def prepare_kernels(*, placing: bool) -> None:
+    """Compile the kernels unless they are cached, and say so on standard error.
 
     Parameters
     ----------
     placing : bool
         Whether a newcomer is to be placed; a quality alone takes fewer kernels.
     """
-    from swarmgrasp.kernels.facets import list_facets
+    from swarmgrasp.kernels import facets
 
-    kernels: list[Any] = [list_facets]
+    missing = [not is_cached(facets.list_facets), False]
     if placing:
         from swarmgrasp.kernels.place import solve
 
-        kernels.append(solve)
-    if not all(is_cached(kernel) for kernel in kernels):
-        print(NOTICE, file=sys.stderr, flush=True)
+        missing[1] = not is_cached(solve)
+    if not any(missing):
+        return
+    print(NOTICE, file=sys.stderr, flush=True)
+    # The larger half goes to a second process, through the cache; if it fails, the first call
+    # of the kernel compiles it here.
+    other = None
+    if missing[1]:
+        other = subprocess.Popen(
+            [sys.executable, "-c", ELSEWHERE], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+    if missing[0]:
+        facets.compile_ahead()
+    if other:
+        other.wait()
 
 
 def is_cached(kernel: Any) -> bool:

@@ -104,10 +104,10 @@ def solve(
             f"{file}: has no newcomer to place; add one, such as "
             "`newcomer: {limit: 100, attachment: push}`"
         )
-    from swarmgrasp.cli.first_run import announce_compilation
+    from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.placement import Problem, place_sequence
 
-    announce_compilation(placing=True)
+    prepare_kernels(placing=True)
     problem = Problem(
         scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
     )

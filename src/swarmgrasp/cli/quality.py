@@ -30,10 +30,10 @@ def quality(file: Dashed, /, *, json: Dashed | None = None) -> None:
         SI units.
     """
     scenario = read_scenario(file, json_faults(json))
-    from swarmgrasp.cli.first_run import announce_compilation
+    from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.quality import quality as quality_of
 
-    announce_compilation(placing=False)
+    prepare_kernels(placing=False)
     found = quality_of(scenario.swarm)
     if json != DASH:
         show(scenario, found)

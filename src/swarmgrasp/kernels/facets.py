@@ -13,7 +13,7 @@ argsort, ten times more slowly.
 import math
 
 import numpy as np
-from numba import njit
+from numba import njit, types
 
 PARALLEL = 1e-14
 """Sine of the angle below which two generators count as parallel."""
@@ -153,3 +153,9 @@ def list_facets(generators, cutoff, normals, heights):
                         normals[count, c] = row_normals[k, c]
                 count += 1
     return count, quality, weakest
+
+
+def compile_ahead() -> None:
+    """Compile `list_facets` for the types it is called with."""
+    row, table = types.float64[::1], types.float64[:, ::1]
+    list_facets.compile((table, types.float64, table, row))

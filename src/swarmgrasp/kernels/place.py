@@ -15,7 +15,7 @@ A proof is four pool rows and the weights of a convex combination of their norma
 import math
 
 import numpy as np
-from numba import njit
+from numba import njit, types
 
 from swarmgrasp.kernels.facets import inner, plane_heights
 from swarmgrasp.kernels.sector import best_on_piece
@@ -391,3 +391,11 @@ def qualities_with(generators, pool, count, weights, robots):
         c, s, torque = robots[k, 0], robots[k, 1], robots[k, 2]
         qualities[k] = quality_with(generators, pool, count, weights, c, s, torque, work)[0]
     return qualities
+
+
+def compile_ahead() -> None:
+    """Compile `solve` for the types it is called with, so that another process finds it cached."""
+    row, table = types.float64[::1], types.float64[:, ::1]
+    number, count = types.float64, types.int64
+    cube = types.float64[:, :, ::1]
+    solve.compile((table, table, count, row, table, cube, row, number, number, number))
