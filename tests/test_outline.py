@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import Polygon
 
-from swarmgrasp.errors import ContactAmbiguous, OutlineInvalid, SwarmGraspError, ZoneInvalid
+from swarmgrasp.errors import ContactInvalid, OutlineInvalid, SwarmGraspError, ZoneInvalid
 from swarmgrasp.outline import Outline
 
 RECTANGLE = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (0.0, 2.0)]
@@ -117,9 +117,9 @@ def test_theta_on_a_non_convex_outline_is_refused_where_it_is_ambiguous():
     """The message gives every point that the ray meets, and the way out."""
     outline = Outline(U_SHAPE, origin=(3, 0.5))
     assert outline.at_angle(math.pi / 2).point == pytest.approx((3, 1))
-    with pytest.raises(ContactAmbiguous, match=r"3 times, at .*by point or arc length"):
+    with pytest.raises(ContactInvalid, match=r"3 times, at .*by point or arc length"):
         outline.at_angle(math.atan2(1.5, 2.0))
-    with pytest.raises(ContactAmbiguous, match="nowhere"):
+    with pytest.raises(ContactInvalid, match="nowhere"):
         Outline(RECTANGLE, origin=(9, 1)).at_angle(0.0)
 
 
@@ -131,13 +131,15 @@ def test_a_corner_belongs_to_the_edge_that_starts_there():
         outline.at_arc_length(4.0 - 1e-9),
         outline.at_point((4, 0)),
         outline.at_angle(math.atan2(-1, 2)),
-        outline.on_edge(0, 4.0),
     ):
-        assert (contact.edge, contact.is_corner) == (1, True)
+        assert (contact.edge, contact.is_corner, contact.arc_length) == (1, True, 4.0)
         assert contact.point == pytest.approx((4, 0), abs=1e-8)
     last = outline.at_arc_length(outline.perimeter)
     assert (last.edge, last.arc_length, last.point) == (0, 0.0, (0.0, 0.0))
     assert not outline.at_arc_length(1.0).is_corner
+    named = outline.on_edge(0, 4.0)  # but an edge that is named keeps its own normal
+    assert (named.edge, named.point, named.is_corner) == (0, (4.0, 0.0), True)
+    assert named.inward == pytest.approx(math.pi / 2)
 
 
 def test_edges_are_found_by_name_or_index():
@@ -153,15 +155,15 @@ def test_edges_are_found_by_name_or_index():
 @pytest.mark.parametrize(
     ("ask", "error", "says"),
     [
-        (lambda o: o.on_edge("key", 1.0), ContactAmbiguous, "'key'; the named edges: 'quay'"),
-        (lambda o: o.on_edge(4, 1.0), ContactAmbiguous, "edges run from 0 to 3"),
-        (lambda o: o.on_edge("quay", 5.0), ZoneInvalid, "0 <= from <= to <= 4 m"),
+        (lambda o: o.on_edge("key", 1.0), ContactInvalid, "'key'; the named edges: 'quay'"),
+        (lambda o: o.on_edge(4, 1.0), ContactInvalid, "edges run from 0 to 3"),
+        (lambda o: o.on_edge("quay", 5.0), ContactInvalid, r"should lie in \[0, 4\] m"),
         (lambda o: o.stretch(0, 2.0, 1.0), ZoneInvalid, "2 to 1 m does not lie on quay"),
-        (lambda o: o.at_arc_length(13.0), ContactAmbiguous, r"in \[0, 12\] m"),
-        (lambda o: o.at_arc_length(math.nan), ContactAmbiguous, "arc length nan"),
+        (lambda o: o.at_arc_length(13.0), ContactInvalid, r"in \[0, 12\] m"),
+        (lambda o: o.at_arc_length(math.nan), ContactInvalid, "arc length nan"),
         (
             lambda o: o.at_point((2.0, -0.25)),
-            ContactAmbiguous,
+            ContactInvalid,
             r"0\.25 m off the boundary: .* \(2, 0\) m on quay",
         ),
     ],

@@ -92,4 +92,4 @@ def test_the_metric_is_positive_and_finite(bad):
     with pytest.raises(MetricInvalid) as caught:
         Swarm(Outline(SQUARE), [], characteristic_length=bad, force_weights=(bad, bad))
     assert len(caught.value.faults) == 3
-    assert "0 < value < inf [m]" in caught.value.faults[0]
+    assert "1e-100 <= value <= 1e+100 [m]" in caught.value.faults[0]

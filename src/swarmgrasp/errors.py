@@ -25,7 +25,7 @@ class OutlineInvalid(SwarmGraspError):
     """The vertices do not describe a simple polygon with an area."""
 
 
-class ContactAmbiguous(SwarmGraspError):
+class ContactInvalid(SwarmGraspError):
     """A contact description names no boundary point, or more than one."""
 
 
@@ -63,3 +63,7 @@ class ScenarioInvalid(SwarmGraspError):
 
 class AnswerInvalid(SwarmGraspError):
     """An answer file is malformed, was altered, or claims what its proof does not show."""
+
+
+class LinearProgramFailed(SwarmGraspError):
+    """A linear program that has a solution was not solved, by rounding."""

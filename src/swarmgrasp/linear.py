@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from swarmgrasp.errors import LinearProgramFailed
+
 TOLERANCE = 1e-10
 """Primal and dual feasibility, the tightest HiGHS takes."""
 
@@ -26,6 +28,11 @@ def minimise(
     -------
     (n,)
         A minimiser, of a problem that must have one.
+
+    Raises
+    ------
+    LinearProgramFailed
+        If HiGHS finds none, by rounding.
 
     Examples
     --------
@@ -51,4 +58,10 @@ def minimise(
     solver.setOptionValue("dual_feasibility_tolerance", TOLERANCE)
     solver.passModel(program)
     solver.run()
+    status = solver.getModelStatus()
+    if status != highspy.HighsModelStatus.kOptimal:
+        raise LinearProgramFailed(
+            f"HiGHS ended with {solver.modelStatusToString(status)!r} on a program of {m} rows "
+            f"and {n} columns; scale the input, whose numbers may be too far apart"
+        )
     return np.array(solver.getSolution().col_value)

@@ -6,7 +6,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import ContactAmbiguous, OutlineInvalid, ZoneInvalid
+from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid
+from swarmgrasp.polygon import (
+    as_point,
+    centroid,
+    checked_vertices,
+    edge_name_faults,
+    signed_area,
+)
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
@@ -103,14 +110,14 @@ class Outline:
         origin: ArrayLike | None = None,
         edge_names: Sequence[str] | None = None,
     ) -> None:
-        corners = _checked_vertices(vertices)
+        corners = checked_vertices(vertices)
         names = [""] * len(corners) if edge_names is None else list(edge_names)
-        faults = _edge_name_faults(names, len(corners))
-        if _signed_area(corners) < 0.0:  # keep the first vertex first
+        faults = edge_name_faults(names, len(corners))
+        if signed_area(corners) < 0.0:  # keep the first vertex first
             corners = np.roll(corners[::-1], 1, axis=0)
             names = names[::-1]
-        centre = _centroid(corners) if origin is None else np.array(origin, dtype=float)
-        if centre.shape != (2,) or not np.isfinite(centre).all():
+        centre = centroid(corners) if origin is None else as_point(origin)
+        if not np.isfinite(centre).all():
             faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
         if faults:
             raise OutlineInvalid(faults)
@@ -138,7 +145,7 @@ class Outline:
     @property
     def area(self) -> float:
         """Enclosed area [m^2]."""
-        return float(_signed_area(self.vertices))
+        return float(signed_area(self.vertices))
 
     @property
     def extent(self) -> float:
@@ -205,29 +212,32 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If the arc length is outside [0, perimeter].
         """
         if not 0.0 <= arc_length <= self.perimeter:
-            raise ContactAmbiguous(
+            raise ContactInvalid(
                 f"arc length {arc_length:.9g} m is outside the boundary: "
                 f"it should lie in [0, {self.perimeter:.9g}] m"
             )
         reach = self.corner_arc_lengths
         edge = min(int(np.searchsorted(reach, arc_length, side="right")) - 1, len(self) - 1)
+        along = float(arc_length - reach[edge])
         if reach[edge + 1] - arc_length <= self.tolerance:  # a corner belongs to what follows
-            edge, along, is_corner = (edge + 1) % len(self), 0.0, True
-        else:
-            along = arc_length - reach[edge]
-            is_corner = bool(along <= self.tolerance)
+            edge, along = (edge + 1) % len(self), 0.0
+        return self._contact(edge, 0.0 if along <= self.tolerance else along)
+
+    def _contact(self, edge: int, along: float) -> Contact:
+        """Return the contact at a distance [m] along an edge, which it belongs to."""
         p, q = self.edge_ends(edge)
-        point = p + (q - p) * (along / self.lengths[edge])
+        length = float(self.lengths[edge])
+        point = p + (q - p) * (along / length)
         return Contact(
             point=(float(point[0]), float(point[1])),
             edge=edge,
-            arc_length=float(arc_length % self.perimeter),
+            arc_length=float(self.corner_arc_lengths[edge] + along),
             inward=self.inward_normal(edge),
-            is_corner=is_corner,
+            is_corner=min(along, length - along) <= self.tolerance,
         )
 
     def at_point(self, point: ArrayLike) -> Contact:
@@ -235,13 +245,16 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If the point is off the boundary; the message gives the nearest point on it.
         """
-        (distance,), (arc_length,) = self.nearest(point)
+        wanted = as_point(point)
+        if not np.isfinite(wanted).all():
+            raise ContactInvalid(f"the point is {point!r}; it should be two finite numbers [m]")
+        (distance,), (arc_length,) = self.nearest(wanted)
         contact = self.at_arc_length(float(arc_length))
         if not distance <= self.tolerance:
-            raise ContactAmbiguous(self.off_boundary(point, contact, float(distance)))
+            raise ContactInvalid(self.off_boundary(point, contact, float(distance)))
         return contact
 
     def off_boundary(self, point: ArrayLike, nearest: Contact, distance: float) -> str:
@@ -263,7 +276,7 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If the ray meets the boundary more than once, or nowhere.
         """
         contacts = self.ray_contacts(theta)
@@ -271,7 +284,7 @@ class Outline:
             return contacts[0]
         where = ", ".join(f"({c.point[0]:.6g}, {c.point[1]:.6g})" for c in contacts)
         meets = f"{len(contacts)} times, at {where}" if contacts else "nowhere"
-        raise ContactAmbiguous(
+        raise ContactInvalid(
             f"the ray from the origin ({self.origin[0]:.6g}, {self.origin[1]:.6g}) at theta = "
             f"{theta:.6g} rad meets the boundary {meets}: give the contact by point or arc length"
         )
@@ -308,20 +321,20 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If there is no such edge.
         """
         if isinstance(edge, str):
             if edge and edge in self.edge_names:
                 return self.edge_names.index(edge)
             known = ", ".join(repr(n) for n in self.edge_names if n) or "none is named"
-            raise ContactAmbiguous(f"there is no edge named {edge!r}; the named edges: {known}")
+            raise ContactInvalid(f"there is no edge named {edge!r}; the named edges: {known}")
         if 0 <= edge < len(self):
             return int(edge)
-        raise ContactAmbiguous(f"there is no edge {edge}; edges run from 0 to {len(self) - 1}")
+        raise ContactInvalid(f"there is no edge {edge}; edges run from 0 to {len(self) - 1}")
 
     def on_edge(self, edge: int | str, along: float) -> Contact:
-        """Return the contact at a distance along an edge.
+        """Return the contact at a distance along an edge, with that edge's normal.
 
         Parameters
         ----------
@@ -331,10 +344,23 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If there is no such edge, or the distance is beyond its ends.
+
+        Examples
+        --------
+        >>> barge = Outline([(0, 0), (4, 0), (4, 2), (0, 2)], edge_names=["s", "e", "n", "w"])
+        >>> barge.on_edge("e", 0.5).point
+        (4.0, 0.5)
         """
-        return self.at_arc_length(self.stretch(edge, along, along).start)
+        index = self.edge_index(edge)
+        length = float(self.lengths[index])
+        if not -self.tolerance <= along <= length + self.tolerance:
+            raise ContactInvalid(
+                f"{along!r} m along {self.edge_label(index)} is beyond its ends: it should lie "
+                f"in [0, {length:.9g}] m"
+            )
+        return self._contact(index, min(max(along, 0.0), length))
 
     def stretch(
         self, edge: int | str, start: float = 0.0, end: float | None = None, name: str = ""
@@ -351,7 +377,7 @@ class Outline:
 
         Raises
         ------
-        ContactAmbiguous
+        ContactInvalid
             If there is no such edge.
         ZoneInvalid
             If the distances are not ordered within [0, the edge's length].
@@ -379,70 +405,3 @@ class Outline:
             b[spans, 1] - a[spans, 1]
         )
         return bool(np.count_nonzero(crossing > x) % 2)
-
-
-def _checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
-    """Return the vertices as a fresh (k, 2) array, or raise `OutlineInvalid`."""
-    try:
-        corners: NDArray[np.float64] = np.array(vertices, dtype=float)
-    except (TypeError, ValueError):
-        raise OutlineInvalid("the vertices should be a list of [x, y] pairs of numbers") from None
-    if corners.ndim != 2 or corners.shape[1] != 2:
-        raise OutlineInvalid(
-            f"the vertices have shape {corners.shape}; they should be (k, 2), k at least 3"
-        )
-    if not np.isfinite(corners).all():
-        bad = np.flatnonzero(~np.isfinite(corners).all(axis=1))
-        raise OutlineInvalid(
-            f"vertex {i} is ({corners[i, 0]}, {corners[i, 1]}); coordinates should be finite"
-            for i in bad
-        )
-    extent = float(np.linalg.norm(np.ptp(corners, axis=0))) if len(corners) else 0.0
-    step = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
-    corners = corners[step > 1e-12 * extent]  # repeated vertices, the closing one included
-    if len(corners) < 3:
-        raise OutlineInvalid(
-            f"the outline has {len(corners)} distinct vertices; it needs at least 3"
-        )
-    if np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[1] <= 1e-9 * extent:
-        raise OutlineInvalid("the vertices are collinear: the outline encloses no area")
-    # shapely takes 20 ms to load and is needed for this check alone
-    from shapely import Polygon
-    from shapely.validation import explain_validity
-
-    verdict = explain_validity(Polygon(corners))
-    if verdict != "Valid Geometry":
-        where = verdict.partition("[")[2].rstrip("]").replace(" ", ", ")
-        raise OutlineInvalid(
-            f"the outline crosses or touches itself at ({where}) m: list the vertices in order "
-            "around a simple polygon"
-        )
-    return corners
-
-
-def _edge_name_faults(names: list[str], count: int) -> list[str]:
-    """Return what is wrong with a list of edge names."""
-    faults = []
-    if len(names) != count:
-        faults.append(f"there are {len(names)} edge names for {count} edges; give one per edge")
-    given = [n for n in names if n]
-    return faults + [
-        f"the edge name {name!r} is used {given.count(name)} times"
-        for name in sorted({n for n in given if given.count(n) > 1})
-    ]
-
-
-def _signed_area(corners: NDArray[np.float64]) -> float:
-    """Return the polygon's area [m^2], negative when it runs clockwise."""
-    x, y = (corners - corners[0]).T
-    return float(0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
-
-
-def _centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the centroid of a polygon's area, (2,) [m, m]."""
-    local = corners - corners[0]
-    following = np.roll(local, -1, axis=0)
-    cross = local[:, 0] * following[:, 1] - following[:, 0] * local[:, 1]
-    moment: NDArray[np.float64] = ((local + following) * cross[:, None]).sum(axis=0)
-    centroid: NDArray[np.float64] = corners[0] + moment / (3.0 * cross.sum())
-    return centroid

@@ -11,6 +11,10 @@ Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""
 
 RIGHT_ANGLE = math.pi / 2
+SAME_ANGLE = 1e-9
+"""Angle [rad] that counts as none."""
+MOST_TURNED = 1e6
+"""Largest angle [rad]: beyond it, rounding eats the direction."""
 WEAKEST, STRONGEST = 1e-100, 1e100
 """Range of force limits [N] whose squares and cubes are still numbers."""
 
@@ -47,12 +51,14 @@ class Robot:
     def __post_init__(self) -> None:
         """Check the values."""
         faults = []
-        point = tuple(float(v) for v in self.contact)
-        if len(point) != 2 or not all(map(math.isfinite, point)):
+        point = numbers(self.contact)
+        if len(point) != 2:
             faults.append(f"the contact is {self.contact!r}; it should be two finite numbers [m]")
-        if not math.isfinite(self.direction):
-            faults.append(f"the direction is {self.direction!r}; it should be finite [rad]")
-        faults += limit_faults(self.limit)
+        if not angles(self.direction):
+            faults.append(
+                f"the direction is {self.direction!r}; it should be -1e6 <= direction <= 1e6 [rad]"
+            )
+        faults += limit_faults(self.limit) + name_faults(self.name)
         if faults:
             raise RobotInvalid(f"{self.name or 'robot'}: {fault}" for fault in faults)
         object.__setattr__(self, "contact", point)
@@ -72,7 +78,7 @@ class Newcomer:
         Force within `half_angle` of the inward normal, of the outward normal, or anywhere.
     half_angle : float [rad], optional
         Within [0, pi/2]; 0 means exactly along the normal, pi/2 (the default) any
-        direction on that side. Not used by a free attachment.
+        direction on that side. Refused with a free attachment.
     name : str
         A label for messages and pictures.
 
@@ -90,8 +96,10 @@ class Newcomer:
     def __post_init__(self) -> None:
         """Check the values."""
         faults = limit_faults(self.limit) + attachment_faults(self.attachment, self.half_angle)
+        faults += name_faults(self.name)
         if faults:
             raise RobotInvalid(f"{self.name or 'newcomer'}: {fault}" for fault in faults)
+        object.__setattr__(self, "limit", float(self.limit))
 
 
 @dataclass(frozen=True)
@@ -124,8 +132,10 @@ class Zone:
 
     def __post_init__(self) -> None:
         """Check the values."""
+        if not isinstance(self.stretch, Stretch):
+            raise ZoneInvalid(f"the stretch is {self.stretch!r}; give a Stretch, as of an outline")
         faults = []
-        if not (math.isfinite(self.stretch.start) and math.isfinite(self.stretch.end)):
+        if len(numbers((self.stretch.start, self.stretch.end))) != 2:
             faults.append(
                 f"the stretch is {self.stretch.start} to {self.stretch.end}; it should be finite"
             )
@@ -134,8 +144,8 @@ class Zone:
         elif self.half_angle is not None:
             faults.append("a half angle needs an attachment beside it")
         ends = self.directions
-        if ends is not None and (len(ends) != 2 or not all(map(math.isfinite, ends))):
-            faults.append(f"the directions are {ends}; they should be two finite angles [rad]")
+        if ends is not None and len(angles(ends)) != 2:
+            faults.append(f"the directions are {ends}; they should be two angles within 1e6 [rad]")
         if faults:
             raise ZoneInvalid(f"zone {self.stretch.name!r}: {fault}" for fault in faults)
 
@@ -154,13 +164,39 @@ class Zone:
         if width == 0.0 and last != first:
             return [(lo, hi)]
         start = first + math.tau * math.floor((lo - first) / math.tau)
-        ranges = [(start, start + width), (start + math.tau, start + math.tau + width)]
-        return [(max(lo, a), min(hi, b)) for a, b in ranges if max(lo, a) <= min(hi, b)]
+        parts = []
+        for turn in (-math.tau, 0.0, math.tau):
+            a, b = max(lo, start + turn), min(hi, start + turn + width)
+            if a <= b:
+                parts.append((a, b))
+            elif a <= b + SAME_ANGLE:  # they touch, by rounding only just not
+                parts.append((0.5 * (a + b),) * 2)
+        return parts
 
 
-def limit_faults(limit: float) -> list[str]:
+def numbers(values: object) -> tuple[float, ...]:
+    """Return finite numbers as floats; nothing at all if one is not."""
+    try:
+        found = tuple(float(v) for v in values)  # type: ignore[attr-defined]
+    except (TypeError, ValueError):
+        return ()
+    return found if all(map(math.isfinite, found)) else ()
+
+
+def angles(value: object) -> tuple[float, ...]:
+    """Do the same for angles [rad], one or several, none of which is beyond `MOST_TURNED`."""
+    found = numbers(value) or numbers((value,))
+    return found if all(abs(angle) <= MOST_TURNED for angle in found) else ()
+
+
+def name_faults(name: object) -> list[str]:
+    """Return what is wrong with a name."""
+    return [] if isinstance(name, str) else [f"the name is {name!r}; it should be text"]
+
+
+def limit_faults(limit: object) -> list[str]:
     """Return what is wrong with a force limit [N]."""
-    if WEAKEST <= limit <= STRONGEST:
+    if any(WEAKEST <= value <= STRONGEST for value in numbers((limit,))):
         return []
     return [f"the limit is {limit!r}; it should be {WEAKEST:g} <= limit <= {STRONGEST:g} [N]"]
 
@@ -173,7 +209,7 @@ def attachment_faults(attachment: str, half_angle: float | None) -> list[str]:
     if half_angle is not None:
         if attachment == "free":
             faults.append("a free attachment takes no half angle: it pushes in any direction")
-        if not 0.0 <= half_angle <= RIGHT_ANGLE:
+        if not any(0.0 <= angle <= RIGHT_ANGLE for angle in numbers((half_angle,))):
             faults.append(
                 f"the half angle is {half_angle!r}; it should be 0 <= half angle <= pi/2 [rad]"
             )

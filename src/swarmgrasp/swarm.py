@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.errors import MetricInvalid, RobotOffBoundary
+from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import Robot
+from swarmgrasp.robot import STRONGEST, WEAKEST, Robot, numbers
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +58,11 @@ class Swarm:
         force_weights: tuple[float, float] = (1.0, 1.0),
     ) -> None:
         crew = tuple(robots)
+        if not isinstance(outline, Outline):
+            raise OutlineInvalid(f"{outline!r} is no outline: make one with Outline(vertices)")
+        strangers = [robot for robot in crew if not isinstance(robot, Robot)]
+        if strangers:
+            raise RobotInvalid(f"{robot!r} is no Robot" for robot in strangers)
         length = outline.radius if characteristic_length is None else characteristic_length
         check_metric(length, force_weights)
         contacts = np.array([r.contact for r in crew], dtype=float).reshape(-1, 2)
@@ -88,6 +93,11 @@ class Swarm:
     def scaled_generators(self) -> NDArray[np.float64]:
         """(n, 3) [N, N, N]: the generators in the metric's coordinates."""
         return self.generators * self.scale
+
+    @property
+    def contacts(self) -> NDArray[np.float64]:
+        """(n, 2) [m, m]: where the robots hold the object, in the frame of the vertices."""
+        return np.array([robot.contact for robot in self.robots], dtype=float).reshape(-1, 2)
 
     @property
     def metric_sentence(self) -> str:
@@ -128,13 +138,16 @@ def wrenches(
 
 
 def check_metric(length: float, force_weights: tuple[float, float]) -> None:
-    """Raise `MetricInvalid` unless all three numbers are positive and finite."""
+    """Raise `MetricInvalid` unless all three numbers are positive and in range."""
     named = [("characteristic length", length, "m")]
-    named += [(f"force weight a{i}", a, "1") for i, a in enumerate(force_weights, 1)]
+    weights = tuple(force_weights)
+    if len(weights) != 2:
+        raise MetricInvalid(f"the force weights are {weights!r}; they should be two numbers")
+    named += [(f"force weight a{i}", a, "1") for i, a in enumerate(weights, 1)]
     faults = [
-        f"the {name} is {value!r}; it should be 0 < value < inf [{unit}]"
+        f"the {name} is {value!r}; it should be {WEAKEST:g} <= value <= {STRONGEST:g} [{unit}]"
         for name, value, unit in named
-        if not (math.isfinite(value) and value > 0.0)
+        if not any(WEAKEST <= number <= STRONGEST for number in numbers((value,)))
     ]
     if faults:
         raise MetricInvalid(faults)

@@ -67,12 +67,23 @@ def test_a_stretch_is_cut_at_the_corners(start, end, expected):
         ([(0.5, 1.0), (1.0, 1.5)], [(0, 0.0, 0.5), (0, 1.5, 2.0)]),
         ([(0.0, 0.1 + 0.2), (0.3, 1.5)], [(0, 1.5, 2.0)]),
         ([(0.5, 1.5), (1.0, 3.0)], [(0, 0.0, 0.5)]),
-        ([(1.0, 1.0)], [(0, 0.0, 2.0)]),  # its own two ends are allowed
     ],
 )
 def test_no_go_stretches_split_an_edge(no_go, expected):
     """What remains is closed: the ends of a no-go stretch are allowed."""
     assert parts(Zone(Stretch(0, 2)), no_go=tuple(Stretch(*ends) for ends in no_go)) == expected
+
+
+def test_a_no_go_point_is_refused():
+    """It would forbid nothing."""
+    with pytest.raises(ZoneInvalid, match="forbids nothing; give it a width"):
+        ask(no_go=(Stretch(1.0, 1.0, "cleat"),))
+
+
+def test_zones_of_one_name_are_told_apart():
+    """Each is a place of its own."""
+    zones = [Zone(Stretch(0.2, 0.8, "pad")), Zone(Stretch(1.2, 1.8, "pad"))]
+    assert [p.place for p in ask(*zones)] == ["pad (1)", "pad (2)"]
 
 
 @pytest.mark.parametrize(

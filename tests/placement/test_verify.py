@@ -7,12 +7,24 @@ import json
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import reference
 from answers import CREW, NEWCOMER, OUTLINE, QUESTION, SWARM, first, honest_document, judge
-from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place, place_sequence
-from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp import (
+    Newcomer,
+    Outline,
+    Problem,
+    Robot,
+    Stretch,
+    Swarm,
+    Zone,
+    place,
+    place_sequence,
+    quality,
+)  # fmt: skip
+from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
 from swarmgrasp.placement import read_answer, verify, verify_document, write_answer
 from swarmgrasp.placement.document import document_of
 
@@ -24,6 +36,53 @@ def document():
 
 
 # -- honest answers -------------------------------------------------------------------
+
+
+def test_a_second_newcomer_at_the_same_bollard_passes():
+    """Without spacing two contacts may be one."""
+    outline = Outline([(-2.1, -1.0), (1.7, -1.3), (1.9, 0.9), (-1.6, 1.1)])
+    bollards = [Zone(Stretch(s, s, f"b{s}")) for s in (1.3, 4.4, 7.7)]
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        spots = [outline.at_arc_length(float(s)).point for s in rng.uniform(0, 10, 4)]
+        swarm = Swarm(
+            outline, [Robot(c, float(a)) for c, a in zip(spots, rng.uniform(-3, 3, 4), strict=True)]
+        )
+        answers = place_sequence(Problem(swarm, Newcomer(1.0, "pull"), tuple(bollards)), 4)
+        verdict = verify_document(document_of(answers))
+        assert verdict, verdict.faults
+
+
+@pytest.mark.parametrize("width", [5e-10, 1.5e-9, 3e-9, 1e-7, 1.2e-6, 1.8e-6, 3e-6])
+def test_the_narrowest_zones_pass(width):
+    """Search and check agree on what is too narrow to attach to."""
+    zone = Zone(Stretch(1.0, 1.0 + width * OUTLINE.extent, "slit"))
+    try:
+        answer = place(SWARM, NEWCOMER, [zone])
+    except NowhereToAttach:
+        assert width <= 1e-9
+    else:
+        verdict = answer.verify()
+        assert verdict, verdict.faults
+
+
+@pytest.mark.parametrize("turn", range(0, 360, 7))
+def test_a_single_allowed_direction_survives_rounding(turn):
+    """Exactly along the normal, given once more as an absolute direction in degrees."""
+    a = math.radians(turn)
+    square = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    outline = Outline([(x * math.cos(a) - y * math.sin(a), x * math.sin(a) + y * math.cos(a))
+                       for x, y in square])  # fmt: skip
+    swarm = Swarm(outline, [Robot(outline.at_arc_length(k).point, 2.0 * k) for k in range(5)])
+    for side in range(4):
+        inward = math.radians(math.degrees(outline.inward_normal(side)))
+        for attachment, half, only in (
+            ("push", 0.0, inward), ("pull", 0.0, inward + math.pi), ("free", None, inward + 1.0),
+            ("free", None, math.radians(math.degrees(inward + math.pi / 2))),
+        ):  # fmt: skip
+            zone = Zone(outline.stretch(side), attachment, half, directions=(only, only))
+            verdict = place(swarm, Newcomer(), [zone]).verify()
+            assert verdict, verdict.faults
 
 
 def test_an_honest_answer_passes_also_through_a_file(document, tmp_path):
@@ -75,6 +134,13 @@ def test_honest_answers_pass_on_edges_of_any_length(seed):
     for edge in range(len(outline)):
         answer = place(swarm, NEWCOMER, [Zone(outline.stretch(edge))])
         assert answer.verify().faults == ()
+
+
+def test_a_number_written_another_way_is_not_an_alteration(document):
+    """2.0 and 2 are the same number."""
+    document["outline"]["origin"] = [0, 0]
+    assert document["outline"]["origin"] == [0.0, 0.0]
+    assert verify_document(document)
 
 
 # -- tampering ------------------------------------------------------------------------
@@ -214,6 +280,50 @@ def test_tampering_is_refused_by_digest_and_by_mathematics(document, spoil, says
     assert "the digest does not fit" in verdict.faults[0]
     again = judge(document)
     assert any(says in fault for fault in again.faults), again.faults
+
+
+def _hopeless(d):
+    claim = first(d)
+    spot = OUTLINE.at_arc_length(6.4)
+    claim["robot"].update(contact=list(spot.point), direction=spot.inward + 0.4)
+    more = SWARM.with_robot(Robot(spot.point, spot.inward + 0.4))
+    claim["quality"] = quality(more).value
+    claim.update(improves=False, reason="nothing helps", runners_up=[])
+
+
+def _overboard(d):
+    d["robots"][0].update(contact=[-1.5, -51.0], mounted=True)
+
+
+def _twice(d):
+    first(d)["runners_up"] *= 2
+
+
+def _elsewhere(d):
+    first(d)["place"] = "bollard" if first(d)["place"] == "quay" else "quay"
+
+
+def _tiny_normals(d):
+    for proof in first(d)["proofs"]:
+        proof["normals"] = [[2e-162 * c for c in normal] for normal in proof["normals"]]
+    first(d)["upper_bound"] *= 0.9
+
+
+def _many_turns(d):
+    first(d)["robot"]["direction"] = 1e16
+
+
+@pytest.mark.parametrize("spoil", [_hopeless, _overboard, _twice, _elsewhere, _tiny_normals,
+                                   _many_turns])  # fmt: skip
+def test_a_forgery_is_refused_by_more_than_its_digest(document, spoil):
+    """False despair, a robot that floats, a repeated runner-up, numbers made to round."""
+    spoil(document)
+    try:
+        verdict = judge(document)
+    except AnswerInvalid:
+        return
+    assert not verdict
+    assert not any("digest" in fault for fault in verdict.faults)
 
 
 def test_a_changed_name_is_refused_by_the_digest(document):

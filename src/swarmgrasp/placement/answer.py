@@ -46,6 +46,11 @@ class Placement:
         Of the swarm without and with it.
     upper_bound : float [N]
         What no allowed robot exceeds.
+    tolerance : float
+        By how much the bound may exceed the quality, relative to it, as asked for.
+    stopped_early : bool
+        Whether the search ran out of its budget before coming so near. The bound holds all
+        the same.
     improves : bool
         Whether the newcomer raises the quality. If not, no allowed place does to within
         the gap, and `robot` is the one that lifts the other directions most.
@@ -62,6 +67,8 @@ class Placement:
     quality_before: float
     quality: float
     upper_bound: float
+    tolerance: float
+    stopped_early: bool
     improves: bool
     reason: str
     certificate: Certificate
@@ -69,7 +76,7 @@ class Placement:
 
     @property
     def gap(self) -> float:
-        """By how much the bound exceeds the answer [N]."""
+        """By how much the bound exceeds the quality [N]."""
         return self.upper_bound - self.quality
 
     @cached_property
@@ -83,9 +90,10 @@ class Placement:
         Returns
         -------
         Verdict
-            True in a condition when all claims hold; its faults say which do not.
+            True in a condition when all claims hold; its faults say which do not. The
+            reason is prose and is not checked.
         """
         from swarmgrasp.placement.document import document_of
         from swarmgrasp.placement.verify import verify_document
 
-        return verify_document(document_of((self,)))
+        return verify_document(document_of(self))

@@ -9,12 +9,15 @@ from shapely import LinearRing
 
 from swarmgrasp.errors import AnswerInvalid
 
+MOST_TURNED = 1e6
+"""Of any angle [rad]: beyond it, rounding eats the direction."""
 LARGEST = 1e100
 """Of any number: its cube is still one."""
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
 Positive = Annotated[float, Field(gt=0.0, le=LARGEST)]
+Angle = Annotated[float, Field(ge=-MOST_TURNED, le=MOST_TURNED)]
 HalfAngle = Annotated[float, Field(ge=0.0, le=math.pi / 2)]
 Point = tuple[Number, Number]
 
@@ -29,7 +32,7 @@ class RobotClaim(_Form):
     """A robot in contact."""
 
     contact: Point
-    direction: Number
+    direction: Angle
     limit: Positive
     name: str
     mounted: bool
@@ -48,7 +51,7 @@ class ZoneClaim(StretchClaim):
 
     attachment: Literal["push", "pull", "free"] | None
     half_angle: HalfAngle | None
-    directions: Point | None
+    directions: tuple[Angle, Angle] | None
 
 
 class NewcomerClaim(_Form):
@@ -87,6 +90,8 @@ class PlacementClaim(_Form):
     quality_before: Size
     quality: Size
     upper_bound: Size
+    tolerance: float = Field(gt=0.0, lt=1.0)
+    stopped_early: bool
     improves: bool
     reason: str
     runners_up: list[RunnerUpClaim]

@@ -4,6 +4,7 @@ import json
 import os
 import tempfile
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,16 +19,30 @@ LARGEST_FILE = 50_000_000
 """Bytes; an answer for 1 000 robots takes about 0.2 MB."""
 
 
-def document_of(answers: Sequence[Placement]) -> dict[str, Any]:
+def document_of(answers: Placement | Sequence[Placement]) -> dict[str, Any]:
     """Return answers as plain data: one placement, or a sequence of them.
 
     Lengths are in m, forces in N, angles in rad, in the frame of the vertices.
 
     Parameters
     ----------
-    answers : sequence of Placement
+    answers : Placement or sequence of Placement
         As given by `place_sequence`: each finds the robots of those before it.
+
+    Raises
+    ------
+    AnswerInvalid
+        If there is none, or they do not follow one from the other.
     """
+    answers = (answers,) if isinstance(answers, Placement) else tuple(answers)
+    if not answers:
+        raise AnswerInvalid("there is no answer to write")
+    for before, after in pairwise(answers):
+        if after.problem.swarm.robots != before.swarm_after.robots:
+            raise AnswerInvalid(
+                f"{after.robot.name or 'a robot'} was placed in another swarm than the one that "
+                f"{before.robot.name or 'the robot before it'} joined: write them apart"
+            )
     swarm = answers[0].problem.swarm
     outline = swarm.outline
     document = {
@@ -47,12 +62,12 @@ def document_of(answers: Sequence[Placement]) -> dict[str, Any]:
     return {**document, "digest": digest_of(document)}
 
 
-def answer_text(answers: Sequence[Placement]) -> str:
+def answer_text(answers: Placement | Sequence[Placement]) -> str:
     """Return answers as the text of a JSON file."""
     return json.dumps(document_of(answers), indent=1, ensure_ascii=False) + "\n"
 
 
-def write_answer(path: str | Path, answers: Sequence[Placement]) -> None:
+def write_answer(path: str | Path, answers: Placement | Sequence[Placement]) -> None:
     """Write answers to a JSON file, whole or not at all."""
     write_whole(path, answer_text(answers).encode())
 
@@ -82,18 +97,20 @@ def read_answer(path: str | Path) -> dict[str, Any]:
         If it cannot be read, is too large, or is not a JSON object; with file and line.
     """
     try:
-        size = Path(path).stat().st_size
-        if size > LARGEST_FILE:
-            raise AnswerInvalid(
-                f"{path}: the file has {size} bytes; an answer has at most {LARGEST_FILE}"
-            )
-        return parse_answer(Path(path).read_bytes(), str(path))
+        with Path(path).open("rb") as file:
+            return parse_answer(file.read(LARGEST_FILE + 1), str(path))
     except OSError as error:
         raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
+    except ValueError as error:
+        if isinstance(error, AnswerInvalid):
+            raise
+        raise AnswerInvalid(f"{str(path)!r}: not a path: {error}") from None
 
 
 def parse_answer(content: bytes, source: str) -> dict[str, Any]:
     """Do the same for the bytes of a file; `source` names it in messages."""
+    if len(content) > LARGEST_FILE:
+        raise AnswerInvalid(f"{source}: more than {LARGEST_FILE} bytes, too many for an answer")
     try:
         document = json.loads(content.decode())
     except UnicodeDecodeError as error:
@@ -153,6 +170,8 @@ def _placement(answer: Placement) -> dict[str, Any]:
         "quality_before": answer.quality_before,
         "quality": answer.quality,
         "upper_bound": answer.upper_bound,
+        "tolerance": answer.tolerance,
+        "stopped_early": answer.stopped_early,
         "improves": answer.improves,
         "reason": answer.reason,
         "runners_up": [

@@ -73,16 +73,22 @@ class Search:
     Attributes
     ----------
     pieces : tuple of Piece
+    rows : (k, 10)
+        The pieces as the kernels take them.
     facets : Facets
-        Of the base swarm, all of them.
+        Of the base swarm, those that one newcomer can matter to.
     generators : (n, 3) [N]
         Of the base swarm, in the metric's coordinates.
     weights : (3,) [N, N, N/m]
         Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
     gap : float
         Largest difference between bound and best, relative to the best.
-    floor : float [N]
-        Difference not worth closing, whatever the best.
+    pool, count
+        The kernels' pool of normals, and how many rows of it are in use.
+    first : (f, 2, 4)
+        Proofs to begin with: pool rows and shares.
+    floor, slack, zero : float [N]
+        A difference not worth closing, a rounding error, and a quality that counts as 0.
 
     Raises
     ------
@@ -95,10 +101,12 @@ class Search:
         self.pieces = tuple(pieces_of(problem))
         self.rows = piece_rows(swarm.outline, self.pieces)
         self.generators = np.array(swarm.scaled_generators)
-        self.facets = facets = facets_of(self.generators)
         self.weights = weights = swarm.scale * problem.newcomer.limit
         self.gap = gap
-        reach = np.abs(self.rows[:, :4]).max() * weights[2]
+        # no robot lifts the weakest facet by more than its own wrench
+        reach = np.linalg.norm(self.rows[:, :4].reshape(-1, 2), axis=1).max() * weights[2]
+        most = float(np.hypot(weights[:2].max(), reach)) * (1.0 + 1e-9)
+        self.facets = facets = facets_of(self.generators, margin=most)
         size = np.linalg.norm(self.generators, axis=1).sum() + np.linalg.norm(weights[:2]) + reach
         self.floor, self.slack = FLOOR * float(size), ROUNDING * float(size)
         self.zero = MARGINAL * float(size)
@@ -108,7 +116,6 @@ class Search:
         first += [int(opposite[np.argmin(facets.heights[opposite])])] if len(opposite) else []
         rest = np.ones(len(facets.heights), dtype=bool)
         rest[first] = False
-        rest &= facets.heights < facets.quality + np.linalg.norm(weights[:2]) + 2.0 * reach
         order = np.concatenate([first, np.flatnonzero(rest)])
         self.pool, self.count = self._pool(facets.normals[order], facets.heights[order])
         self.first = np.zeros((len(first), 2, 4))

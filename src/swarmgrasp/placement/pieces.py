@@ -14,6 +14,9 @@ from swarmgrasp.robot import RIGHT_ANGLE, Zone
 
 Interval = tuple[float, float]
 
+SLIVER = 1e-9
+"""Width of allowed contacts that counts as rounding, relative to the outline's extent."""
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -51,7 +54,7 @@ def pieces_of(problem: Problem) -> list[Piece]:
     """
     outline, newcomer = problem.swarm.outline, problem.newcomer
     pieces = []
-    for zone in problem.zones or (None,):
+    for zone, label in zip(problem.zones or (None,), problem.zone_labels, strict=True):
         for edge, start, end in _allowed(problem, zone):
             inward_normal = outline.inward_normal(edge)
             for inward in (True, False):
@@ -59,7 +62,7 @@ def pieces_of(problem: Problem) -> list[Piece]:
                 for lo, hi in _sectors(
                     newcomer.attachment, newcomer.half_angle, zone, inward, middle
                 ):
-                    place = (zone.stretch.name if zone else "") or outline.edge_label(edge)
+                    place = label or outline.edge_label(edge)
                     pieces.append(Piece(edge, start, end, lo, hi, inward, place))
     if not pieces:
         raise NowhereToAttach(
@@ -99,7 +102,7 @@ def _allowed(problem: Problem, zone: Zone | None) -> Iterator[tuple[int, float, 
         taken += _crowded(problem, edge)
         for start, end in wanted:
             for a, b in _minus((start, end), taken):
-                if b - a > outline.tolerance or start == end:
+                if b - a > SLIVER * outline.extent or start == end:
                     yield edge, a, b
 
 
@@ -117,13 +120,13 @@ def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     A point on a corner belongs to both edges; a longer stretch that only touches an
     edge's end does not cover it.
     """
-    length, slack = float(outline.lengths[edge]), outline.tolerance
+    length, near = float(outline.lengths[edge]), outline.tolerance
     parts = []
     for a, b in _runs(outline, edge, stretch):
         lo, hi = max(a, 0.0), min(b, length)
-        if stretch.is_point and -slack <= a <= length + slack:
+        if stretch.is_point and -near <= a <= length + near:
             parts.append((min(lo, length),) * 2)
-        elif hi - lo > slack:
+        elif hi - lo > SLIVER * outline.extent:
             parts.append((lo, hi))
     return parts
 

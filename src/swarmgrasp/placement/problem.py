@@ -40,6 +40,15 @@ class Problem:
 
     def __post_init__(self) -> None:
         """Check the values."""
+        for value, kind in ((self.swarm, Swarm), (self.newcomer, Newcomer)):
+            if not isinstance(value, kind):
+                raise ZoneInvalid(f"{value!r} is no {kind.__name__}")
+        strangers: list[object] = [zone for zone in self.zones or () if not isinstance(zone, Zone)]
+        strangers += [stretch for stretch in self.no_go if not isinstance(stretch, Stretch)]
+        if strangers:
+            raise ZoneInvalid(
+                f"{value!r} is neither a Zone nor a no-go Stretch" for value in strangers
+            )
         perimeter = self.swarm.outline.perimeter
         reach = perimeter + self.swarm.outline.tolerance
         named = [("zone", zone.stretch) for zone in self.zones or ()]
@@ -50,12 +59,27 @@ class Problem:
             for kind, s in named
             if not (0.0 <= s.start <= reach and 0.0 <= s.end <= reach)
         ]
+        faults += [
+            f"no-go stretch {s.name!r} is the single point {s.start:.9g} m, which forbids nothing; "
+            "give it a width"
+            for s in self.no_go
+            if s.is_point
+        ]
         if self.zones is not None and not self.zones:
             faults.append("the zones are empty; give None for the whole boundary")
         if not (math.isfinite(self.spacing) and self.spacing >= 0.0):
             faults.append(f"the spacing is {self.spacing!r}; it should be 0 <= spacing < inf [m]")
         if faults:
             raise ZoneInvalid(faults)
+
+    @property
+    def zone_labels(self) -> tuple[str, ...]:
+        """The zones' names; of several with one name, each with its number; "" without zones."""
+        names = [zone.stretch.name for zone in self.zones or ()]
+        return tuple(
+            f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
+            for k, name in enumerate(names)
+        ) or ("",)
 
     def with_swarm(self, swarm: Swarm) -> "Problem":
         """Return the same question for another swarm on the same outline."""

@@ -14,6 +14,8 @@ from swarmgrasp.quality import Quality, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
 
+EQUAL = 1e-5
+"""Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 
@@ -129,6 +131,8 @@ def place_sequence(
         try:
             placing = _Placing(problem, gap)
         except NowhereToAttach as fault:
+            if count == 1:
+                raise
             raise NowhereToAttach(
                 f"only {index - 1} of {count} robots find a place: {fault}"
             ) from None
@@ -143,18 +147,16 @@ class _Placing:
 
     def __init__(self, problem: Problem, gap: float) -> None:
         self.problem, self.gap = problem, gap
-        self.search = Search(problem, 0.5 * gap)  # the other half is the tie-break's
+        # half of the gap is the search's, the other half the tie-break's
+        self.search = Search(problem, math.sqrt(1.0 + gap) - 1.0)
         self.pieces, self.facets = self.search.pieces, self.search.facets
         self.before = self.facets.quality
 
-    def slack(self, value: float) -> float:
-        """Return the difference [N] that does not count at a quality."""
-        return max(self.gap * value, self.search.floor)
-
     def placement(self, fraction: float | None, index: int | None = None) -> Placement:
         """Answer the problem."""
+        floor = self.search.floor
         found = self.search.solve()
-        target = found.best[0] - 0.5 * self.slack(found.best[0])
+        target = min(found.best[0] / (1.0 + self.search.gap), found.best[0] - 0.5 * floor)
         best = break_tie(self.search, found, target) if is_tied(found, target) else found.best
         name = self.problem.newcomer.name or "newcomer"
         name = name if index is None else f"{name} {index}"
@@ -162,9 +164,10 @@ class _Placing:
         if fraction is not None:
             candidates += self.others(found, candidates[0], name, fraction)
         winner = max(candidates, key=lambda c: c.quality)
-        if winner.quality <= candidates[0].quality + self.slack(candidates[0].quality):
+        if winner.quality <= candidates[0].quality * (1.0 + EQUAL):
             winner = candidates[0]
         certificate = found.certificate()
+        asked_for = winner.quality * (1.0 + self.gap) + 2.0 * floor
         improves = winner.quality > self.before * (1.0 + RISE) + 10.0 * self.search.zero
         after = quality(self.problem.swarm.with_robot(winner.robot))
         return Placement(
@@ -174,9 +177,10 @@ class _Placing:
             quality_before=self.before,
             quality=winner.quality,
             upper_bound=max(certificate.upper_bound, winner.quality),
+            tolerance=self.gap,
+            stopped_early=certificate.upper_bound > asked_for,
             improves=improves,
-            reason=(_limit_words(after) if improves else self.why_not())
-            + self.stop_words(certificate.upper_bound - winner.quality, winner.quality),
+            reason=_limit_words(after) if improves else self.why_not(),
             certificate=certificate,
             runners_up=tuple(
                 sorted((c for c in candidates if c is not winner), key=lambda c: -c.quality)
@@ -216,12 +220,6 @@ class _Placing:
                 runners.append(self.runner_up(best, name))
         return [runner for runner in runners if runner.quality >= least]
 
-    def stop_words(self, gap: float, value: float) -> str:
-        """Say so when the search stopped before the gap was closed."""
-        if gap <= 2.0 * self.slack(value):
-            return ""
-        return f"; the search stopped early, a gap of {gap:.3g} N remains"
-
     def why_not(self) -> str:
         """Say why no newcomer improves the swarm."""
         present = len(self.problem.swarm)
@@ -233,14 +231,15 @@ class _Placing:
             )
         opposite = self.facets.normals @ self.facets.weakest < OPPOSITE
         heights = self.facets.heights[opposite]
-        if len(heights) and heights.min() <= self.before + self.slack(self.before):
+        equal = self.before * (1.0 + self.gap) + 2.0 * self.search.floor
+        if self.before > 0.0 and len(heights) and heights.min() <= equal:
             return (
                 f"the swarm is equally weak in {weakest} and in the opposite direction, and one "
                 "robot can push only one way: place two"
             )
         return (
             f"no allowed robot raises what is weakest, {weakest}, without another direction "
-            "staying as weak: allow more places or directions, or place two"
+            "staying as weak: allow more places or directions, or place several"
         )
 
 

@@ -11,13 +11,13 @@ import numpy as np
 
 from swarmgrasp.placement.optimum import Array, Optimum, Search, robots_at
 
-CANDIDATES = 600
+CANDIDATES = 300
 """Size of the first grid over all tied pieces together."""
-ZOOMS = 4
+ZOOMS = 3
 """How often a finer grid is laid around the best candidate."""
 SHARPNESS = 8.0
 """Of the soft minimum, relative to the mean of h over directions."""
-DIRECTIONS = 200
+DIRECTIONS = 100
 """Number of directions it is taken over."""
 UNTURNED = 1e-6
 """Torque part of a proof's mean normal below which the contact does not matter to it."""

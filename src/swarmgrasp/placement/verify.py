@@ -9,7 +9,7 @@ A claim is trusted only after it was recomputed; the normals and weights need no
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
@@ -35,8 +35,10 @@ ABSOLUTE = 1e-12
 """The same, relative to sum |b_i|; also the share of it up to which a quality counts as 0."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
-NEAR = 2e-6
-"""Distance that counts as none, relative to the outline's extent."""
+NEAR = 1e-6
+"""Distance of a contact from the boundary that counts as none, relative to the extent."""
+SLIVER = 2e-9
+"""Width of allowed contacts that counts as rounding, relative to the outline's extent."""
 ANGLE = 1e-9
 """Angle [rad] that counts as none."""
 
@@ -71,6 +73,8 @@ class Cell:
     q: Array
     lo: float
     hi: float
+    is_sliver: bool
+    """Whether the contacts are no more than rounding: no bound is asked for there."""
 
 
 def verify_document(document: dict[str, Any]) -> Verdict:
@@ -123,7 +127,8 @@ class _Check:
         a1, a2 = claims.metric.force_weights
         length = claims.metric.characteristic_length
         self.scale = np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / length])
-        self.near = NEAR * float(np.linalg.norm(np.ptp(self.corners, axis=0)))
+        extent = float(np.linalg.norm(np.ptp(self.corners, axis=0)))
+        self.near, self.sliver = NEAR * extent, SLIVER * extent
         self.present = present
         self.base = np.array([self.generator(robot) for robot in present]).reshape(-1, 3)
         arms = np.linalg.norm(self.corners - self.origin, axis=1).max()
@@ -143,7 +148,7 @@ class _Check:
         """Yield every claim that does not hold."""
         claim = self.claim
         for index, robot in enumerate(self.present):
-            if not robot.mounted and not self.is_on_boundary(robot):
+            if not (self.is_on_boundary(robot) or (robot.mounted and self.is_inside(robot))):
                 yield f"robot {index} {robot.name!r} is off the boundary"
         before = exact_quality(self.base)
         yield from self.differs("the quality before", claim.quality_before, before)
@@ -161,6 +166,15 @@ class _Check:
             yield f"the proofs bound the quality by {self.bound:.12g} N, below what is claimed"
         if claim.quality > claim.upper_bound + self.slack(claim.quality):
             yield f"the upper bound {claim.upper_bound:.12g} N is below the quality"
+        most = claim.quality * (1.0 + claim.tolerance)
+        if not claim.stopped_early and not self.bound <= most + self.slack(most):
+            yield (
+                f"the upper bound {self.bound:.12g} N exceeds the quality {claim.quality:.12g} N "
+                f"by more than the stated tolerance of {claim.tolerance:g}"
+            )
+        places = [claim.place, *(runner.place for runner in claim.runners_up)]
+        for place in sorted({place for place in places if places.count(place) > 1}):
+            yield f"{place!r} is answered more than once"
         gain = claim.quality - claim.quality_before
         if claim.improves and gain <= self.rounding:
             yield "the newcomer is said to improve the swarm, and does not"
@@ -183,6 +197,15 @@ class _Check:
         return any(
             _to_segment(point, p, q) <= self.near for p, q in zip(self.corners, ends, strict=True)
         )
+
+    def is_inside(self, robot: "RobotClaim") -> bool:
+        """Tell whether a contact is inside the outline: a ray from it crosses an odd number."""
+        x, y = robot.contact
+        a, b = self.corners, np.roll(self.corners, -1, axis=0)
+        spans = (a[:, 1] > y) != (b[:, 1] > y)
+        a, b = a[spans], b[spans]
+        meets = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
+        return bool(np.count_nonzero(meets > x) % 2)
 
     def robot_faults(self, what: str, claim: "PlacementClaim | RunnerUpClaim") -> Iterator[str]:
         """Yield what is wrong with a robot said to be allowed and to reach a quality."""
@@ -210,19 +233,18 @@ class _Check:
 
     def upper_bound(self) -> float:
         """Bound every allowed robot's quality by the best of the proofs for each cell."""
-        if not self.cells or not self.claim.proofs:
+        cells = [cell for cell in self.cells if not cell.is_sliver] or self.cells
+        if not cells:
             return math.inf
-        p, q = np.array([c.p for c in self.cells]), np.array([c.q for c in self.cells])
-        lo, hi = np.array([c.lo for c in self.cells]), np.array([c.hi for c in self.cells])
-        bounds = np.full(len(self.cells), math.inf)
+        p, q = np.array([c.p for c in cells]), np.array([c.q for c in cells])
+        lo, hi = np.array([c.lo for c in cells]), np.array([c.hi for c in cells])
+        bounds = np.full(len(cells), math.inf)
         for proof in self.claim.proofs:
-            normals, weights = np.array(proof.normals), np.array(proof.weights)
-            sizes = np.linalg.norm(normals, axis=1)
-            if len(weights) != len(normals) or (weights < 0.0).any() or not weights.sum() > 0.0:
+            normals, weights = _units(proof.normals), np.array(proof.weights)
+            if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
                 continue
-            if not (sizes > 0.0).all():
-                continue
-            normals, weights = normals / sizes[:, None], weights / weights.sum()
+            weights = weights / weights.max()
+            weights /= weights.sum()
             heights = np.maximum(self.base @ normals.T, 0.0).sum(axis=0)
             covector = (weights @ normals) * self.scale * self.claim.newcomer.limit
             reach = np.maximum(*(_crest(covector, end - self.origin, lo, hi) for end in (p, q)))
@@ -233,35 +255,41 @@ class _Check:
         """Yield the allowed contacts and directions, edge by edge and side by side."""
         lengths, names = self.lengths(), self.edge_names
         arcs = np.concatenate([[0.0], np.cumsum(lengths)])
+        zones = [None] if self.claim.zones is None else self.claim.zones
+        labels = _zone_labels(zones)
         for edge, length in enumerate(lengths):
             p, q = self.corners[edge], self.corners[(edge + 1) % len(self.corners)]
             inward = math.atan2(q[0] - p[0], p[1] - q[1])
-            for zone in [None] if self.claim.zones is None else self.claim.zones:
-                marks = sorted(self.cuts(zone, arcs[edge], arcs[-1], p, q))
-                is_point = zone is not None and zone.start == zone.end
-                for a, b in ((s, s) for s in marks) if is_point else pairwise(marks):
-                    if b - a <= self.near and not is_point:
-                        continue  # no wider than rounding
+            for zone, label in zip(zones, labels, strict=True):
+                for a, b in self.spans(zone, arcs[edge], arcs[-1], p, q):
                     start, end = (p + (q - p) * (s / length) for s in (a, b))
                     middle = arcs[edge] + 0.5 * (a + b)
-                    if self.is_allowed(zone, middle, arcs[-1], 0.5 * (start + end)):
-                        place = (zone.name if zone else "") or names[edge] or f"edge {edge}"
-                        for lo, hi in _sides(self.claim, zone, inward):
-                            yield Cell(place, start, end, lo, hi)
+                    if not self.is_allowed(zone, middle, arcs[-1], 0.5 * (start + end)):
+                        continue
+                    place = label or names[edge] or f"edge {edge}"
+                    for lo, hi in _sides(self.claim, zone, inward):
+                        yield Cell(place, start, end, lo, hi, 0.0 < b - a <= self.sliver)
 
-    def cuts(
+    def spans(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array
-    ) -> set[float]:
-        """Return where anything changes along an edge [m from its start], its ends included."""
+    ) -> list[tuple[float, float]]:
+        """Return the parts of an edge [m from its start] that are allowed or not as a whole.
+
+        They run from each place where anything changes to the next; of a single point, such
+        as a bollard, they are its places on the edge.
+        """
         length = float(np.linalg.norm(q - p))
-        cuts = {0.0, length, *self.spacing_cuts(p, q)}
-        for stretch in [*self.claim.no_go, *([] if zone is None else [zone])]:
+        stretches = [*self.claim.no_go, *([] if zone is None else [zone])]
+        is_point = zone is not None and zone.start == zone.end
+        cuts = set() if is_point else {0.0, length, *self.spacing_cuts(p, q)}
+        for stretch in [zone] if is_point and zone else stretches:
             for arc in (stretch.start, stretch.end):
                 for turn in (-perimeter, 0.0, perimeter):
                     at = arc + turn - base
                     if -self.near <= at <= length + self.near:
                         cuts.add(min(max(at, 0.0), length))
-        return cuts
+        marks = sorted(cuts)
+        return [(s, s) for s in marks] if is_point else list(pairwise(marks))
 
     def lengths(self) -> Array:
         """Return the lengths (k,) [m] of the edges."""
@@ -270,7 +298,7 @@ class _Check:
     def spacing_cuts(self, p: Array, q: Array) -> Iterator[float]:
         """Yield where the circles around the robots cross an edge [m from its start]."""
         length = float(np.linalg.norm(q - p))
-        for robot in self.present:
+        for robot in self.present if self.claim.spacing > 0.0 else []:
             if not robot.mounted:
                 # |p + s d - c|^2 = spacing^2, a quadratic in s
                 d, to_p = (q - p) / length, p - np.array(robot.contact)
@@ -332,6 +360,16 @@ def exact_quality(generators: Array) -> float:
     return least if zero < least < math.inf else 0.0
 
 
+def _units(vectors: list[tuple[float, float, float]]) -> Array | None:
+    """Return vectors scaled to unit length, or None if that cannot be done without loss."""
+    rows = np.array(vectors)
+    largest = np.abs(rows).max(axis=1, keepdims=True)
+    if not (largest > 1e-100).all():
+        return None
+    rows = rows / largest
+    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
+
+
 def _crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
     """Return the greatest v . (F, arm x F) over unit forces in the sectors [lo, hi], (k,)."""
     a = covector[0] - covector[2] * arms[:, 1]
@@ -363,8 +401,9 @@ def _sides(
         for turn in range(-2, 3):
             start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
             lo, hi = max(start, middle - half), min(start + width, middle + half)
-            if lo <= hi:
-                yield lo, hi
+            if lo > hi + ANGLE:
+                continue
+            yield (lo, hi) if lo <= hi else (0.5 * (lo + hi),) * 2
 
 
 def _covers(stretch: "StretchClaim", arc: float, perimeter: float, slack: float) -> bool:
@@ -386,4 +425,14 @@ def _to_segment(point: Array, p: Array, q: Array) -> float:
 
 def _turns_into(angle: float, lo: float, hi: float) -> bool:
     """Tell whether an angle lies in [lo, hi], whole turns aside."""
-    return angle + 2.0 * math.pi * math.ceil((lo - angle) / (2.0 * math.pi)) <= hi
+    turned = angle + 2.0 * math.pi * math.ceil((lo - angle) / (2.0 * math.pi))
+    return lo <= turned <= hi or lo <= turned - 2.0 * math.pi <= hi
+
+
+def _zone_labels(zones: "Sequence[ZoneClaim | None]") -> list[str]:
+    """Return the zones' names; of several with one name, each with its number."""
+    names = ["" if zone is None else zone.name for zone in zones]
+    return [
+        f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
+        for k, name in enumerate(names)
+    ]

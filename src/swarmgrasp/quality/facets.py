@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 MARGINAL = 1e-12
 """Quality relative to sum |b_i| at and below which it counts as zero."""
 ALL_AT_ONCE = 256
-"""Number of robots up to which room is made for all facets without counting them first."""
+"""Number of robots up to which all facets are listed first and sorted out afterwards."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,8 +33,8 @@ class Facets:
     quality: float
 
 
-def facets_of(generators: NDArray[np.float64], cutoff: float = np.inf) -> Facets:
-    """List the facet normals n with h(n) < cutoff, and find the weakest of all.
+def facets_of(generators: NDArray[np.float64], margin: float = np.inf) -> Facets:
+    """Find the weakest facet, and list those with h(n) < quality + margin.
 
     A flat set that spans no plane has one normal, with its negative, and h = 0.
 
@@ -42,21 +42,36 @@ def facets_of(generators: NDArray[np.float64], cutoff: float = np.inf) -> Facets
     ----------
     generators : (n, 3) [N]
         In the metric's coordinates.
-    cutoff : float [N]
+    margin : float [N]
+        0 lists none, infinity all: n (n - 1) of them.
+
+    Examples
+    --------
+    Robots along the axes, a cube from the origin.
+
+    >>> cube = facets_of(np.eye(3))
+    >>> len(cube.normals), cube.quality
+    (6, 0.0)
     """
     # Numba takes 0.3 s to import: not before it is needed
     from swarmgrasp.kernels.facets import list_facets
 
     vectors = np.array(generators, dtype=float)  # a writable copy: one compiled signature
-    room = len(vectors) * (len(vectors) - 1) if len(vectors) <= ALL_AT_ONCE else 0
-    while True:
+    n = len(vectors)
+    all_at_once = margin > 0.0 and n <= ALL_AT_ONCE
+    passes = [np.inf] if all_at_once else [-np.inf, margin] if margin > 0.0 else [-np.inf]
+    room, quality = n * (n - 1) if all_at_once else 0, 0.0
+    for reach in passes:
         normals, heights = np.empty((room, 3)), np.empty(room)
-        count, quality, weakest = list_facets(vectors, float(cutoff), normals, heights)
-        if count <= room:
-            break
-        room = count
+        cutoff = quality + reach
+        count, quality, weakest = list_facets(vectors, cutoff, normals, heights)
+        room = 16 * n
+    if count > len(heights):
+        normals, heights = np.empty((count, 3)), np.empty(count)
+        list_facets(vectors, cutoff, normals, heights)
     if quality == np.inf:
         weakest = np.linalg.svd(np.vstack([vectors, np.zeros((1, 3))]))[2][2]
         return Facets(np.array([weakest, -weakest]), np.zeros(2), weakest, 0.0)
+    low = np.flatnonzero(heights[:count] < quality + margin)
     zero = MARGINAL * float(np.linalg.norm(vectors, axis=1).sum())
-    return Facets(normals[:count], heights[:count], weakest, quality if quality > zero else 0.0)
+    return Facets(normals[low], heights[low], weakest, quality if quality > zero else 0.0)

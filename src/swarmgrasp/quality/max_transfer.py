@@ -97,7 +97,7 @@ def quality(swarm: Swarm) -> Quality:
     """
     generators = swarm.scaled_generators
     sizes = np.linalg.norm(generators, axis=1)
-    facets = facets_of(generators, cutoff=-np.inf)
+    facets = facets_of(generators, margin=0.0)
     normal, value = facets.weakest, facets.quality
     normal.setflags(write=False)
     wrench = value * normal / swarm.scale

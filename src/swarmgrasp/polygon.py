@@ -1,0 +1,82 @@
+"""Polygons as arrays: what makes one valid, its area and its centroid."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.errors import OutlineInvalid
+
+
+def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
+    """Return the vertices as a fresh (k, 2) array, or raise `OutlineInvalid`."""
+    try:
+        corners: NDArray[np.float64] = np.array(vertices, dtype=float)
+    except (TypeError, ValueError):
+        raise OutlineInvalid("the vertices should be a list of [x, y] pairs of numbers") from None
+    if corners.ndim != 2 or corners.shape[1] != 2:
+        raise OutlineInvalid(
+            f"the vertices have shape {corners.shape}; they should be (k, 2), k at least 3"
+        )
+    if not np.isfinite(corners).all():
+        bad = np.flatnonzero(~np.isfinite(corners).all(axis=1))
+        raise OutlineInvalid(
+            f"vertex {i} is ({corners[i, 0]}, {corners[i, 1]}); coordinates should be finite"
+            for i in bad
+        )
+    extent = float(np.linalg.norm(np.ptp(corners, axis=0))) if len(corners) else 0.0
+    step = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    corners = corners[step > 1e-12 * extent]  # repeated vertices, the closing one included
+    if len(corners) < 3:
+        raise OutlineInvalid(
+            f"the outline has {len(corners)} distinct vertices; it needs at least 3"
+        )
+    if np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[1] <= 1e-9 * extent:
+        raise OutlineInvalid("the vertices are collinear: the outline encloses no area")
+    # shapely takes 20 ms to load and is needed for this check alone
+    from shapely import Polygon
+    from shapely.validation import explain_validity
+
+    verdict = explain_validity(Polygon(corners))
+    if verdict != "Valid Geometry":
+        where = verdict.partition("[")[2].rstrip("]").replace(" ", ", ")
+        raise OutlineInvalid(
+            f"the outline crosses or touches itself at ({where}) m: list the vertices in order "
+            "around a simple polygon"
+        )
+    return corners
+
+
+def edge_name_faults(names: list[str], count: int) -> list[str]:
+    """Return what is wrong with a list of edge names."""
+    faults = []
+    if len(names) != count:
+        faults.append(f"there are {len(names)} edge names for {count} edges; give one per edge")
+    given = [n for n in names if n]
+    return faults + [
+        f"the edge name {name!r} is used {given.count(name)} times"
+        for name in sorted({n for n in given if given.count(n) > 1})
+    ]
+
+
+def signed_area(corners: NDArray[np.float64]) -> float:
+    """Return the polygon's area [m^2], negative when it runs clockwise."""
+    x, y = (corners - corners[0]).T
+    return float(0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
+
+
+def centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the centroid of a polygon's area, (2,) [m, m]."""
+    local = corners - corners[0]
+    following = np.roll(local, -1, axis=0)
+    cross = local[:, 0] * following[:, 1] - following[:, 0] * local[:, 1]
+    moment: NDArray[np.float64] = ((local + following) * cross[:, None]).sum(axis=0)
+    centroid: NDArray[np.float64] = corners[0] + moment / (3.0 * cross.sum())
+    return centroid
+
+
+def as_point(value: ArrayLike) -> NDArray[np.float64]:
+    """Return a point as a fresh array (2,); nan where it is none."""
+    try:
+        point = np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        point = np.empty(0)
+    return point if point.shape == (2,) else np.full(2, np.nan)
