@@ -2,7 +2,15 @@
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Contact, Outline, Stretch
-from swarmgrasp.placement import Placement, Problem, place, place_sequence
+from swarmgrasp.placement import (
+    Placement,
+    Problem,
+    place,
+    place_sequence,
+    read_answer,
+    verify_document,
+    write_answer,
+)
 from swarmgrasp.quality import ForceClosure, Quality, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
@@ -25,5 +33,8 @@ __all__ = [
     "place",
     "place_sequence",
     "quality",
+    "read_answer",
+    "verify_document",
     "wrench_words",
+    "write_answer",
 ]

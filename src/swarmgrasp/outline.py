@@ -55,6 +55,11 @@ class Stretch:
         bollard; ``end < start`` means a stretch that runs across the first vertex.
     name : str
         A label for messages and pictures.
+
+    Examples
+    --------
+    >>> Stretch(10.0, 25.0, "pads"), Stretch(4.0, 4.0, "bollard").is_point
+    (Stretch(start=10.0, end=25.0, name='pads'), True)
     """
 
     start: float
@@ -189,6 +194,12 @@ class Outline:
         distances : (n,) [m]
         arc_lengths : (n,) [m]
             Of the nearest boundary points.
+
+        Examples
+        --------
+        >>> square = Outline([(0, 0), (2, 0), (2, 2), (0, 2)])
+        >>> [values.tolist() for values in square.nearest([(1, -3), (2.5, 1)])]
+        [[3.0, 0.5], [1.0, 3.0]]
         """
         wanted = np.asarray(points, dtype=float).reshape(-1, 2)
         distances = np.full(len(wanted), np.inf)
@@ -247,6 +258,14 @@ class Outline:
         ------
         ContactInvalid
             If the point is off the boundary; the message gives the nearest point on it.
+
+        Examples
+        --------
+        >>> square = Outline([(0, 0), (2, 0), (2, 2), (0, 2)])
+        >>> square.at_point((2, 0.5)).arc_length
+        2.5
+        >>> square.at_point((2, 2)).is_corner
+        True
         """
         wanted = as_point(point)
         if not np.isfinite(wanted).all():
@@ -381,6 +400,12 @@ class Outline:
             If there is no such edge.
         ZoneInvalid
             If the distances are not ordered within [0, the edge's length].
+
+        Examples
+        --------
+        >>> square = Outline([(0, 0), (2, 0), (2, 2), (0, 2)], edge_names=["s", "e", "n", "w"])
+        >>> square.stretch("e", 0.5, 1.5)
+        Stretch(start=2.5, end=3.5, name='e')
         """
         index = self.edge_index(edge)
         length = float(self.lengths[index])
@@ -395,7 +420,14 @@ class Outline:
         return Stretch(first, last, name or self.edge_label(index))
 
     def contains(self, point: ArrayLike) -> bool:
-        """Tell whether a point is inside the outline or on its boundary."""
+        """Tell whether a point is inside the outline or on its boundary.
+
+        Examples
+        --------
+        >>> square = Outline([(0, 0), (2, 0), (2, 2), (0, 2)])
+        >>> square.contains((1, 1)), square.contains((2, 1)), square.contains((3, 1))
+        (True, True, False)
+        """
         x, y = np.asarray(point, dtype=float)
         if self.nearest((x, y))[0][0] <= self.tolerance:
             return True

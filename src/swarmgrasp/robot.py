@@ -40,6 +40,11 @@ class Robot:
     ------
     RobotInvalid
         If a number is not finite or the limit is not positive; all faults at once.
+
+    Examples
+    --------
+    >>> Robot((2.0, 0.5), direction=3.14, limit=600e3, name="Ajax").limit
+    600000.0
     """
 
     contact: tuple[float, float]
@@ -86,6 +91,13 @@ class Newcomer:
     ------
     RobotInvalid
         If a value is outside its range; all faults at once.
+
+    Examples
+    --------
+    A tug of 60 t that pushes within 30 degrees of square.
+
+    >>> Newcomer(60 * 9806.65, "push", half_angle=0.52).attachment
+    'push'
     """
 
     limit: float = 1.0
@@ -123,6 +135,13 @@ class Zone:
     ------
     ZoneInvalid
         If a value is outside its range; all faults at once.
+
+    Examples
+    --------
+    Pads to push on, and a bollard to pull from.
+
+    >>> pads = Zone(Stretch(10.0, 25.0, "pads"))
+    >>> bollard = Zone(Stretch(4.0, 4.0, "bollard"), attachment="pull", half_angle=1.0)
     """
 
     stretch: Stretch
@@ -156,6 +175,11 @@ class Zone:
         ----------
         lo, hi : float [rad]
             ``0 <= hi - lo <= pi``.
+
+        Examples
+        --------
+        >>> Zone(Stretch(0.0, 1.0), directions=(0.5, 2.0)).sectors(-1.0, 1.0)
+        [(0.5, 1.0)]
         """
         if self.directions is None:
             return [(lo, hi)]

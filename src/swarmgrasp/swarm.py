@@ -113,7 +113,14 @@ class Swarm:
         return self.robots[index].name or f"robot {index}"
 
     def with_robot(self, robot: Robot) -> "Swarm":
-        """Return the swarm with one robot more."""
+        """Return the swarm with one robot more.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> len(Swarm(square, []).with_robot(Robot((1, 0), direction=3.14)))
+        1
+        """
         crew = (*self.robots, robot)
         return Swarm(self.outline, crew, self.characteristic_length, self.force_weights)
 
@@ -132,6 +139,11 @@ def wrenches(
     Returns
     -------
     (n, 3) [N, N, N m]
+
+    Examples
+    --------
+    >>> wrenches(np.array([[1.0, 0.5]]), np.array([0.0]), np.array([2.0])).tolist()
+    [[2.0, 0.0, -1.0]]
     """
     fx, fy = forces * np.cos(directions), forces * np.sin(directions)
     return np.column_stack([fx, fy, arms[:, 0] * fy - arms[:, 1] * fx])

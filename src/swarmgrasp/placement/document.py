@@ -68,7 +68,19 @@ def answer_text(answers: Placement | Sequence[Placement]) -> str:
 
 
 def write_answer(path: str | Path, answers: Placement | Sequence[Placement]) -> None:
-    """Write answers to a JSON file, whole or not at all."""
+    """Write answers to a JSON file, whole or not at all.
+
+    Examples
+    --------
+    >>> from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> crew = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7)]
+    >>> answer = place(Swarm(square, crew), Newcomer(attachment="push"))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_answer(f"{folder}/answer.json", answer)
+    ...     sorted(read_answer(f"{folder}/answer.json"))[:3]
+    ['digest', 'format', 'metric']
+    """
     write_whole(path, answer_text(answers).encode())
 
 

@@ -190,6 +190,12 @@ def robots_at(rows: Array, along: Array, across: Array) -> Array:
     Returns
     -------
     (r, 3) [1, 1, m]
+
+    Examples
+    --------
+    >>> piece = np.array([[0.0, -1.0, 2.0, -1.0, 0.0, 3.0]])  # from (0, -1) to (2, -1)
+    >>> robots_at(piece, np.array([0.5]), np.array([0.0])).tolist()
+    [[1.0, 0.0, 1.0]]
     """
     angles = rows[:, 4] + across * (rows[:, 5] - rows[:, 4])
     c, s = np.cos(angles), np.sin(angles)

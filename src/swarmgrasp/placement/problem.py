@@ -28,8 +28,16 @@ class Problem:
     Raises
     ------
     ZoneInvalid
-        If a stretch leaves the boundary or the spacing is not a finite length >= 0;
-        all faults at once.
+        If a stretch leaves the boundary, a no-go stretch is a single point, or the spacing
+        is not a finite length >= 0; all faults at once.
+
+    Examples
+    --------
+    >>> from swarmgrasp import Outline
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pads = (Zone(Stretch(0.0, 2.0, "pad")), Zone(Stretch(4.0, 6.0, "pad")))
+    >>> Problem(Swarm(square, []), Newcomer(), pads, spacing=0.5).zone_labels
+    ('pad (1)', 'pad (2)')
     """
 
     swarm: Swarm

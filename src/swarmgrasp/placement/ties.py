@@ -49,6 +49,7 @@ def break_tie(search: Search, found: Optimum, target: float) -> Array:
     covectors = (SHARPNESS / mean) * directions * search.weights
 
     def softness(robots: Array) -> Array:
+        """Return the sum of exp(-sharpness h) over directions with each robot: less is better."""
         return np.asarray(np.exp(-np.maximum(robots @ covectors.T, 0.0)) @ decay)
 
     grid, step = _grid(search.rows, np.flatnonzero(found.bounds >= target).tolist())
@@ -95,7 +96,14 @@ def _shares(count: int) -> Array:
 
 
 def even_directions(count: int) -> Array:
-    """Spread directions evenly over the sphere on a Fibonacci spiral, (count, 3)."""
+    """Spread directions evenly over the sphere on a Fibonacci spiral, (count, 3).
+
+    Examples
+    --------
+    >>> spread = even_directions(1000)
+    >>> bool(np.allclose(spread.mean(axis=0), 0.0, atol=1e-3))
+    True
+    """
     k = np.arange(count)
     z = 1.0 - (2.0 * k + 1.0) / count
     radius, turn = np.sqrt(1.0 - z * z), k * math.pi * (3.0 - math.sqrt(5.0))

@@ -96,6 +96,19 @@ def verify_document(document: dict[str, Any]) -> Verdict:
     ------
     AnswerInvalid
         If entries are missing or malformed; all of them are named.
+
+    Examples
+    --------
+    >>> from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
+    >>> from swarmgrasp.placement.document import document_of
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> crew = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7)]
+    >>> document = document_of(place(Swarm(square, crew), Newcomer(attachment="push")))
+    >>> bool(verify_document(document))
+    True
+    >>> document["placements"][0]["quality"] += 0.1
+    >>> verify_document(document).faults[0]
+    'the digest does not fit the content: the file was altered'
     """
     from swarmgrasp.placement.claims import read_claims
 
@@ -334,6 +347,12 @@ def exact_quality(generators: Array) -> float:
     ----------
     generators : (n, 3) [N]
         In the metric's coordinates.
+
+    Examples
+    --------
+    >>> cube = np.vstack([np.eye(3), -np.eye(3)])
+    >>> exact_quality(cube)
+    1.0
     """
     sizes = np.linalg.norm(generators, axis=1)
     least = math.inf
