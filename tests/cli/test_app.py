@@ -89,6 +89,24 @@ def test_a_reader_that_leaves_is_no_fault():
     assert (done.returncode in (0, 141), done.stderr) == (True, "")
 
 
+def test_files_are_written_whoever_reads_the_report(tmp_path):
+    """A reader that leaves at once does not cost the answer."""
+    target = tmp_path / "answer.json"
+    shell(f"swarmgrasp place model-ship --json {target} | true")
+    assert shell(f"swarmgrasp verify {target}").returncode == 0
+
+
+def test_closed_streams_are_no_traceback():
+    """`>&-` is told in one line, and complaints nobody hears go nowhere."""
+    done = shell("swarmgrasp schema >&-")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "standard output is closed; send it to a file, or to /dev/null\n"
+    done = shell("swarmgrasp quality - <&-")
+    assert (done.returncode, done.stderr) == (2, "<stdin>: is closed\n")
+    done = shell("swarmgrasp plaice 2>&-")
+    assert (done.returncode, done.stdout) == (2, "")
+
+
 def test_a_pipe_of_commands_verifies():
     """An answer goes from `place` to `verify` without a file."""
     done = shell("set -o pipefail; swarmgrasp place model-ship --json - | swarmgrasp verify -")

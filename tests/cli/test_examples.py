@@ -18,6 +18,7 @@ def test_prints_one(run):
 
 def test_writes_all_or_nothing(run, tmp_path):
     """Existing files are kept, and then nothing is written, unless forced."""
+    tmp_path = tmp_path / "new" / "folder"
     assert run("examples", "model-ship", "--write", tmp_path)[0] == 0
     kept = tmp_path / "model-ship.yaml"
     kept.write_text("mine")
@@ -34,6 +35,9 @@ def test_writes_all_or_nothing(run, tmp_path):
 def test_a_near_miss_is_answered_with_the_name(run):
     """A mistyped name is a fault with a suggestion."""
     status, said, complaints = run("examples", "deck-brage")
+    assert (status, said) == (2, "")
+    assert "did you mean 'deck-barge'?" in complaints
+    status, said, complaints = run("quality", "deck-brage")
     assert (status, said) == (2, "")
     assert "did you mean 'deck-barge'?" in complaints
 

@@ -39,6 +39,44 @@ def test_several_robots_have_a_row_each(run, pontoon):
     assert "for each robot given those before it" in said
 
 
+@pytest.mark.parametrize("robots", ["1.5", "0x2", "1_0", "0", "-1", "1001", "two"])
+def test_robots_are_a_whole_number(run, pontoon, robots):
+    """Nothing is rounded, and nothing read as another number than it looks."""
+    fault = f"--robots is {robots}; it should be a whole number from 1 to 1000\n"
+    assert run("place", pontoon, "--robots", robots) == (2, "", fault)
+
+
+def test_a_coarse_answer_is_not_called_the_best(run, pontoon):
+    """With a gap that matters, the headline promises no more than the proof."""
+    _, said, _ = run("place", pontoon, "--gap", 0.9)
+    (gap,) = re.findall(r"better by more than (\S+) %", said)
+    assert float(gap) > 0.1
+    assert said.startswith("Pontoon: best found place for E\n")
+
+
+def test_too_few_robots_are_told_how_many_it_takes(run, pontoon):
+    """Force closure takes four: with one there, three more."""
+    lines = pontoon.read_text().splitlines(keepends=True)
+    pontoon.write_text("".join([*lines[:4], lines[-1]]))
+    assert "(--robots 3 goes on from here)" in run("place", pontoon)[1]
+
+
+def test_newcomers_are_not_called_like_robots(run, pontoon):
+    """Several newcomers are numbered; a robot may be called so already."""
+    pontoon.write_text(pontoon.read_text().replace("name: B", "name: E 2"))
+    status, _, complaints = run("place", pontoon, "--robots", 2)
+    assert status == 2
+    assert "'E 2' is there already, and --robots 2 gives that name to a newcomer" in complaints
+
+
+def test_a_robot_without_a_place_is_told_with_the_file(run, pontoon):
+    """Which of several robots finds none, and in which file."""
+    pontoon.write_text(pontoon.read_text() + "spacing: 1.5\n")
+    status, said, complaints = run("place", pontoon, "--robots", 9)
+    assert (status, said) == (2, "")
+    assert re.match(rf"{re.escape(str(pontoon))}: only \d of 9 robots find a place: ", complaints)
+
+
 def test_runners_up_are_those_near_the_best(run):
     """--runners-up 1 asks for equals only; 0.9 also lists the other pads."""
     _, said, _ = run("place", "deck-barge")

@@ -33,6 +33,15 @@ def test_a_scenario_may_have_no_robots(run, pontoon):
     assert "there are no robots" in said
 
 
+def test_one_robot_spans_no_facet(run, pontoon):
+    """Who sets the quality is told from two robots on."""
+    pontoon.write_text("".join(pontoon.read_text().splitlines(keepends=True)[:4]))
+    status, said, _ = run("quality", pontoon)
+    assert status == 0
+    assert "Weakest wrench" in said
+    assert "Set by" not in said
+
+
 def test_json_holds_the_numbers(run, tmp_path):
     """The efficiency is the quality over sum u / pi (T3)."""
     target = tmp_path / "quality.json"

@@ -1,5 +1,6 @@
 import io
 import json
+import re
 import sys
 
 import pytest
@@ -42,6 +43,10 @@ def test_a_good_answer_is_verified(run, answer):
     assert (status, complaints) == (0, "")
     assert said.startswith(f"{answer}: verified\n")
     assert said.count("no allowed place exceeds") == 2
+    assert len(re.findall(r"the answer is (at most \S+ % below )?the best possible", said)) == 2
+    question = "a robot of 1.5000 kN, pushing within 28.65 deg of the normal; the whole boundary, "
+    assert f"Question  {question}no no-go stretches, no spacing\n" in said
+    assert "not whether the file asks your question" in said
     assert "Metric: force weights 1 and 1, characteristic length" in said
 
 
@@ -53,6 +58,7 @@ def test_standard_input_and_json(run, answer, monkeypatch):
     assert status == 0
     assert (verdict["verified"], verdict["faults"]) == (True, [])
     assert len(verdict["upper_bounds"]) == 2
+    assert 0.0 <= verdict["gap"] <= 2e-6
 
 
 @pytest.mark.parametrize("change", [move, lower, rename])
@@ -81,7 +87,9 @@ def test_a_forged_digest_does_not_help(run, answer, change):
         (None, "cannot be read"),
         ("{", ":1:2: "),
         ("[]", "an answer is a JSON object"),
-        ("{}", "placements: Field required"),
+        ("{}", ": not an answer file; `swarmgrasp place --json` writes one\n"),
+        ("name: x", ": not an answer file; `swarmgrasp place --json` writes one\n"),
+        ('{"format": "swarmgrasp answer 1"}', "placements: Field required"),
     ],
 )
 def test_what_is_no_answer_is_malformed(run, tmp_path, text, fault):

@@ -49,7 +49,7 @@ ROBOTS = {
     "{at: 1, direction: 0, limt: 1, limit: 1}": (
         "3:27: robots.0.limt: unknown key; did you mean 'limit'?"
     ),
-    "{at: 1, direction: 0}": "3:5: robots.0.limit: is missing: Largest force [units.force].",
+    "{at: 1, direction: 0}": "3:5: robots.0.limit: is missing; give the largest force",
     "{at: 1, at: 2, direction: 0, limit: 1}": (
         "3:13: robots.0.at: duplicate key; it is already given on line 3"
     ),
@@ -124,8 +124,16 @@ REST = {
         "(got [0, 7])"
     ),
     "no_go: [{from: 3, to: 3}]": (
-        "4:23: no_go.0.to: the stretch has no length; a single point is given by contact, theta, "
-        "at or along (got 3)"
+        "4:23: no_go.0.to: a single point forbids nothing, as the ends of a stretch are allowed; "
+        "give it a width (got 3)"
+    ),
+    "no_go: {a: b}": "4:8: no_go: should be a list (got {a: 'b'})",
+    "zones: [{from: 12, to: 0}]": (
+        "4:24: zones.0.to: the stretch has no length; a single point is given by contact, theta, "
+        "at or along (got 0)"
+    ),
+    "zones: [{name: z, at: 1}, {name: z, at: 2}]": (
+        "4:34: zones.1.name: is the name of zones.0 too; names should differ (got 'z')"
     ),
     "no_go: [{from: 3}]": "4:9: no_go.0: should say where, by edge, or from and to",
     "spacing: -1": "4:10: spacing: should be at least 0 (got -1)",
@@ -215,6 +223,62 @@ def test_a_bad_outline_hides_no_other_fault() -> None:
     ]
 
 
+NAMES = {
+    "{name: A +, at: 1, direction: 0, limit: 1}\n": "4:12: robots.1.name: is called 'A +', which ",
+    "{name: B, at: 1, direction: 0, limit: 1}\nnewcomer: {name: A -, limit: 1}\n": (
+        "5:18: newcomer.name: is the name of robots.1 too; names should differ (got 'A -')"
+    ),
+    "{name: newcomer, at: 1, direction: 0, limit: 1}\nnewcomer: {limit: 1}\n": (
+        "5:11: newcomer: is called 'newcomer', which is the name of robots.0 too"
+    ),
+}
+
+
+@pytest.mark.parametrize("rest", NAMES)
+def test_names_differ_once_two_way_robots_are_two(rest: str) -> None:
+    """Robots and the newcomer can be told apart in every report."""
+    two_way = "  - {name: A, at: 2, direction: 0, limit: 1, two_way: true}\n"
+    first, _, others = rest.partition("\n")
+    (fault,) = told(f"{HEAD}  - {first}\n{two_way}{others}")
+    assert fault.startswith(f"a.yaml:{NAMES[rest]}")
+
+
+@pytest.mark.parametrize(
+    "outline", ["[[0, 0], [4, x], [4, 2]]", "[[0, 0], [4, 4], [4, 0], [0, 4]]"]
+)
+def test_a_bad_outline_hides_no_fault_that_needs_no_outline(outline: str) -> None:
+    """Contacts given twice or not at all, half angles, and stretches the wrong way round."""
+    faults = told(
+        f"outline: {{vertices: {outline}, edges: [a, b, a, c]}}\n"
+        "robots: [{at: 1, theta: 1, direction: 0, limit: 1}, {direction: 0, limit: 1}]\n"
+        "newcomer: {limit: 1, attachment: push, half_angle: 3}\n"
+        "zones: [{}, {edge: c, from: 3, to: 1}]\nno_go: [{from: 1, to: 1}]\n"
+    )
+    keys = [fault.split(": ")[1] for fault in faults]
+    assert keys[0].startswith("outline.vertices")
+    assert keys[1:] == [
+        "outline.edges.2",
+        "robots.0",
+        "robots.1",
+        "newcomer.half_angle",
+        "zones.0",
+        "zones.1.from",
+        "no_go.0.to",
+    ]
+
+
+def test_a_faulty_edge_name_hides_no_place() -> None:
+    """Points are still located; only references to edges by name are left alone."""
+    text = "outline: {{vertices: [[0, 0], [4, 0], [4, 2], [0, 2]], edges: {}}}\nrobots:\n"
+    robots = (
+        "  - {at: 99, direction: 0, limit: 1}\n  - {edge: b, along: 9, direction: 0, limit: 1}\n"
+    )
+    twice = [fault.split(": ")[1] for fault in told(text.format("[a, b, a, c]") + robots)]
+    assert twice == ["outline.edges.2", "robots.0.at", "robots.1.along"]
+    few = [fault.split(": ")[1] for fault in told(text.format("[a, b]") + robots)]
+    assert few == ["outline.edges", "robots.0.at"]
+
+
 def test_a_flood_of_faults_is_cut() -> None:
     """After fifty faults only their number is told."""
     faults = told(HEAD + "  - {at: 1, direction: 0, limit: 0}\n" * 60)
@@ -238,7 +302,9 @@ def test_a_file_that_cannot_be_read_is_told_by_name(tmp_path: Path) -> None:
 
 
 def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path) -> None:
-    """The size is enough to say no."""
+    """The size is enough to say no; where there is none, no more is read than allowed."""
+    with pytest.raises(ScenarioInvalid, match="/dev/zero:1:1: is too large"):
+        load_scenario("/dev/zero")
     huge = tmp_path / "huge.yaml"
     with huge.open("wb") as file:
         file.truncate(10_000_000)

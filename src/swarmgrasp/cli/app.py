@@ -21,6 +21,7 @@ from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
+COMMANDS = (place, quality, verify, plot, examples, schema)
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
 
@@ -59,8 +60,10 @@ def build() -> App:
         print_error=False,
         result_action="return_value",
     )
-    for command in (place, quality, verify, plot, examples, schema):
-        app.command(command, help_epilogue="")
+    for command in COMMANDS:
+        # cyclopts would call an argument that may be left out [ARGS]
+        usage = "Usage: swarmgrasp examples [OPTIONS] [NAME]" if command is examples else None
+        app.command(command, help_epilogue="", usage=usage)
     return app
 
 
@@ -78,13 +81,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status.
     """
     given = hidden(sys.argv[1:] if arguments is None else arguments)
+    if not _has_streams():
+        return WRONG_INPUT
     if isinstance(sys.stdout, io.TextIOWrapper):  # a name must not break an ASCII terminal
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         status = build()(given)
         sys.stdout.flush()
     except CycloptsError as error:
-        command = next((word for word in given[:1] if word in _commands()), "")
+        known = {command.__name__ for command in COMMANDS}
+        command = next((word for word in given[:1] if word in known), "")
         complain(
             [shown(str(error)), f"For help: swarmgrasp {command + ' ' if command else ''}--help"]
         )
@@ -107,9 +113,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def run() -> NoReturn:
     """Run the process's command and end it at once: to take LLVM down would cost 0.4 s."""
     status = main()
-    sys.stdout.flush()
-    sys.stderr.flush()
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:  # closed by `>&-`
+            stream.flush()
     os._exit(status)
+
+
+def _has_streams() -> bool:
+    """Tell whether there is a standard output; complain if not, and see to a standard error."""
+    if sys.stderr is None:  # what is printed there would go to standard output
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115
+    if sys.stdout is None:
+        complain(["standard output is closed; send it to a file, or to /dev/null"])
+    return sys.stdout is not None
 
 
 def _without_boxes() -> DefaultFormatter:
@@ -117,10 +133,6 @@ def _without_boxes() -> DefaultFormatter:
     from rich.box import Box
 
     return DefaultFormatter(panel_spec=PanelSpec(box=Box("    \n" * 8), padding=(0, 0)))
-
-
-def _commands() -> set[str]:
-    return {command.__name__ for command in (place, quality, verify, plot, examples, schema)}
 
 
 def _version() -> str:

@@ -33,5 +33,5 @@ def _convert(_: Any, tokens: Sequence[Any]) -> str:
     return shown(tokens[0].value)
 
 
-Dashed = Annotated[str, Parameter(converter=_convert)]
+Dashed = Annotated[str, Parameter(converter=_convert, metavar="PATH")]
 """A path, or "-"."""

@@ -25,8 +25,8 @@ def examples(
     name
         Print this one; with --write, write only this one.
     write
-        Folder to write NAME.yaml files into. Existing files are kept, and then nothing
-        is written at all.
+        Folder to write NAME.yaml files into, created if need be. Existing files are kept,
+        and then nothing is written at all.
     force
         Overwrite existing files.
     """
@@ -49,8 +49,9 @@ def _write(folder: Path, texts: dict[str, str], force: bool) -> None:
     from swarmgrasp.placement.document import write_whole
 
     paths = {name: folder / f"{name}.yaml" for name in texts}
-    if not folder.is_dir():
-        raise UsageFault(f"{folder}: there is no such folder; create it first")
+    if os.path.lexists(folder) and not folder.is_dir():
+        raise UsageFault(f"{folder}: this is no folder")
+    folder.mkdir(parents=True, exist_ok=True)
     if not os.access(folder, os.W_OK):
         raise UsageFault(f"{folder}: this folder may not be written to")
     there = [path for path in paths.values() if os.path.lexists(path)]

@@ -48,23 +48,25 @@ def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
 
 def _scenario(file: str) -> "Scenario":
     from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
+    from swarmgrasp.scenario.faults import nearest_name
     from swarmgrasp.scenario.reading import LARGEST_FILE
 
     if file == DASH:
-        raw = read_stdin(LARGEST_FILE)
-        try:
-            return parse_scenario(raw.decode("utf-8-sig"), STDIN)
-        except UnicodeDecodeError as error:
-            raise UsageFault(f"{STDIN}: not UTF-8 (byte {error.start})") from None
+        return parse_scenario(read_stdin(LARGEST_FILE), STDIN)
     if not os.path.lexists(file):
-        known = example_names()
+        known = list(example_names())
         if file in known:
             return load_example(file)
         raise UsageFault(
-            f"{file}: there is no such file, and no built-in example of that name; "
-            f"the examples: {', '.join(known)}"
+            f"{file}: there is no such file, and no built-in example of that name"
+            f"{nearest_name(file, known)}"
         )
     return load_scenario(file)
+
+
+def source_of(file: str) -> str:
+    """Return what messages call a file."""
+    return STDIN if file == DASH else file
 
 
 def read_stdin(largest: int) -> bytes:
@@ -73,11 +75,13 @@ def read_stdin(largest: int) -> bytes:
     Raises
     ------
     UsageFault
-        If it is larger than a number of bytes.
+        If it is closed, or larger than a number of bytes.
     """
+    if sys.stdin is None:
+        raise UsageFault(f"{STDIN}: is closed")
     raw = sys.stdin.buffer.read(largest + 1)
     if len(raw) > largest:
-        raise UsageFault(f"{STDIN}: is too large; it should have at most {largest} bytes")
+        raise UsageFault(f"{STDIN}:1:1: is too large; it should have at most {largest} bytes")
     return raw
 
 
@@ -112,20 +116,21 @@ def print_json(text: str) -> None:
     sys.stdout.write(text)
 
 
-def put_json(path: str | None, data: dict[str, Any]) -> None:
-    """Write data as JSON to a file and say so, or to standard output for "-"."""
-    if path is None:
-        return
+def json_text(data: dict[str, Any]) -> str:
+    """Return data as the text of a JSON file."""
     import json
 
-    text = json.dumps(data, indent=1, ensure_ascii=False) + "\n"
-    if path == DASH:
-        print_json(text)
-        return
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+
+
+def put_json(path: str | None, data: dict[str, Any]) -> list[str]:
+    """Write data as JSON to a file; return the files written, none for "-" or None."""
+    if path in (None, DASH):
+        return []
     from swarmgrasp.placement.document import write_whole
 
-    write_whole(path, text.encode())
-    print(f"wrote {path}")
+    write_whole(str(path), json_text(data).encode())
+    return [str(path)]
 
 
 def json_faults(path: str | Path | None) -> list[str]:

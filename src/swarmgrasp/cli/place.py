@@ -1,7 +1,10 @@
 """`swarmgrasp place`: where the next robot goes."""
 
+import re
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.inputs import (
@@ -11,20 +14,25 @@ from swarmgrasp.cli.inputs import (
     output_faults,
     print_json,
     read_scenario,
+    source_of,
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.report import told_written
+from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import Placement
     from swarmgrasp.scenario import Scenario
+
+MOST_ROBOTS = 1000
+"""That one command places."""
 
 
 def place(
     file: Dashed,
     /,
     *,
-    robots: int = 1,
+    robots: Annotated[str, Parameter(metavar="INT")] = "1",
     gap: float = 1e-6,
     runners_up: float = 0.9,
     plot: Path | None = None,
@@ -42,10 +50,11 @@ def place(
     file
         Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
     robots
-        How many robots like the newcomer to place, one after the other: each is best
-        given those before it.
+        How many robots like the newcomer to place, one after the other, 1 to 1000: each
+        is best given those before it.
     gap
-        Stop when no place can be better by more than this share, between 0 and 1.
+        Stop when no place can be better by more than this share, relative to the answer;
+        between 0 and 1, both excluded.
     runners_up
         Also list the best place on every other edge or zone that reaches this share of
         the best quality, from 0 (all that help) to 1 (only equals).
@@ -59,15 +68,8 @@ def place(
     faults = _number_faults(robots, gap, runners_up) + json_faults(json)
     faults += output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
-    answers = solve(scenario, file, robots, gap, runners_up)
-    if json == DASH:
-        from swarmgrasp.placement.document import answer_text
-
-        print_json(answer_text(answers))
-    else:
-        from swarmgrasp.cli.placed import show
-
-        show(scenario.name, answers)
+    answers = solve(scenario, file, int(robots), gap, runners_up)
+    # files first: whoever reads the report may leave before its end
     written: list[str | Path] = []
     if json not in (None, DASH):
         from swarmgrasp.placement import write_answer
@@ -78,6 +80,14 @@ def place(
         from swarmgrasp.cli.pictures import pictures
 
         written += pictures(_beside(plot), scenario.swarm, answers)
+    if json == DASH:
+        from swarmgrasp.placement.document import answer_text
+
+        print_json(answer_text(answers))
+    else:
+        from swarmgrasp.cli.placed import show
+
+        show(scenario.name, answers)
     told_written(written, aside=json == DASH)
 
 
@@ -97,28 +107,41 @@ def solve(
     Raises
     ------
     UsageFault
-        If the scenario has no newcomer.
+        If the scenario has no newcomer, leaves it no place, or has a robot of its name.
     """
+    source = source_of(file)
     if scenario.newcomer is None:
         raise UsageFault(
-            f"{file}: has no newcomer to place; add one, such as "
+            f"{source}:1:1: has no newcomer to place; add one, such as "
             "`newcomer: {limit: 100, attachment: push}`"
+        )
+    called = scenario.newcomer.name or "newcomer"
+    names = {f"{called} {k}" for k in range(1, robots + 1)} if robots > 1 else set()
+    taken = [repr(robot.name) for robot in scenario.swarm.robots if robot.name in names]
+    if taken:
+        raise UsageFault(
+            f"{source}: {', '.join(taken)} is there already, and --robots {robots} gives that name "
+            "to a newcomer; names should differ"
         )
     from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.placement import Problem, place_sequence
 
     prepare_kernels(placing=True)
-    problem = Problem(
-        scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
-    )
-    return place_sequence(problem, robots, gap=gap, runners_up=runners_up)
+    try:
+        problem = Problem(
+            scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
+        )
+        return place_sequence(problem, robots, gap=gap, runners_up=runners_up)
+    except SwarmGraspError as error:
+        raise UsageFault(f"{source}: {fault}" for fault in error.faults) from error
 
 
-def _number_faults(robots: int, gap: float, runners_up: float) -> list[str]:
+def _number_faults(robots: str, gap: float, runners_up: float) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = []
-    if robots < 1:
-        faults.append(f"--robots is {robots}; it should be at least 1")
+    # int() would also take 1_0, and cyclopts 1.5 and 0x2
+    if not (re.fullmatch(r"[0-9]{1,9}", robots) and 1 <= int(robots) <= MOST_ROBOTS):
+        faults.append(f"--robots is {robots}; it should be a whole number from 1 to {MOST_ROBOTS}")
     if not 0.0 < gap < 1.0:
         faults.append(f"--gap is {gap:g}; it should be between 0 and 1, both excluded")
     if not 0.0 <= runners_up <= 1.0:

@@ -9,6 +9,8 @@ from swarmgrasp.robot import Robot
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
+COARSE = 1e-3
+"""Relative gap above which an answer is the best found, and not called the best."""
 
 
 def show(name: str, answers: Sequence[Placement]) -> None:
@@ -38,16 +40,20 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
     """Tell where one newcomer goes."""
     robot = answer.robot
     if answer.improves:
-        report.headline(f"{name}: the best place for {robot.name}", "good")
+        best = "best found place" if _is_coarse(answer) else "the best place"
+        report.headline(f"{name}: {best} for {robot.name}", "good")
         why = []
     else:
-        report.headline(f"{name}: no allowed place for {robot.name} raises the quality", "caution")
+        none = "no place found" if _is_coarse(answer) else "no allowed place"
+        report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
+        # force closure takes four robots
+        enough = max(2, 4 - len(answer.problem.swarm))
         why = [
             ("Why", answer.reason),
             (
                 "Suggestion",
                 f"{robot.name} adds nothing now; of all places this one prepares best for the "
-                "next robot (--robots 2 goes on from here)",
+                f"next robot (--robots {enough} goes on from here)",
             ),
         ]
     placed = _stance(answer)
@@ -128,11 +134,17 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces)
             rows.append([
                 *([answer.robot.name] if several else []), runner.place,
                 *_numbers(runner.robot, placed, lengths), unit.number(runner.quality),
-                percent(runner.quality / answer.quality), placed.short,
+                f"{100.0 * runner.quality / answer.quality:.1f} %", placed.short,
             ])  # fmt: skip
     report.blank()
-    report.headline("Next best: the best robot on each other edge or zone")
+    best = "best found" if any(map(_is_coarse, told)) else "best"
+    report.headline(f"Next best: the {best} robot on each other edge or zone")
     report.table(columns, rows)
+
+
+def _is_coarse(answer: Placement) -> bool:
+    """Tell whether another place may be better by a share that matters."""
+    return answer.gap > COARSE * answer.quality
 
 
 def _stance(answer: Placement) -> Stance:
@@ -184,4 +196,5 @@ def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
             if answer.quality
             else f"no allowed place exceeds {unit.text(answer.upper_bound)}"
         )
-    return f"{said} (upper bound {unit.text(answer.upper_bound)})" if bound else said
+    early = "; the search stopped before the gap asked for" if answer.stopped_early else ""
+    return f"{said} (upper bound {unit.text(answer.upper_bound)}){early}" if bound else said + early

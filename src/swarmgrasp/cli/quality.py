@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.cli.dash import DASH, Dashed
-from swarmgrasp.cli.inputs import json_faults, put_json, read_scenario
+from swarmgrasp.cli.inputs import json_faults, json_text, print_json, put_json, read_scenario
+from swarmgrasp.cli.report import told_written
 
 if TYPE_CHECKING:
     from swarmgrasp.cli.report import Forces, Report
@@ -35,9 +36,13 @@ def quality(file: Dashed, /, *, json: Dashed | None = None) -> None:
 
     prepare_kernels(placing=False)
     found = quality_of(scenario.swarm)
-    if json != DASH:
-        show(scenario, found)
-    put_json(json, data_of(scenario, found))
+    data = data_of(scenario, found)
+    if json == DASH:
+        print_json(json_text(data))
+        return
+    written = put_json(json, data)  # before the report, whose reader may leave
+    show(scenario, found)
+    told_written(written)
 
 
 def data_of(scenario: "Scenario", found: "Quality") -> dict[str, Any]:
@@ -112,8 +117,8 @@ def _weakest(swarm: "Swarm", found: "Quality", unit: "Forces") -> list[tuple[str
         facts = [("Weakest wrench", words), ("", most_there)]
     else:
         facts = [("Weakest wrench", f"{words}: the robots exert nothing that way")]
-    names = ", ".join(swarm.robot_label(i) for i in found.facet_robots)
-    if names:
+    if len(found.facet_robots) > 1:
+        names = ", ".join(swarm.robot_label(i) for i in found.facet_robots)
         facts.append(("Set by", f"{names}: their wrenches span the weakest facet"))
     return facts
 

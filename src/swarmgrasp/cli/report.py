@@ -138,12 +138,18 @@ class Report:
 
     @staticmethod
     def _fitting(room: int, columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> list[int]:
-        """Return the columns to show in a number of characters: spare ones go, last first."""
+        """Return the columns to show in a number of characters.
+
+        Spare ones go, last first; then numbers, first first, y with x; never the names.
+        """
         cells = [[column.name for column in columns], *rows]
         widths = [max(map(len, column)) + len(GAP) for column in zip(*cells, strict=True)]
         kept = list(range(len(columns)))
-        for index in reversed(range(len(columns))):
-            if columns[index].is_spare and sum(widths[i] for i in kept) > room:
+        spare = [index for index in reversed(kept) if columns[index].is_spare]
+        numbers = [index for index in kept if columns[index].is_number and index not in spare]
+        for index in spare + numbers:
+            x_is_gone = columns[index].name == "y [m]" and index - 1 not in kept
+            if x_is_gone or sum(widths[i] for i in kept) - len(GAP) > room:
                 kept.remove(index)
         return kept
 

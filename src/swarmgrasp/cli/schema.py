@@ -9,8 +9,7 @@ def schema() -> None:
     Then write this on the first line of a scenario, for editors with a YAML language
     server, and it completes and checks: # yaml-language-server: $schema=scenario.schema.json
     """
-    from swarmgrasp.cli.dash import DASH
-    from swarmgrasp.cli.inputs import put_json
+    from swarmgrasp.cli.inputs import json_text, print_json
     from swarmgrasp.scenario import scenario_schema
 
-    put_json(DASH, scenario_schema())
+    print_json(json_text(scenario_schema()))

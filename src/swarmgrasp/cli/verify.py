@@ -1,23 +1,38 @@
 """`swarmgrasp verify`: check an answer without trusting it."""
 
+import math
+import os
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.cli.dash import DASH, Dashed
-from swarmgrasp.cli.inputs import STDIN, json_faults, put_json, read_stdin
-from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.cli.inputs import (
+    STDIN,
+    json_faults,
+    json_text,
+    print_json,
+    put_json,
+    read_stdin,
+    source_of,
+)
+from swarmgrasp.cli.report import Forces, Report, percent, told_written
+from swarmgrasp.cli.words import degrees
+from swarmgrasp.errors import AnswerInvalid, SwarmGraspError
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import Verdict
 
 REFUSED = 1
+FEWEST = 1e-12
+"""Relative gap below which bound and answer count as equal."""
 
 
 def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
     """Check an answer of `swarmgrasp place --json`, trusting nothing.
 
-    Everything is recomputed from the file by code that shares nothing with the search:
-    that every robot stands where it may, every quality, and that no allowed place exceeds
-    the upper bound.
+    Recomputed from the file, by code that shares nothing with the search, are: that every
+    robot stands where it may, every quality, and that no allowed place exceeds the upper
+    bound. Not checked are the reason given in words, and whether the file asks your question.
 
     Exit status: 0 verified, 1 refused, 2 when the file cannot be read as an answer.
 
@@ -33,45 +48,77 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
     faults = json_faults(json)
     try:
         document = _read(answer)
-    except AnswerInvalid as error:
+    except SwarmGraspError as error:
         raise AnswerInvalid([*faults, *error.faults]) from None
     if faults:
         raise AnswerInvalid(faults)
     from swarmgrasp.placement import verify_document
 
-    name = STDIN if answer == DASH else answer
+    name = source_of(answer)
     try:
         verdict = verify_document(document)
     except AnswerInvalid as error:
         raise AnswerInvalid(f"{name}: {fault}" for fault in error.faults) from None
-    if json != DASH:
+    data = data_of(document, verdict)
+    if json == DASH:
+        print_json(json_text(data))
+    else:
+        written = put_json(json, data)  # before the report, whose reader may leave
         show(name, document, verdict)
-    put_json(json, data_of(verdict))
+        told_written(written)
     return 0 if verdict else REFUSED
 
 
 def _read(answer: str) -> dict[str, Any]:
-    """Read an answer from a file or from standard input."""
+    """Read an answer from a file or from standard input; tell at once what is none."""
     from swarmgrasp.placement import parse_answer, read_answer
     from swarmgrasp.placement.document import LARGEST_FILE
 
-    return parse_answer(read_stdin(LARGEST_FILE), STDIN) if answer == DASH else read_answer(answer)
+    name = source_of(answer)
+    no_answer = f"{name}: not an answer file; `swarmgrasp place --json` writes one"
+    try:
+        if answer == DASH:
+            document = parse_answer(read_stdin(LARGEST_FILE), STDIN)
+        else:
+            document = read_answer(answer)
+    except AnswerInvalid as error:
+        readable = answer == DASH or (os.access(answer, os.R_OK) and not Path(answer).is_dir())
+        raise AnswerInvalid([*[no_answer][: int(readable)], *error.faults]) from None
+    if not str(document.get("format")).startswith("swarmgrasp answer "):
+        raise AnswerInvalid(no_answer)
+    return document
 
 
-def data_of(verdict: "Verdict") -> dict[str, Any]:
-    """Return a verdict as plain data."""
+def data_of(document: dict[str, Any], verdict: "Verdict") -> dict[str, Any]:
+    """Return a verdict as plain data; what is infinite, as null.
+
+    The gap is the largest of all placements, relative to the answer.
+    """
+    pairs = zip(document["placements"], verdict.upper_bounds, strict=True)
+    gap = max(gap_of(claim["quality"], bound) for claim, bound in pairs)
     return {
         "verified": bool(verdict),
         "faults": list(verdict.faults),
-        "upper_bounds": list(verdict.upper_bounds),
+        "upper_bounds": [b if math.isfinite(b) else None for b in verdict.upper_bounds],
+        "gap": gap if math.isfinite(gap) else None,
     }
+
+
+def gap_of(quality: float, bound: float) -> float:
+    """Return by how much a bound exceeds a quality, relative to the quality.
+
+    Examples
+    --------
+    >>> gap_of(2.0, 2.5), gap_of(2.0, 1.9999999), gap_of(0.0, 0.0), gap_of(0.0, 1.0)
+    (0.25, 0.0, 0.0, inf)
+    """
+    if bound <= quality:
+        return 0.0
+    return (bound - quality) / quality if quality > 0.0 else math.inf
 
 
 def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
     """Write a verdict for people."""
-    from swarmgrasp.cli.report import Forces, Report
-    from swarmgrasp.cli.words import degrees
-
     report = Report()
     if verdict:
         report.headline(f"{name}: verified", "good")
@@ -82,22 +129,33 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         return
     report.blank()
     placements = document["placements"]
-    facts = []
-    for claim, bound in zip(placements, verdict.upper_bounds, strict=True):
+    questions = list(map(_question, placements))
+    is_one = len(set(questions)) == 1
+    facts = [("Question", questions[0])] if is_one else []
+    for claim, bound, asked in zip(placements, verdict.upper_bounds, questions, strict=True):
         unit = Forces.for_size(claim["quality"], bound)
         robot = claim["robot"]
         x, y = robot["contact"]
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
+        gap = gap_of(claim["quality"], bound)
+        near = f"the answer is at most {percent(gap)} below the best possible"
+        near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
         facts += [
+            *([] if is_one else [("Question", asked)]),
             (robot["name"], f"at ({x:.6g}, {y:.6g}) m, {degrees(robot['direction'])} deg"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
+            *([("", near)] if math.isfinite(gap) else []),
         ]
     report.facts(facts)
     report.blank()
     report.sentence(
         "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
         "a bound for every allowed place."
+    )
+    report.sentence(
+        "Checked is the answer to the question in the file, not whether the file asks your "
+        "question; reasons given in words are not checked."
     )
     metric = document["metric"]
     a1, a2 = metric["force_weights"]
@@ -107,5 +165,20 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
     )
 
 
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
+def _question(claim: dict[str, Any]) -> str:
+    """Say what a placement was asked: the newcomer, and where it may attach."""
+    newcomer, zones = claim["newcomer"], claim["zones"]
+    limit = Forces.for_size(newcomer["limit"]).text(newcomer["limit"])
+    attachment, half = newcomer["attachment"], newcomer["half_angle"]
+    way = "pushing any way" if attachment == "free" else f"{attachment}ing"
+    if attachment != "free":
+        within = 90.0 if half is None else math.degrees(half)
+        way += f" within {within:.4g} deg of the normal"
+    where = "the whole boundary" if zones is None else _count(len(zones), "zone")
+    spacing = f"spacing {claim['spacing']:.6g} m" if claim["spacing"] else "no spacing"
+    no_go = _count(len(claim["no_go"]), "no-go stretch", "no-go stretches")
+    return f"a robot of {limit}, {way}; {where}, {no_go}, {spacing}"
+
+
+def _count(number: int, noun: str, several: str = "") -> str:
+    return f"{number or 'no'} {noun if number == 1 else several or noun + 's'}"

@@ -11,6 +11,7 @@ from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, robot_names, well_said
 from swarmgrasp.swarm import Swarm
 
 SMALLEST_EXTENT = 1e-6
@@ -37,12 +38,12 @@ def build(checked: Checked, default_name: str) -> Scenario:
     """
     file = checked.file
     units = Units(**file.units.model_dump())
-    _check_names(checked)
-    newcomer = _newcomer(checked, units)
+    said = well_said(checked, units)
     locator = _locator(checked, units)
     if locator is None:
         raise checked.faults.error()
-    robots, zones, no_go = _robots(locator), _zones(locator), _no_go(locator)
+    robots, zones = _robots(locator, said), _zones(locator, said)
+    no_go = _no_go(locator, said)
     if checked.faults:
         raise checked.faults.error()
     length = file.metric.characteristic_length
@@ -56,7 +57,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         name=file.name or default_name,
         description=file.description,
         swarm=swarm,
-        newcomer=newcomer,
+        newcomer=_newcomer(checked, units),
         zones=zones if file.zones is not None else None,
         no_go=no_go,
         spacing=units.metres(file.spacing),
@@ -67,9 +68,13 @@ def build(checked: Checked, default_name: str) -> Scenario:
 
 
 def _locator(checked: Checked, units: Units) -> Locator | None:
-    """Return the outline in the file's units and in metres, or None if it has faults."""
+    """Return the outline in the file's units and in metres, or None if it has faults.
+
+    Names of edges and an origin with faults, noted before, do not keep points from being
+    located: edges then go by their numbers, and rays and nothing else need the origin.
+    """
     section = checked.file.outline
-    if not all(checked.is_sound("outline", key) for key in ("vertices", "edges", "origin")):
+    if not checked.is_sound("outline", "vertices"):
         return None
     path: Path = ("outline", "vertices")
     try:
@@ -80,7 +85,7 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
                 f"{SMALLEST_EXTENT:g} {units.length}"
             )
         path = ("outline", "edges")
-        names = section.edges if section.edges is not None else [""] * len(plain)
+        names = _edge_names(checked, len(plain))
         labels = [name or f"edge {i}" for i, name in enumerate(names)]
         origin = None if section.origin == "centroid" else section.origin
         outline = Outline(section.vertices, origin, labels)
@@ -98,62 +103,41 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
     return Locator(outline, si, labels, units, checked)
 
 
+def _edge_names(checked: Checked, count: int) -> list[str]:
+    """Return the name of each edge, in the order of the file: "" where it has none, or a fault."""
+    written = checked.file.outline.edges
+    if written is None or not checked.is_sound("outline", "edges"):
+        return [""] * count
+    if len(written) != count:
+        said = f"there are {len(written)} edge names for {count} edges; give one per edge"
+        checked.fault(("outline", "edges"), said, got=False)
+        return [""] * count
+    return [name if name not in written[:i] else "" for i, name in enumerate(written)]
+
+
 # -- robots -------------------------------------------------------------------------------
 
 
-def _check_names(checked: Checked) -> None:
-    """Note a fault for every name that two robots share."""
-    seen: dict[str, int] = {}
-    for i, robot in enumerate(checked.file.robots):
-        first = seen.setdefault(robot.name, i)
-        if robot.name and first != i:
-            said = f"is the name of robots.{first} too; names should differ"
-            checked.fault(("robots", i, "name"), said)
-
-
-def _robots(locator: Locator) -> list[Robot]:
+def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
     """Return the robots, a two-way one as two."""
     robots = []
     for i, section in enumerate(locator.checked.file.robots):
         path: Path = ("robots", i)
-        place = _robot_place(section, path, locator)
+        place = _robot_place(section, path, locator) if path in said else None
         direction = _direction(section, path, place, locator)
         if place is None or direction is None:
             continue
-        signs = {"": 0.0}
-        if section.two_way:
-            signs = {f"{'' if section.name else f'robot {i}'} {s}": t for s, t in _BOTH_WAYS}
-        for sign, turn in signs.items():
-            robots.append(
-                Robot(
-                    contact=(
-                        locator.units.metres(place.point[0]),
-                        locator.units.metres(place.point[1]),
-                    ),
-                    direction=direction + turn,
-                    limit=locator.units.newtons(section.limit),
-                    name=section.name + sign,
-                    mounted=section.mounted,
-                )
-            )
+        x, y = (locator.units.metres(v) for v in place.point)
+        limit = locator.units.newtons(section.limit)
+        for name, turn in zip(robot_names(section, i), (0.0, math.pi), strict=False):
+            robots.append(Robot((x, y), direction + turn, limit, name, section.mounted))
     return robots
-
-
-_BOTH_WAYS = (("+", 0.0), ("-", math.pi))
 
 
 def _robot_place(section: RobotSection, path: Path, locator: Locator) -> Place | None:
     """Return where a robot is, or None after noting what is wrong with it."""
-    checked = locator.checked
-    sound = checked.is_known(*path) and checked.is_sound(*path, "mounted")
-    if not sound or not locator.has_one_way(path, point=True, stretch=False):
-        return None
     if not section.mounted:
         return locator.place(section, path)
-    if not checked.has(*path, "contact"):
-        said = "a mounted robot is given by its contact [x, y]"
-        checked.fault((*path, "mounted"), said, got=False)
-        return None
     if section.contact is None:
         return None
     return locator.inside(section.contact, (*path, "contact"))
@@ -163,79 +147,76 @@ def _direction(
     section: RobotSection, path: Path, place: Place | None, locator: Locator
 ) -> float | None:
     """Return the direction of a robot's force [rad], or None after noting a fault."""
-    wanted, path = section.direction, (*path, "direction")
+    wanted = section.direction
     if not isinstance(wanted, str):
         return locator.units.radians(wanted)
-    if section.mounted:
-        said = "a mounted robot touches no edge and has no normal; give an angle"
-        locator.checked.fault(path, said)
-    elif place is not None and place.inward is None:
+    if section.mounted or place is None:
+        return None  # noted already
+    if place.inward is None:
         said = (
             "the normal is ambiguous at a corner; give the contact by edge and along, or an angle"
         )
-        locator.checked.fault(path, said)
-    elif place is not None and place.inward is not None:
-        turn = 0.0 if wanted == "inward" else math.pi
-        return math.remainder(place.inward + turn, 2.0 * math.pi)
-    return None
+        locator.checked.fault((*path, "direction"), said)
+        return None
+    turn = 0.0 if wanted == "inward" else math.pi
+    return math.remainder(place.inward + turn, 2.0 * math.pi)
 
 
 def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
     """Return the robot to place, if the file has one."""
-    section, path = checked.file.newcomer, ("newcomer",)
+    section = checked.file.newcomer
     if section is None:
         return None
     return Newcomer(
         limit=units.newtons(section.limit),
         attachment=section.attachment,
-        half_angle=_half_angle(section, path, checked, units),
+        half_angle=_half_angle(section, units),
         name=section.name,
     )
 
 
-def _half_angle(
-    section: NewcomerSection | ZoneSection, path: Path, checked: Checked, units: Units
-) -> float | None:
-    """Return a half angle [rad], or None if there is none or it has faults."""
-    half_angle, path_here = section.half_angle, (*path, "half_angle")
-    if half_angle is None:
+def _half_angle(section: NewcomerSection | ZoneSection, units: Units) -> float | None:
+    """Return a half angle [rad], or None if there is none."""
+    if section.half_angle is None:
         return None
-    right_angle = units.turn(0.25)
-    if not 0.0 <= half_angle <= right_angle and checked.is_sound("units"):
-        checked.fault(path_here, f"should lie in [0, {right_angle:.9g}] {units.angle}")
-        return None
-    if section.attachment in ("push", "pull"):
-        return min(units.radians(half_angle), math.pi / 2.0)
-    if checked.is_sound(*path, "attachment"):
-        said = "goes with attachment: push or pull only; a free one pushes in any direction"
-        checked.fault(path_here, said)
-    return None
+    return min(units.radians(section.half_angle), math.pi / 2.0)  # 90 deg, rounding aside
 
 
 # -- zones --------------------------------------------------------------------------------
 
 
-def _zones(locator: Locator) -> tuple[Zone, ...]:
-    """Return the zones that have no faults."""
-    checked, zones = locator.checked, []
-    for i, section in enumerate(checked.file.zones or []):
-        path: Path = ("zones", i)
-        half_angle = _half_angle(section, path, checked, locator.units)
-        directions = _directions(section, path, checked, locator.units)
-        stretch = _zone_stretch(section, path, locator)
+def _zones(locator: Locator, said: frozenset[Path]) -> tuple[Zone, ...]:
+    """Return the zones; none of them once there are faults."""
+    checked, units = locator.checked, locator.units
+    found = [
+        (section, _zone_stretch(section, ("zones", i), locator))
+        for i, section in enumerate(checked.file.zones or [])
+        if ("zones", i) in said
+    ]
+    if checked.faults:
+        return ()
+    zones = []
+    for section, stretch in found:
+        directions = section.directions
         if stretch is not None:
-            zones.append(Zone(stretch, section.attachment, half_angle, directions))
+            zones.append(
+                Zone(
+                    stretch,
+                    section.attachment,
+                    _half_angle(section, units),
+                    (units.radians(directions[0]), units.radians(directions[1]))
+                    if directions
+                    else None,
+                )
+            )
     return tuple(zones)
 
 
 def _zone_stretch(section: ZoneSection, path: Path, locator: Locator) -> Stretch | None:
     """Return a zone's stretch or point [m], or None after noting a fault."""
-    checked = locator.checked
-    if not checked.is_known(*path) or not locator.has_one_way(path, point=True, stretch=True):
-        return None
-    is_point = any(checked.has(*path, key) for key in ("contact", "theta", "at", "along"))
+    is_point = any(locator.checked.has(*path, key) for key in ("contact", "theta", "at", "along"))
     if not is_point:
-        return locator.stretch(section, path)
+        return locator.stretch(section, path, NO_LENGTH)
     place = locator.place(section, path)
     if place is None:
         return None
@@ -243,24 +224,11 @@ def _zone_stretch(section: ZoneSection, path: Path, locator: Locator) -> Stretch
     return Stretch(arc, arc, section.name)
 
 
-def _no_go(locator: Locator) -> tuple[Stretch, ...]:
+def _no_go(locator: Locator, said: frozenset[Path]) -> tuple[Stretch, ...]:
     """Return the no-go stretches that have no faults."""
-    checked, stretches = locator.checked, []
-    for i, section in enumerate(checked.file.no_go):
-        path: Path = ("no_go", i)
-        if checked.is_known(*path) and locator.has_one_way(path, point=False, stretch=True):
-            stretches.append(locator.stretch(section, path))
-    return tuple(stretch for stretch in stretches if stretch is not None)
-
-
-def _directions(
-    section: ZoneSection, path: Path, checked: Checked, units: Units
-) -> tuple[float, float] | None:
-    """Return a zone's range of directions [rad, rad], or None if there is none."""
-    if section.directions is None:
-        return None
-    first, last = section.directions
-    if abs(last - first) >= units.turn(1.0) and checked.is_sound("units"):
-        said = "spans a full turn, which limits nothing; leave it out"
-        checked.fault((*path, "directions"), said)
-    return units.radians(first), units.radians(last)
+    found = [
+        locator.stretch(section, ("no_go", i), NO_WIDTH)
+        for i, section in enumerate(locator.checked.file.no_go)
+        if ("no_go", i) in said
+    ]
+    return tuple(stretch for stretch in found if stretch is not None)

@@ -81,7 +81,9 @@ class Node:
     def shown(self, depth: int = 1) -> str:
         """Return the value as a message shows it, shortened."""
         if isinstance(self.value, dict):
-            inside = ", ".join(list(self.value)[:4]) if depth else "..."
+            pairs = list(self.value.items())[:4]
+            inside = ", ".join(f"{k[:40]}: {c.shown(depth - 1)}" for k, c in pairs)
+            inside = inside if depth else "..."
             return f"{{{inside}{', ...' if depth and len(self.value) > 4 else ''}}}"
         if isinstance(self.value, list):
             inside = ", ".join(c.shown(depth - 1) for c in self.value[:4]) if depth else "..."

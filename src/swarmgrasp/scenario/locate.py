@@ -12,8 +12,7 @@ from swarmgrasp.scenario.faults import Path, nearest_name
 from swarmgrasp.scenario.schema import RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-
-POINT_KEYS = ("contact", "theta", "at", "edge")
+from swarmgrasp.scenario.ways import POINT_KEYS
 
 
 @dataclass(frozen=True)
@@ -75,29 +74,6 @@ class Locator:
             return self._at_point(section.contact, (*path, "contact"))
         return None
 
-    def has_one_way(self, path: Path, *, point: bool, stretch: bool) -> bool:
-        """Tell whether exactly one way of saying where is used; note a fault otherwise."""
-        keys = POINT_KEYS if point else ("edge",)
-        given = [key for key in keys if self.checked.has(*path, key)]
-        ends = [key for key in ("from", "to") if stretch and self.checked.has(*path, key)]
-        along = point and self.checked.has(*path, "along")
-        ways = ["contact, theta, at, or edge with along"] if point else []
-        ways += ["edge, or from and to"] if stretch else []
-        if along and "edge" not in given:
-            said = "along is a distance on an edge; give the edge too"
-        elif along and ends:
-            said = "along makes a point, from and to a stretch; give one or the other"
-        elif len(given) > 1 or (ends and given not in ([], ["edge"])):
-            said = f"{' and '.join(given + ends)} each say where; keep one"
-        elif not given and len(ends) < 2:
-            said = f"should say where, by {'; or a stretch by '.join(ways)}"
-        elif given == ["edge"] and not along and not stretch:
-            said = "edge needs along, the distance on it"
-        else:
-            return True
-        self.checked.fault(path, said, got=False)
-        return False
-
     def inside(self, wanted: list[float], path: Path) -> Place | None:
         """Return the point [x, y] of a mounted robot, or None after noting it is outside."""
         if self.outline.contains(wanted):
@@ -132,7 +108,7 @@ class Locator:
 
     def _at_angle(self, theta: float, path: Path) -> Place | None:
         """Find the boundary point on the ray from the origin at an angle."""
-        if not self.checked.is_sound("units"):
+        if not (self.checked.is_sound("units") and self.checked.is_sound("outline", "origin")):
             return None
         contacts = self.outline.ray_contacts(self.units.radians(theta))
         if len(contacts) == 1:
@@ -169,29 +145,32 @@ class Locator:
 
     # -- stretches --------------------------------------------------------------------
 
-    def stretch(self, section: StretchSection, path: Path) -> Stretch | None:
+    def stretch(self, section: StretchSection, path: Path, no_length: str) -> Stretch | None:
         """Find the stretch [m] a section names by its edge, or by from and to.
 
-        Returns None after noting a fault, or where the schema has already found one.
+        Returns None after noting a fault, `no_length` for a stretch that has none, or where
+        the schema has already found one.
         """
         if not all(self.checked.is_sound(*path, key) for key in ("edge", "from", "to")):
             return None
         if section.edge is not None:
-            return self._edge_stretch(section.edge, section, path)
+            return self._edge_stretch(section.edge, section, path, no_length)
         start, end = section.start or 0.0, section.end or 0.0
         inside = [
             self._is_arc_length(start, (*path, "from")),
             self._is_arc_length(end, (*path, "to")),
         ]
-        if not all(inside) or self._is_empty(start, end, path):
+        first, last = self.metres(start), self.metres(end)
+        if not all(inside) or self._is_empty(first, last, path, no_length):
             return None
         # the first vertex is both 0 and the perimeter: 0 as a start, the perimeter as an end
-        first, last = self.metres(start), self.metres(end)
         first = 0.0 if first == self.si.perimeter else first
         last = self.si.perimeter if last == 0.0 else last
         return Stretch(first, last, section.name)
 
-    def _edge_stretch(self, edge: int | str, section: StretchSection, path: Path) -> Stretch | None:
+    def _edge_stretch(
+        self, edge: int | str, section: StretchSection, path: Path, no_length: str
+    ) -> Stretch | None:
         """Find a stretch [m] of one edge."""
         index = self.edge(edge, (*path, "edge"))
         if index is None:
@@ -199,22 +178,19 @@ class Locator:
         length = float(self.outline.lengths[index])
         ends = {"from": section.start or 0.0, "to": length if section.end is None else section.end}
         inside = [self._is_on_edge(ends[key], index, (*path, key)) for key in ends]
-        if not all(inside) or self._is_empty(ends["from"], ends["to"], path):
-            return None
-        if ends["from"] > ends["to"]:
-            said = f"should be less than to, which is {ends['to']:.9g} {self.units.length}"
-            self.checked.fault((*path, "from"), said)
-            return None
         base = float(self.outline.corner_arc_lengths[index])
         first, last = (self.metres(base + distance) for distance in ends.values())
+        if not all(inside) or self._is_empty(first, last, path, no_length):
+            return None
         return Stretch(first, last, section.name or self.outline.edge_label(index))
 
-    def _is_empty(self, start: float, end: float, path: Path) -> bool:
-        """Note a fault if a stretch has no length."""
-        if abs(end - start) > self.outline.tolerance:
+    def _is_empty(self, start: float, end: float, path: Path, said: str) -> bool:
+        """Note a fault if a stretch [m, m] has no length."""
+        # from the perimeter to 0 is from the first vertex to itself
+        apart = min(abs(end - start), self.si.perimeter + end - start)
+        if apart > self.si.tolerance:
             return False
         key = "to" if self.checked.has(*path, "to") else "from"
-        said = "the stretch has no length; a single point is given by contact, theta, at or along"
         self.checked.fault((*path, key), said)
         return True
 
@@ -246,6 +222,8 @@ class Locator:
     def edge(self, edge: int | str, path: Path) -> int | None:
         """Return the outline's index of an edge named, or counted, as in the file."""
         count = len(self.labels)
+        if isinstance(edge, str) and not self._has_names():
+            return None
         if isinstance(edge, str) and edge in self.labels:
             position = self.labels.index(edge)
         elif isinstance(edge, int) and edge < count:
@@ -256,6 +234,12 @@ class Locator:
             self.checked.fault(path, said)
             return None
         return self.outline.edge_names.index(self.labels[position])
+
+    def _has_names(self) -> bool:
+        """Tell whether the file's names of edges are one per edge; if not, that is noted."""
+        written = self.checked.file.outline.edges
+        sound = self.checked.is_sound("outline", "edges")
+        return sound and (written is None or len(written) == len(self.labels))
 
     def metres(self, arc_length: float) -> float:
         """Convert an arc length to metres; one at a corner lands on it exactly."""

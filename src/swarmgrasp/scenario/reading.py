@@ -1,5 +1,6 @@
 """Read a scenario: from a file, or from text."""
 
+from codecs import BOM_UTF8
 from pathlib import Path
 
 from swarmgrasp.errors import ScenarioInvalid
@@ -35,7 +36,7 @@ def load_scenario(path: str | Path) -> Scenario:
     try:
         size = Path(path).stat().st_size
         if size > LARGEST_FILE:
-            raise _too_large(source, f"{size} bytes")
+            raise _too_large(source, "bytes", size)
         with Path(path).open("rb") as file:  # a pipe has no size: read no more than allowed
             raw = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
@@ -48,24 +49,16 @@ def load_scenario(path: str | Path) -> Scenario:
         raise
     except ValueError as error:  # such as a null character in the name
         raise ScenarioInvalid(f"{source!r}: is no file name: {error}") from None
-    try:
-        text = raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        faults = Faults(source)
-        before = raw[: error.start]
-        mark = before.count(b"\n") + 1, error.start - before.rfind(b"\n")
-        faults.add(mark, (), f"not UTF-8 (byte 0x{raw[error.start]:02x}); save it as UTF-8")
-        raise faults.error() from None
-    return parse_scenario(text, source)
+    return parse_scenario(raw, source)
 
 
-def parse_scenario(text: str, source: str = "<text>") -> Scenario:
+def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
     r"""Read a scenario from text.
 
     Parameters
     ----------
-    text : str
-        YAML 1.2.
+    text : str or bytes
+        YAML 1.2; bytes in UTF-8.
     source : str
         What messages call the text; a file's name, as a rule.
 
@@ -88,11 +81,27 @@ def parse_scenario(text: str, source: str = "<text>") -> Scenario:
     swarmgrasp.errors.ScenarioInvalid: a.yaml:2:15: robots.0.at: ...
     """
     if len(text) > LARGEST_FILE:
-        raise _too_large(source, f"{len(text)} characters")
+        raise _too_large(source, "characters" if isinstance(text, str) else "bytes")
     faults = Faults(source)
+    if isinstance(text, bytes):
+        text = _decoded(text, faults)
     return build(check(read_document(text, faults), faults), Path(source).stem)
 
 
-def _too_large(source: str, size: str) -> ScenarioInvalid:
-    """Return the error for a file past the limit."""
-    return ScenarioInvalid(f"{source}: has {size}; it should have at most {LARGEST_FILE}")
+def _decoded(raw: bytes, faults: Faults) -> str:
+    """Return the text of a file; a byte that is not UTF-8 is told with its line and column."""
+    start = len(BOM_UTF8) if raw.startswith(BOM_UTF8) else 0
+    try:
+        return raw[start:].decode()
+    except UnicodeDecodeError as error:
+        before = raw[start:][: error.start].decode()
+        mark = before.count("\n") + 1, len(before) - before.rfind("\n")
+        byte = raw[start + error.start]
+        faults.add(mark, (), f"not UTF-8 (byte 0x{byte:02x}); save it as UTF-8")
+        raise faults.error() from None
+
+
+def _too_large(source: str, unit: str, size: int | None = None) -> ScenarioInvalid:
+    """Return the error for a file past the limit, its size told where it is known."""
+    has = "is too large" if size is None else f"has {size} {unit}"
+    return ScenarioInvalid(f"{source}:1:1: {has}; it should have at most {LARGEST_FILE} {unit}")

@@ -8,6 +8,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, StringConstraints, Tag
 from pydantic.config import JsonDict, JsonValue
 
+from swarmgrasp.robot import Attachment
+
 FARTHEST = 1e9
 """Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
 
@@ -47,7 +49,7 @@ Edge = Annotated[
 CONTACT = "Contact [x, y] on the boundary, in the frame of the vertices [units.length]."
 THETA = "Contact where the ray from the origin at this angle meets the boundary [units.angle]."
 AT = "Contact by arc length, counter-clockwise from the first vertex [units.length]."
-EDGE = "An edge by name, or by index: edge i runs from vertex i to i + 1 of this file."
+EDGE = "An edge by name, or by index from 0: edge i runs from vertex i to i + 1 of this file."
 ALONG = "Distance along `edge` from its counter-clockwise start [units.length]."
 FROM = "Where the stretch starts: along `edge`, or as arc length without one [units.length]."
 TO = "Where the stretch ends, counter-clockwise from its start [units.length]."
@@ -56,8 +58,6 @@ HALF_ANGLE = (
     "Greatest angle between the force and the normal, 0 to a right angle, which is the default; "
     "0 means exactly along the normal [units.angle]."
 )
-
-Attachments = Literal["push", "pull", "free"]
 
 
 def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
@@ -161,7 +161,7 @@ class NewcomerSection(Section):
 
     name: Label = Field("", description="A label.", examples=["Hector"])
     limit: Force = Field(description="Largest force [units.force].", examples=[60])
-    attachment: Attachments = Field("free", description=ATTACHMENT)
+    attachment: Attachment = Field("free", description=ATTACHMENT)
     half_angle: Number | None = Field(
         None,
         description=HALF_ANGLE + " Not for a free attachment.",
@@ -205,7 +205,7 @@ class ZoneSection(StretchSection):
     theta: Number | None = Field(None, description=THETA, examples=[0.5])
     at: Distance | None = Field(None, description=AT, examples=[5.5])
     along: Distance | None = Field(None, description=ALONG, examples=[1.5])
-    attachment: Attachments | None = Field(
+    attachment: Attachment | None = Field(
         None, description=ATTACHMENT + " Overrides the newcomer's own."
     )
     half_angle: Number | None = Field(

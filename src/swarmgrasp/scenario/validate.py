@@ -161,13 +161,22 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
         said = f"unknown key{nearest_name(str(path[-1]), _known_keys(path))}"
         faults.add(root.key_mark(path), path, said)
     elif kind == "missing":
-        faults.add(node.mark, path, f"is missing{_wanted(path)}")
+        faults.add(node.mark, path, f"is missing; {_WANTED[str(path[-1])]}")
     else:
         said = _SENTENCES.get(kind, found["msg"]).format_map(found.get("ctx", {}))
         if found["loc"][-1] == "word":  # where a word or a value may stand
             said = said.replace("should be", _OR_WORD.get(str(path[-1]), "should be"))
         faults.add(node.mark, path, f"{said} (got {node.shown()})")
 
+
+_WANTED = {
+    "direction": "give the direction of the force: an angle, inward or outward",
+    "limit": "give the largest force",
+    "outline": "give the object's outline by its vertices",
+    "robots": "list the robots already in contact, or give [] for none",
+    "vertices": "list the corners [x, y] in order",
+}
+"""What to do about a missing key, for every required one."""
 
 _OR_WORD = {"direction": "should be an angle,", "origin": "should be [x, y] or"}
 
@@ -209,9 +218,3 @@ def _models(annotation: Any) -> list[type[BaseModel]]:
 def _known_keys(path: Path) -> list[str]:
     """Return the keys allowed beside a path's last one."""
     return [info.alias or name for name, info in _section(path).model_fields.items()]
-
-
-def _wanted(path: Path) -> str:
-    """Return what a missing key should hold."""
-    info = _section(path).model_fields.get(str(path[-1]))
-    return f": {info.description}" if info and info.description else ""

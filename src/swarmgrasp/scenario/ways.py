@@ -1,0 +1,198 @@
+"""How robots, zones and no-go stretches are said: the checks that need no outline.
+
+They run whatever is wrong with the outline, so that its faults hide no others.
+"""
+
+from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, StretchSection, ZoneSection
+from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.validate import Checked
+
+POINT_KEYS = ("contact", "theta", "at", "edge")
+ONE_POINT = "contact, theta, at, or edge with along"
+NO_LENGTH = "the stretch has no length; a single point is given by contact, theta, at or along"
+NO_WIDTH = "a single point forbids nothing, as the ends of a stretch are allowed; give it a width"
+
+
+def well_said(checked: Checked, units: Units) -> frozenset[Path]:
+    """Check how a document says what it says; note every fault.
+
+    Returns
+    -------
+    frozenset of Path
+        The robots, zones and no-go stretches whose place can be looked for.
+    """
+    file = checked.file
+    _check_names(checked)
+    _check_edge_names(checked)
+    if file.newcomer is not None:
+        _check_half_angle(file.newcomer, ("newcomer",), checked, units)
+    found = []
+    for i, robot in enumerate(file.robots):
+        if _is_robot_said(robot, ("robots", i), checked):
+            found.append(("robots", i))
+    for i, zone in enumerate(file.zones or []):
+        _check_half_angle(zone, ("zones", i), checked, units)
+        _check_directions(zone, ("zones", i), checked, units)
+        if _is_stretch_said(zone, ("zones", i), checked, units):
+            found.append(("zones", i))
+    for i, stretch in enumerate(file.no_go):
+        if _is_stretch_said(stretch, ("no_go", i), checked, units):
+            found.append(("no_go", i))
+    return frozenset(found)
+
+
+# -- names --------------------------------------------------------------------------------
+
+
+def robot_names(section: RobotSection, index: int) -> list[str]:
+    """Return the name of a robot, or both names of a two-way one.
+
+    Parameters
+    ----------
+    section : RobotSection
+    index : int
+        Its position in the file, which stands for the name of a nameless two-way one.
+    """
+    if not section.two_way:
+        return [section.name]
+    called = section.name or f"robot {index}"
+    return [f"{called} +", f"{called} -"]
+
+
+def _check_names(checked: Checked) -> None:
+    """Note a fault for every name used twice: of robots with the newcomer, and of zones."""
+    seen: dict[str, int] = {}
+    for i, robot in enumerate(checked.file.robots):
+        for name in filter(None, robot_names(robot, i)):
+            first = seen.setdefault(name, i)
+            if first != i:
+                said = f"is the name of robots.{first} too; names should differ"
+                _note_name(checked, ("robots", i), robot.name, name, said)
+                break
+    newcomer = checked.file.newcomer
+    if newcomer is not None:
+        name = newcomer.name or "newcomer"
+        if name in seen and checked.is_known("newcomer"):
+            said = f"is the name of robots.{seen[name]} too; names should differ"
+            _note_name(checked, ("newcomer",), newcomer.name, name, said)
+    zones: dict[str, int] = {}
+    for i, zone in enumerate(checked.file.zones or []):
+        first = zones.setdefault(zone.name, i)
+        if zone.name and first != i:
+            said = f"is the name of zones.{first} too; names should differ"
+            checked.fault(("zones", i, "name"), said)
+
+
+def _note_name(checked: Checked, path: Path, written: str, name: str, said: str) -> None:
+    """Note a fault of a name, which may not stand in the file as it is."""
+    if written == name:
+        checked.fault((*path, "name"), said)
+    else:
+        here = (*path, "name") if written else path
+        checked.fault(here, f"is called {name!r}, which {said}", got=False)
+
+
+def _check_edge_names(checked: Checked) -> None:
+    """Note a fault for every edge name used twice."""
+    section = checked.file.outline
+    if section.edges is None or not checked.is_sound("outline", "edges"):
+        return
+    seen: dict[str, int] = {}
+    for i, name in enumerate(section.edges):
+        first = seen.setdefault(name, i)
+        if name and first != i:
+            said = f"is the name of edges.{first} too; names should differ"
+            checked.fault(("outline", "edges", i), said)
+
+
+# -- places -------------------------------------------------------------------------------
+
+
+def _is_robot_said(section: RobotSection, path: Path, checked: Checked) -> bool:
+    """Tell whether a robot says where it is and which way it pushes as a robot can."""
+    if not checked.is_known(*path):
+        return False
+    is_mounted = section.mounted and checked.is_sound(*path, "mounted")
+    if is_mounted and isinstance(section.direction, str):
+        said = "a mounted robot touches no edge and has no normal; give an angle"
+        checked.fault((*path, "direction"), said)
+    if not _has_one_way(path, checked, point=True, stretch=False):
+        return False
+    if is_mounted and not checked.has(*path, "contact"):
+        said = "a mounted robot is given by its contact [x, y]"
+        checked.fault((*path, "mounted"), said, got=False)
+        return False
+    return checked.is_sound(*path, "mounted")
+
+
+def _is_stretch_said(section: StretchSection, path: Path, checked: Checked, units: Units) -> bool:
+    """Tell whether a zone or a no-go stretch says in one way where it is."""
+    is_zone = isinstance(section, ZoneSection)
+    if not checked.is_known(*path):
+        return False
+    if not _has_one_way(path, checked, point=is_zone, stretch=True):
+        return False
+    sound = all(checked.is_sound(*path, key) for key in ("from", "to"))
+    if not sound or section.start is None or section.end is None:
+        return True  # noted already, or an end is the edge's own
+    if section.start == section.end:
+        checked.fault((*path, "to"), NO_LENGTH if is_zone else NO_WIDTH)
+        return False
+    if section.edge is not None and section.start > section.end:
+        said = f"should be less than to, which is {section.end:.9g} {units.length}"
+        checked.fault((*path, "from"), said)
+        return False
+    return True
+
+
+def _has_one_way(path: Path, checked: Checked, *, point: bool, stretch: bool) -> bool:
+    """Tell whether exactly one way of saying where is used; note a fault otherwise."""
+    keys = POINT_KEYS if point else ("edge",)
+    given = [key for key in keys if checked.has(*path, key)]
+    ends = [key for key in ("from", "to") if stretch and checked.has(*path, key)]
+    along = point and checked.has(*path, "along")
+    ways = [ONE_POINT] if point else []
+    ways += ["edge, or from and to"] if stretch else []
+    if along and "edge" not in given:
+        said = "along is a distance on an edge; give the edge too"
+    elif along and ends:
+        said = "along makes a point, from and to a stretch; give one or the other"
+    elif len(given) > 1 or (ends and given not in ([], ["edge"])):
+        said = f"{' and '.join(given + ends)} each say where; keep one"
+    elif not given and len(ends) < 2:
+        said = f"should say where, by {'; or a stretch by '.join(ways)}"
+    elif given == ["edge"] and not along and not stretch:
+        said = "edge needs along, the distance on it"
+    else:
+        return True
+    checked.fault(path, said, got=False)
+    return False
+
+
+# -- angles -------------------------------------------------------------------------------
+
+
+def _check_half_angle(
+    section: NewcomerSection | ZoneSection, path: Path, checked: Checked, units: Units
+) -> None:
+    """Note what is wrong with a half angle."""
+    half_angle, here = section.half_angle, (*path, "half_angle")
+    if half_angle is None:
+        return
+    right_angle = units.turn(0.25)
+    if not 0.0 <= half_angle <= right_angle and checked.is_sound("units"):
+        checked.fault(here, f"should lie in [0, {right_angle:.9g}] {units.angle}")
+    elif section.attachment not in ("push", "pull") and checked.is_sound(*path, "attachment"):
+        said = "goes with attachment: push or pull only; a free one pushes in any direction"
+        checked.fault(here, said)
+
+
+def _check_directions(section: ZoneSection, path: Path, checked: Checked, units: Units) -> None:
+    """Note a range of directions that spans a full turn."""
+    if section.directions is None or not checked.is_sound("units"):
+        return
+    first, last = section.directions
+    if abs(last - first) >= units.turn(1.0):
+        said = "spans a full turn, which limits nothing; leave it out"
+        checked.fault((*path, "directions"), said)
