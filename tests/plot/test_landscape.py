@@ -103,3 +103,23 @@ def test_a_round_hull_is_ticked_by_distance():
     swarm = Swarm(hull, [Robot(hull.at_arc_length(10.0 * i).point, 1.0 * i) for i in range(7)])
     figure = landscape(place(swarm, Newcomer(1.0, "push")), resolution=(60, 30))
     assert len(figure.axes[0].get_xticks()) < 15
+
+
+def test_the_colours_run_from_the_quality_before_to_the_answer(barge, zones):
+    answer = place(barge, Newcomer(100e3, "push", None), zones=zones)
+    figure = landscape(answer, resolution=(4, 2))  # cells too coarse to come near the answer
+    (image,) = figure.axes[0].images
+    low, high = image.get_clim()
+    assert low == pytest.approx(answer.quality_before / 1e3)
+    assert high >= answer.quality / 1e3
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-5, 1.0, 123_456_789.0])
+def test_the_colour_bar_ends_on_the_page(crowd, size):
+    robots = [Robot(r.contact, r.direction, size) for r in crowd.robots]
+    swarm = Swarm(crowd.outline, robots, crowd.characteristic_length)
+    figure = landscape(place(swarm, Newcomer(0.02 * size, "push")), resolution=(40, 20))
+    figure.draw_without_rendering()
+    bar = figure.axes[0].child_axes[0]
+    assert bar.get_tightbbox().x1 <= figure.bbox.x1
+    assert bar.yaxis.get_offset_text().get_text() == ""

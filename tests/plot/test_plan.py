@@ -6,9 +6,9 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from swarmgrasp import Outline, Robot, Swarm
-from swarmgrasp.plot import plan
-from swarmgrasp.plot.arrows import Forces
+from swarmgrasp import Newcomer, Outline, Robot, Swarm, Zone, place
+from swarmgrasp.plot import landscape, plan, save
+from swarmgrasp.plot.arrows import Arrows
 from swarmgrasp.quality import quality
 
 
@@ -63,7 +63,7 @@ def test_the_answer_is_told_in_words(barge, placement):
     figure = plan(barge, quality=quality(barge), placements=[placement])
     (label,) = by_gid(figure, "newcomer-label")
     assert label.get_text().startswith("Fred, 100 kN\nquality ")
-    assert [t.get_text() for t in by_gid(figure, "robot-label")] == [r.name for r in barge.robots]
+    assert {t.get_text() for t in by_gid(figure, "robot-label")} == {r.name for r in barge.robots}
     assert len(by_gid(figure, "runner-up-label")) == len(placement.runners_up) > 0
     assert (len(by_gid(figure, "zone")), len(by_gid(figure, "bollard"))) == (1, 1)
     assert len(by_gid(figure, "no-go")) == 1
@@ -97,9 +97,9 @@ def test_the_halves_of_a_two_way_thruster_share_a_label():
 def test_a_notch_decides_push_or_pull_by_its_own_inside():
     notched = Outline([(0, 0), (4, 0), (4, 4), (3, 4), (3, 1), (1, 1), (1, 4), (0, 4)])
     down, up = Robot((2, 1), -math.pi / 2), Robot((2, 1), math.pi / 2)
-    forces = Forces(notched, (down, up))
-    assert forces.ends(down)[1].tolist() == [2, 1]
-    assert forces.ends(up)[0].tolist() == [2, 1]
+    arrows = Arrows(notched, (down, up))
+    assert arrows.ends(down)[1].tolist() == [2, 1]
+    assert arrows.ends(up)[0].tolist() == [2, 1]
 
 
 def test_a_given_axes_keeps_its_size(barge):
@@ -109,3 +109,59 @@ def test_a_given_axes_keeps_its_size(barge):
     assert plan(barge, ax=left) is figure
     figure.draw_without_rendering()
     np.testing.assert_allclose(left.get_position().bounds, before, atol=1e-9)
+
+
+NAMES = ["$", "$x$", "\\frac{", "A$lva $\\foo$", "曳船"]
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", NAMES)
+def test_a_name_is_written_as_it_is(name, tmp_path):
+    hull = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)], edge_names=[f"{i}{name}" for i in "abcd"])
+    swarm = Swarm(hull, [Robot((-2, 0), 0.0, name=name)])
+    zone = Zone(hull.stretch(0, 0.0, 3.0, f"zone {name}"))
+    no_go = hull.stretch(0, 3.0, 4.0, f"no-go {name}")
+    answer = place(swarm, Newcomer(1.0, name=name), zones=[zone], no_go=[no_go])
+    figure = plan(swarm, placements=[answer])
+    assert by_gid(figure, "robot-label")[0].get_text() == name
+    for picture in (figure, landscape(answer, resolution=(20, 10))):
+        for suffix in ("pdf", "png", "svg"):
+            save(picture, tmp_path / f"picture.{suffix}")
+
+
+def test_strips_with_names_of_their_own_are_named(barge):
+    hull = barge.outline
+    zones = [Zone(hull.stretch("port side", 2, 30, "pads")), Zone(hull.stretch("bow"))]
+    no_go = [hull.stretch("starboard side", 50, 70, "ladder")]
+    figure = plan(barge, zones=zones, no_go=no_go)
+    assert [t.get_text() for t in by_gid(figure, "zone-label")] == ["pads"]
+    (label,) = by_gid(figure, "no-go-label")
+    assert label.get_text() == "ladder"
+    x, y = label.get_position()
+    assert 12.0 < x < 32.0  # along the strip
+    assert -11.0 < y < -6.0
+
+
+def test_an_edge_name_stands_next_to_its_edge(barge, placement):
+    for label in by_gid(plan(barge, placements=[placement]), "edge-label"):
+        distances, arcs = barge.outline.nearest(label.get_position())
+        edge = barge.outline.at_arc_length(float(arcs[0])).edge
+        assert barge.outline.edge_names[edge] == label.get_text()
+        assert distances[0] < 10.0
+
+
+def test_an_origin_out_of_view_is_not_drawn():
+    hull = Outline([(0, 0), (4, 0), (4, 2), (0, 2)], origin=(30, 5))
+    swarm = Swarm(hull, [Robot((0, 1), 0.0), Robot((4, 1), 3.0)])
+    figure = plan(swarm, quality=quality(swarm))
+    assert not by_gid(figure, "weakest-label")
+    entries = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert entries == ["robot"]
+
+
+def test_thrusters_are_named_at_their_contacts():
+    hull = Outline([(-5, -1), (5, -1), (5, 1), (-5, 1)])
+    port = Robot((0, 0.6), -1.5, 1.0, "port", mounted=True)
+    starboard = Robot((0, -0.6), 1.5, 1.0, "starboard", mounted=True)
+    labels = by_gid(plan(Swarm(hull, [port, starboard])), "robot-label")
+    assert [math.copysign(1.0, t.get_position()[1]) for t in labels] == [1.0, -1.0]

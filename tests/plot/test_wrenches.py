@@ -5,6 +5,7 @@ from mpl_toolkits.mplot3d import proj3d
 from swarmgrasp import Outline, Robot, Swarm
 from swarmgrasp.plot import wrench_sets
 from swarmgrasp.plot.bodies import body, split, unit_ball
+from swarmgrasp.plot.wrenches import text_area
 from swarmgrasp.quality import quality
 
 
@@ -63,3 +64,15 @@ def test_a_swarm_that_holds_nothing_shows_no_ball(count):
     gids = {artist.get_gid() for artist in figure.axes[0].get_children()}
     assert "ball" not in gids
     assert ("facet" in gids) == (count > 1)
+
+
+def test_the_names_of_the_axes_clear_the_numbers(barge):
+    weighted = Swarm(barge.outline, barge.robots, force_weights=(2.0, 0.5))
+    figure = wrench_sets(weighted, weighted.with_robot(Robot((38, -5), 3.0, 1e5)))
+    figure.draw_without_rendering()
+    ax = figure.axes[0]
+    axes = (ax.xaxis, ax.yaxis, ax.zaxis)
+    names = [text_area(axis.label) for axis in axes]
+    numbers = [text_area(tick.label1) for axis in axes for tick in axis.get_major_ticks()]
+    for i, name in enumerate(names):
+        assert not any(name.intersects_path(other) for other in numbers + names[:i])

@@ -1,4 +1,4 @@
-"""Forces as arrows."""
+"""Arrows as arrows."""
 
 import math
 from collections.abc import Sequence
@@ -26,8 +26,8 @@ SHARES: Final = (0.06, 0.2)
 
 
 @dataclass(frozen=True)
-class Forces:
-    """The forces in one picture and their common scale.
+class Arrows:
+    """The robots whose forces one picture shows as arrows, and their common scale.
 
     Attributes
     ----------

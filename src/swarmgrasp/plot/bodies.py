@@ -7,15 +7,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
 
 Vectors = NDArray[np.float64]
 Piece = tuple[Vectors, Vectors]
 """A polygon (k, 3) [N, N, N] and its colour (4,)."""
-
-FLAT: Final = 1e-12
-"""Quality below which there is no ball to draw, relative to the swarm's total force."""
 
 BALL_STEPS: Final = (16, 32)
 """Parts of the ball from pole to pole and around."""
@@ -72,22 +70,18 @@ def body(swarm: Swarm) -> Body:
     Body
     """
     mesh = WrenchSet(swarm).mesh()
-    radius, touching = 0.0, np.zeros(3)
+    limit = quality(swarm)
     facet: tuple[int, ...] = ()
-    if len(mesh.offsets):
-        weakest = int(mesh.offsets.argmin())
-        total = float(np.linalg.norm(swarm.scaled_generators, axis=1).sum())
-        radius = float(mesh.offsets[weakest])
-        radius = radius if radius > FLAT * total else 0.0
-        touching, facet = radius * mesh.normals[weakest], mesh.faces[weakest]
+    if mesh.faces:
+        facet = mesh.faces[int((mesh.normals @ limit.direction).argmax())]
     return Body(
         vertices=mesh.vertices * swarm.scale,
         faces=mesh.faces,
         edges=mesh.edges,
         normals=mesh.normals,
         offsets=mesh.offsets,
-        radius=radius,
-        touching=touching,
+        radius=limit.value,
+        touching=limit.value * limit.direction,
         facet=facet,
     )
 

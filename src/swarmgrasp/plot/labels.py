@@ -1,6 +1,8 @@
 """Labels that keep clear of each other, of arrows and of the frame."""
 
+import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -8,6 +10,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.text import Text
 from numpy.typing import ArrayLike, NDArray
+
+Vector = NDArray[np.float64]
+
+Choice = tuple[float, Vector, Vector, float]
+"""A place for a label: cost, anchor (2,) [px], centre (2,) [px] and the gap between [pt]."""
 
 GAPS: Final = (3.0, 8.0, 15.0, 24.0, 36.0, 54.0)
 """Distances [pt] tried between a label and what it names."""
@@ -19,7 +26,13 @@ LEADER: Final = 14.0
 """From this gap [pt] on a thin line joins a label to what it names."""
 
 CROWDED: Final = 6.0
-"""Price from which on a label that may be left out is left out."""
+"""Price from which on a label that may be left out is left out, and another looks farther."""
+
+ALONG: Final = 7.0
+"""Gap [pt] between a line and a label along it: the line may be half of a strip."""
+
+STEP: Final = 0.7
+"""Distance between the places tried all over the page, in heights of the label."""
 
 
 @dataclass
@@ -37,7 +50,7 @@ class Page:
     """
 
     ax: Axes
-    points: list[NDArray[np.float64]] = field(default_factory=list)
+    points: list[Vector] = field(default_factory=list)
     boxes: list[tuple[float, float, float, float]] = field(default_factory=list)
 
     @property
@@ -68,22 +81,29 @@ class Page:
         self,
         text: str,
         anchors: ArrayLike,
-        bearing: float,
+        bearing: ArrayLike,
         *,
         optional: bool = False,
+        reach: float = GAPS[-1],
+        fits: Callable[[Vector], bool] | None = None,
         **style: Any,
     ) -> Text | None:
-        """Write a label where it collides least.
+        """Write a label where it collides least, joined by a line to what is not next to it.
 
         Parameters
         ----------
         text : str
         anchors : (k, 2) [m, m]
             Points it may sit at, best first.
-        bearing : float [rad]
-            The preferred direction from anchor to label.
+        bearing : float or (k,) [rad]
+            The preferred direction from each anchor to the label.
         optional : bool
-            Whether to leave it out where there is no room, and never to draw a line to it.
+            Whether to leave it out where there is no room.
+        reach : float [pt]
+            Largest distance of an optional label from its anchor; the others take any
+            free place on the page when all near ones are taken.
+        fits : callable
+            Tells whether an optional label may be centred at a point (2,) [m, m].
         **style
             Passed to `Axes.text`.
 
@@ -93,78 +113,144 @@ class Page:
             None if it was left out.
         """
         spots = np.asarray(anchors, dtype=float)
-        artist = self.ax.text(
-            float(spots[0, 0]),
-            float(spots[0, 1]),
-            text,
-            ha="center",
-            va="center",
-            linespacing=1.15,
-            zorder=6,
-            **style,
-        )
-        extent = artist.get_window_extent()
-        best = self._best(self.ax.transData.transform(spots), bearing, extent.width, extent.height)
-        price, anchor, centre, gap = best
-        if optional and price > CROWDED:
+        artist = self._text(text, spots[0], style)
+        size = np.array(artist.get_window_extent().size)
+        anchors = self.ax.transData.transform(spots)
+        inverse = self.ax.transData.inverted()
+        choices = sorted(self._near(anchors, np.broadcast_to(bearing, len(spots)), size), key=_cost)
+        if optional:
+            cheap = [c for c in choices if c[0] <= CROWDED and c[3] <= reach]
+            fit = (c for c in cheap if fits is None or fits(inverse.transform(c[2])))
+            choices = [*itertools.islice(fit, 1)]
+        elif choices[0][0] > CROWDED:
+            choices = [min([choices[0], *self._anywhere(anchors[0], size)], key=_cost)]
+        if not choices:
             artist.remove()
             return None
-        half = np.array([extent.width, extent.height]) / 2.0
-        self.boxes.append((*(centre - half), *(centre + half)))
-        artist.set_position(tuple(self.ax.transData.inverted().transform(centre)))
-        if not optional and gap >= LEADER:
-            self._leader(anchor, centre, half, artist.get_color())
+        _, anchor, centre, gap = choices[0]
+        self._put(artist, centre, size)
+        if gap >= LEADER:
+            self._leader(anchor, centre, size / 2.0, artist.get_color())
         return artist
 
-    def _best(
-        self, anchors: NDArray[np.float64], bearing: float, width: float, height: float
-    ) -> tuple[float, NDArray[np.float64], NDArray[np.float64], float]:
-        """Return the cheapest (cost, anchor, centre, gap [pt]) of all that are tried."""
-        taken = np.concatenate(self.points) if self.points else np.empty((0, 2))
+    def label_along(self, text: str, line: tuple[Vector, Vector], **style: Any) -> Text | None:
+        """Write a label along a line, on its left, or leave it out where there is no room.
+
+        Parameters
+        ----------
+        text : str
+        line : tuple of two (2,) [m, m]
+            Start and end.
+        **style
+            Passed to `Axes.text`.
+
+        Returns
+        -------
+        Text or None
+            None if it was left out.
+        """
+        artist = self._text(text, line[0], style)
+        size = np.array(artist.get_window_extent().size)
+        start, end = self.ax.transData.transform(np.array(line))
+        way = end - start
+        length = float(np.hypot(*way))
+        tilt = math.atan2(way[1], way[0])
+        tilt -= math.pi * round(tilt / math.pi - 1e-6)  # never upside down
+        left = np.array([-way[1], way[0]]) / length
+        taken = self._taken()
+        aside = (0.5 * size[1] + ALONG * self.point_size) * left
+        play = 0.5 * max(0.0, 1.0 - size[0] / length)
+        centres = [start + (0.5 + play * s) * way + aside for s in (0.0, -0.5, 0.5, -1.0, 1.0)]
+        prices = [self._collisions(centre, size, taken, tilt) for centre in centres]
+        best = int(np.argmin(prices))
+        if size[0] > length or prices[best] > CROWDED:
+            artist.remove()
+            return None
+        artist.set_rotation(math.degrees(tilt))
+        self._put(artist, centres[best], np.array(artist.get_window_extent().size))
+        return artist
+
+    def _text(self, text: str, spot: Vector, style: dict[str, Any]) -> Text:
+        """Write a text centred somewhere, to be measured and moved."""
+        look: dict[str, Any] = {"ha": "center", "va": "center", "linespacing": 1.15, "zorder": 6}
+        return self.ax.text(float(spot[0]), float(spot[1]), text, **(look | style))
+
+    def _put(self, artist: Text, centre: Vector, size: Vector) -> None:
+        """Move a text's centre [px] and note its box as taken."""
+        self.boxes.append((*(centre - size / 2.0), *(centre + size / 2.0)))
+        artist.set_position(tuple(self.ax.transData.inverted().transform(centre)))
+
+    def _taken(self) -> Vector:
+        """Return all points (k, 2) [px] to keep clear of."""
+        return np.concatenate(self.points) if self.points else np.empty((0, 2))
+
+    def _near(self, anchors: Vector, bearings: Vector, size: Vector) -> list[Choice]:
+        """Price the places round the anchors."""
+        taken = self._taken()
         choices = []
-        for rank, anchor in enumerate(anchors):
+        for rank, (anchor, bearing) in enumerate(zip(anchors, bearings, strict=True)):
             for turn in BEARINGS:
                 way = np.array([math.cos(bearing + turn), math.sin(bearing + turn)])
                 for gap in GAPS:
-                    reach = np.array([width, height]) / 2.0 + gap * self.point_size
-                    centre = anchor + way * reach
+                    centre = anchor + way * (size / 2.0 + gap * self.point_size)
                     cost = 0.6 * abs(turn) + 0.05 * gap + 0.5 * rank
-                    cost += self._collisions(centre, width, height, taken)
+                    cost += self._collisions(centre, size, taken)
                     if gap >= LEADER:
-                        cost += 1.0 + self._hidden(anchor, centre)
+                        cost += 1.0 + self._crossed(anchor, centre, taken)
                     choices.append((cost, anchor, centre, gap))
-        return min(choices, key=lambda choice: choice[0])
+        return choices
 
-    def _collisions(
-        self, centre: NDArray[np.float64], width: float, height: float, taken: NDArray[np.float64]
-    ) -> float:
+    def _anywhere(self, anchor: Vector, size: Vector) -> list[Choice]:
+        """Price places all over the page for a label far from its anchor."""
+        taken, frame = self._taken(), self.ax.bbox
+        choices = []
+        for x in np.arange(frame.x0 + size[0] / 2.0, frame.x1 - size[0] / 2.0, STEP * size[1]):
+            for y in np.arange(frame.y0 + size[1] / 2.0, frame.y1 - size[1] / 2.0, STEP * size[1]):
+                centre = np.array([x, y])
+                beyond = np.maximum(np.abs(centre - anchor) - size / 2.0, 0.0)
+                gap = float(np.hypot(*beyond)) / self.point_size
+                cost = 1.0 + 0.08 * gap + self._collisions(centre, size, taken)
+                cost += self._crossed(anchor, centre, taken)
+                choices.append((cost, anchor, centre, gap))
+        return choices
+
+    def _collisions(self, centre: Vector, size: Vector, taken: Vector, tilt: float = 0.0) -> float:
         """Return the price of a label's box: lines and labels under it, and the frame."""
-        margin = 1.5 * self.point_size
-        half = np.array([width, height]) / 2.0 + margin
+        c, s = math.cos(tilt), math.sin(tilt)
+        half = size / 2.0 + 2.0 * self.point_size
+        within = np.abs((taken - centre) @ np.array([[c, -s], [s, c]])) < half
+        price = 1.5 * np.count_nonzero(within.all(axis=1))
+        half = np.abs([[c, -s], [s, c]]) @ half
         (left, bottom), (right, top) = centre - half, centre + half
-        price = 1.5 * np.count_nonzero((np.abs(taken - centre) < half).all(axis=1))
+        apart = 2.5 * self.point_size  # more between two labels, lest they read as one
         for a, b, c, d in self.boxes:
-            overlap = max(0.0, min(right, c) - max(left, a)) * max(
+            overlap = max(0.0, min(right, c + apart) - max(left, a - apart)) * max(
                 0.0, min(top, d) - max(bottom, b)
             )
-            price += 60.0 * overlap / (width * height) + 4.0 * (overlap > 0.0)
+            price += 60.0 * overlap / (size[0] * size[1]) + 4.0 * (overlap > 0.0)
         frame = self.ax.bbox
         beyond = max(frame.x0 - left, right - frame.x1, frame.y0 - bottom, top - frame.y1, 0.0)
         return float(price + 2.0 * beyond / self.point_size)
 
-    def _hidden(self, anchor: NDArray[np.float64], centre: NDArray[np.float64]) -> float:
-        """Return the price of the labels that a line from anchor to label would cross."""
+    def _crossed(self, anchor: Vector, centre: Vector, taken: Vector) -> float:
+        """Return the price of the labels and lines that a line from anchor to label would cross."""
         line = np.linspace(anchor, centre, 9)
-        return 1.5 * sum(
+        price = 1.5 * sum(
             np.count_nonzero(((line >= box[:2]) & (line <= box[2:])).all(axis=1))
             for box in self.boxes
         )
+        way = centre - anchor
+        length = float(np.hypot(*way))
+        along, across = np.array([way, (-way[1], way[0])]) @ (taken - anchor).T / length
+        near = 8.0 * self.point_size  # at the anchor there is always something
+        hits = (along > near) & (along < length) & (np.abs(across) < 1.3 * self.point_size)
+        return price + 0.8 * np.count_nonzero(hits)
 
     def _leader(
         self,
-        anchor: NDArray[np.float64],
-        centre: NDArray[np.float64],
-        half: NDArray[np.float64],
+        anchor: Vector,
+        centre: Vector,
+        half: Vector,
         colour: Any,
     ) -> None:
         """Join a label to its anchor by a thin line that ends at the label's box."""
@@ -175,3 +261,8 @@ class Page:
         ends = self.ax.transData.inverted().transform([anchor, centre + share * reach])
         self.keep_clear(*ends)
         self.ax.plot(*ends.T, color=colour, linewidth=0.5, zorder=3)
+
+
+def _cost(choice: Choice) -> float:
+    """Return the cost of a place for a label."""
+    return choice[0]

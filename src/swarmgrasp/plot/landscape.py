@@ -3,7 +3,6 @@
 import math
 from typing import Any, Final, cast
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -27,6 +26,9 @@ LEVELS: Final = 7
 HEIGHT: Final = 3.6
 BOX: Final = (0.115, 0.195, 0.735, 0.665)
 """Left, bottom, width and height of the axes, in shares of the figure."""
+
+RIGHT: Final = 0.99
+"""Where the label of the colour bar ends, in shares of the figure."""
 
 MOST_CORNERS: Final = 14
 """With more corners than this the boundary is ticked at round distances instead."""
@@ -69,11 +71,14 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
     problem = subject.problem if isinstance(subject, Placement) else subject
     outline = problem.swarm.outline
     grid = cell_qualities(problem, resolution)
-    factor, unit = style.force_unit(float(np.nanmax(grid)))
-    with mpl.rc_context(style.RC):
+    low, high = float(np.nanmin(grid)), float(np.nanmax(grid))
+    if placement is not None:  # the best place may lie between the middles of cells
+        low, high = min(low, placement.quality_before), max(high, placement.quality)
+    factor, unit = style.force_unit(high)
+    with style.settings():
         figure = Figure(figsize=(style.WIDTH, HEIGHT))
         ax = figure.add_axes(BOX)
-        _draw_values(ax, grid * factor, outline.perimeter, unit)
+        _draw_values(ax, grid * factor, (low * factor, high * factor), outline.perimeter, unit)
         _draw_normals(ax, outline)
         _name_boundary(ax, outline)
         if placement is not None:
@@ -147,11 +152,27 @@ def _samples(
     return cells, np.clip(0.5 * (bounds[cells] + bounds[cells + 1]), low, high)
 
 
-def _draw_values(ax: Axes, grid: NDArray[np.float64], perimeter: float, unit: str) -> None:
-    """Draw the qualities as colours and contour lines, hatching where nothing is allowed."""
+def _draw_values(
+    ax: Axes,
+    grid: NDArray[np.float64],
+    scale: tuple[float, float],
+    perimeter: float,
+    unit: str,
+) -> None:
+    """Draw the qualities as colours and contour lines, hatching where nothing is allowed.
+
+    Parameters
+    ----------
+    ax : Axes
+    grid : (columns, rows) [unit]
+    scale : tuple of float [unit]
+        The qualities of the darkest and of the brightest colour.
+    perimeter : float [m]
+    unit : str
+    """
     look: dict[str, Any] = {"facecolor": "#F4F4F4", "edgecolor": "#C4C4C4", "hatch": "////"}
     ax.add_patch(Rectangle((0.0, -180.0), perimeter, 360.0, zorder=0, linewidth=0.0, **look))
-    low, high = float(np.nanmin(grid)), float(np.nanmax(grid))
+    low, high = scale
     flat = high - low <= 1e-9 * high
     image = ax.imshow(
         grid.T, origin="lower", aspect="auto", cmap=COLOURS, interpolation="nearest", zorder=1,
@@ -168,16 +189,31 @@ def _draw_values(ax: Axes, grid: NDArray[np.float64], perimeter: float, unit: st
     room = ax.inset_axes((1.03, 0.0, 0.035, 1.0))
     bar = cast(Figure, ax.figure).colorbar(image, cax=room)
     bar.set_label(f"quality with the newcomer [{unit}]")
+    bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
+    _make_room(ax, room)
     levels = np.asarray(MaxNLocator(LEVELS).tick_values(low, high))
     levels = levels[(levels > low) & (levels < high)]
     room.hlines(levels, 0.0, 1.0, colors="white", linewidth=0.5, alpha=0.8)
     _draw_contours(ax, grid, perimeter, levels)
 
 
+def _make_room(ax: Axes, room: Axes) -> None:
+    """Narrow the axes until the colour bar in `room` ends, with its label, on the page."""
+    figure = cast(Figure, ax.figure)
+    for _ in range(2):  # the bar itself narrows too
+        figure.draw_without_rendering()
+        drawn = room.get_tightbbox()
+        beyond = 0.0 if drawn is None else drawn.x1 / figure.bbox.width - RIGHT
+        x, y, width, height = ax.get_position().bounds
+        if beyond > 0.0:
+            ax.set_position((x, y, width - beyond, height))
+
+
 def _draw_contours(
     ax: Axes, grid: NDArray[np.float64], perimeter: float, levels: NDArray[np.float64]
 ) -> None:
     """Draw lines of equal quality through the middles of the cells."""
+    levels = levels[(levels > np.nanmin(grid)) & (levels < np.nanmax(grid))]
     if not (_has_area(grid) and len(levels)):
         return
     x, y = ((np.arange(n) + 0.5) / n for n in grid.shape)
@@ -210,7 +246,7 @@ def _draw_normals(ax: Axes, outline: Outline) -> None:
 
 def _name_boundary(ax: Axes, outline: Outline) -> None:
     """Tick the corners by arc length and write the edges' names above them."""
-    ax.set_xlabel("position along the boundary, counter-clockwise from the first corner [m]")
+    ax.set_xlabel("along the boundary, counter-clockwise from the first corner [m]")
     if len(outline) > MOST_CORNERS:
         return
     ticks = [0.0, outline.perimeter]

@@ -3,9 +3,9 @@
 import itertools
 import math
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, Final, cast
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -14,16 +14,19 @@ from matplotlib.lines import Line2D
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, Forces, draw_arrows, draw_turn
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.sheet import draw_force_key, frame, new_axes, write_legend, write_title
-from swarmgrasp.plot.strips import BARRED, BOLLARD, STRIP, STRIPES, draw_strips
+from swarmgrasp.plot.strips import BOLLARD, STRIP, STRIPES, draw_strips, name_bollards, name_strips
 from swarmgrasp.quality import Quality
 from swarmgrasp.robot import Robot, Zone
 from swarmgrasp.swarm import Swarm
 
 MOST_LABELS: Final = 40
 """With more robots or named edges than this none is labelled."""
+
+MOST_RUNNERS_UP: Final = 8
+"""The best runners-up of each newcomer that are labelled."""
 
 FEW: Final = 10
 """With more robots than this their names are smaller."""
@@ -35,6 +38,12 @@ LOOKS: Final = {
     "newcomer": (style.VERMILION, 0.032),
 }
 """Colour and width [in] of the arrows of each kind, in the order they are drawn."""
+
+EDGE_REACH: Final = 15.0
+"""Farthest an edge's name stands from it [pt]: two heights of its text."""
+
+HEAD: Final = 250.0
+"""Breadth of an arrow that labels keep clear of [pt], over its width [in]: nearly its head's."""
 
 LEAST_PART: Final = 0.02
 """Share of the weakest wrench below which its force or its torque is not drawn."""
@@ -49,7 +58,7 @@ def plan(
     *,
     quality: Quality | None = None,
     placements: Sequence[Placement] = (),
-    zones: Sequence[Zone | None] = (),
+    zones: Sequence[Zone] = (),
     no_go: Sequence[Stretch] = (),
     ax: Axes | None = None,
 ) -> Figure:
@@ -67,7 +76,7 @@ def plan(
         origin, the torque as a turn about it.
     placements : sequence of Placement
         Newcomers, each with its runners-up as thin arrows.
-    zones : sequence of Zone or None
+    zones : sequence of Zone
         Where newcomers may attach; those of the first placement when left out.
     no_go : sequence of Stretch
         Where nobody may attach; those of the first placement when left out.
@@ -81,27 +90,31 @@ def plan(
     if placements:
         zones = zones or placements[0].problem.zones or ()
         no_go = no_go or placements[0].problem.no_go
-    strips = [zone.stretch for zone in zones if zone is not None]
-    forces = Forces(
+    strips = [zone.stretch for zone in zones]
+    arrows = Arrows(
         swarm.outline,
         swarm.robots,
         tuple(p.robot for p in placements),
         tuple(runner.robot for p in placements for runner in p.runners_up),
     )
-    with mpl.rc_context(style.RC):
-        entries = _legend_entries(forces, bool(quality and len(swarm)), strips, no_go)
-        ax = new_axes(forces, len(entries)) if ax is None else ax
-        page = frame(ax, forces)
+    with style.settings():
+        limit = quality if len(swarm) and _in_view(arrows) else None
+        entries = _legend_entries(arrows, limit is not None, strips, no_go)
+        ax = new_axes(arrows, len(entries)) if ax is None else ax
+        page = frame(ax, arrows)
         _draw_object(page, swarm.outline)
         draw_strips(page, swarm.outline, strips, no_go)
-        _draw_forces(page, forces)
-        if quality is not None and len(swarm):
-            _draw_weakest(page, swarm, quality)
-        _label_newcomers(page, forces, placements)
-        _label_robots(page, forces)
+        _draw_robots(page, arrows)
+        if limit is not None:
+            _draw_weakest(page, swarm, limit, " before" if placements else "")
+        _label_newcomers(page, arrows, placements)
+        name_bollards(page, swarm.outline, strips)
+        _label_robots(page, arrows)
+        name_strips(page, swarm.outline, strips, no_go)
         _label_edges(page, swarm.outline)
+        _label_runners_up(page, arrows, placements)
         write_title(page, _title(swarm, quality, placements))
-        draw_force_key(page, forces)
+        draw_force_key(page, arrows)
         write_legend(page, entries, f"Quality with {swarm.metric_sentence}.")
         return cast(Figure, ax.get_figure(root=True))
 
@@ -121,25 +134,25 @@ def _draw_object(page: Page, outline: Outline) -> None:
         )  # fmt: skip
 
 
-def _kinds(forces: Forces) -> dict[str, list[Robot]]:
+def _kinds(arrows: Arrows) -> dict[str, list[Robot]]:
     """Return the robots of each kind in `LOOKS`."""
     return {
-        "runner-up": list(forces.runners_up),
-        "robot": [r for r in forces.robots if not r.mounted],
-        "thruster": [r for r in forces.robots if r.mounted],
-        "newcomer": list(forces.newcomers),
+        "runner-up": list(arrows.runners_up),
+        "robot": [r for r in arrows.robots if not r.mounted],
+        "thruster": [r for r in arrows.robots if r.mounted],
+        "newcomer": list(arrows.newcomers),
     }
 
 
-def _draw_forces(page: Page, forces: Forces) -> None:
+def _draw_robots(page: Page, arrows: Arrows) -> None:
     """Draw every arrow, and a mark at every contact: an arrow may be too short to see."""
-    many = len(forces.robots) > MOST_LABELS
-    for kind, robots in _kinds(forces).items():
+    many = len(arrows.robots) > MOST_LABELS
+    for kind, robots in _kinds(arrows).items():
         colour, width = LOOKS[kind]
-        ends = [forces.ends(robot) for robot in robots]
+        ends = [arrows.ends(robot) for robot in robots]
         draw_arrows(page.ax, ends, color=colour, width=0.6 * width if many else width, gid=kind)
         for tail, tip in ends:
-            page.keep_clear(tail, tip)
+            page.keep_clear(tail, tip, breadth=HEAD * width)
         page.ax.plot(
             *np.reshape([robot.contact for robot in robots], (-1, 2)).T,
             "s" if kind == "thruster" else "o",
@@ -151,8 +164,15 @@ def _draw_forces(page: Page, forces: Forces) -> None:
         )
 
 
-def _draw_weakest(page: Page, swarm: Swarm, quality: Quality) -> None:
-    """Draw the wrench the swarm is weakest at, and say how weak."""
+def _in_view(arrows: Arrows) -> bool:
+    """Tell whether the origin is among what is drawn: moments may be taken about any point."""
+    low, high = arrows.box()
+    origin = arrows.outline.origin
+    return bool(((low <= origin) & (origin <= high)).all())
+
+
+def _draw_weakest(page: Page, swarm: Swarm, quality: Quality, when: str) -> None:
+    """Draw the wrench the swarm is weakest at, and say how weak it is or was."""
     ax, origin = page.ax, swarm.outline.origin
     inverse = ax.transData.inverted()
     metres = page.point_size * float(np.ptp(inverse.transform([(0.0, 0.0), (1.0, 0.0)])[:, 0]))
@@ -171,53 +191,75 @@ def _draw_weakest(page: Page, swarm: Swarm, quality: Quality) -> None:
     for turn in np.linspace(0.0, math.pi, 6)[:-1]:
         reach = 1.3 * radius * np.array([math.cos(turn), math.sin(turn)])
         page.keep_clear(origin - reach, origin + reach)
-    text = f"weakest: {style.force(quality.value)}" if quality.value > 0.0 else "not force closed"
-    beside = [origin + 1.4 * radius * np.array(d) for d in ((0, -1), (0, 1), (1, 0), (-1, 0))]
-    page.label(text, beside, -0.5 * math.pi, fontsize=8.0, color=style.WINE, gid="weakest-label")
+    text = f"not force closed{when}"
+    if quality.value > 0.0:
+        text = f"weakest{when}: {style.force(quality.value)}"
+    side = 1.0 if way[1] < 0.0 else -1.0  # off the arrow
+    bearings = np.array([side, -side, 0.0, 2.0]) * 0.5 * math.pi
+    beside = origin + 1.4 * radius * np.column_stack([np.cos(bearings), np.sin(bearings)])
+    page.label(text, beside, bearings, fontsize=8.0, color=style.WINE, gid="weakest-label")
 
 
-def _label_newcomers(page: Page, forces: Forces, placements: Sequence[Placement]) -> None:
-    """Say what every newcomer brings, and what its runners-up would have brought."""
+def _label_newcomers(page: Page, arrows: Arrows, placements: Sequence[Placement]) -> None:
+    """Say what every newcomer brings."""
     for placement in placements:
         robot = placement.robot
         name = f"{robot.name}, " if robot.name else "+"
         gain = style.gain(placement.quality_before, placement.quality)
         text = f"{name}{style.force(robot.limit)}\n{gain}"
-        spots, bearing = _outer_spots(forces, robot)
+        spots, bearing = _outer_spots(arrows, robot)
         page.label(text, spots, bearing, fontsize=8.0, color=style.VERMILION, gid="newcomer-label")
-        for runner in placement.runners_up:
-            spots, bearing = _outer_spots(forces, runner.robot)
+
+
+def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement]) -> None:
+    """Say what the best runners-up would have brought, where there is room."""
+    for placement in placements:
+        for runner in placement.runners_up[:MOST_RUNNERS_UP]:
+            spots, bearing = _outer_spots(arrows, runner.robot)
             text = style.force(runner.quality, placement.quality)
-            page.label(text, spots, bearing, fontsize=7.0, color=style.GREY, gid="runner-up-label")
+            page.label(
+                text, spots, bearing, optional=True,
+                fontsize=7.0, color=style.GREY, gid="runner-up-label",
+            )  # fmt: skip
 
 
-def _label_robots(page: Page, forces: Forces) -> None:
+def _label_robots(page: Page, arrows: Arrows) -> None:
     """Write the name of every robot, or its number, unless there are too many.
 
     The two halves of a thruster that pushes either way, "bow +" and "bow -" at one
     contact, share a label.
     """
-    if len(forces.robots) > MOST_LABELS:
+    if len(arrows.robots) > MOST_LABELS:
         return
     done = set()
-    for index, robot in enumerate(forces.robots):
+    strongest_first = sorted(enumerate(arrows.robots), key=lambda pair: -pair[1].limit)
+    for index, robot in strongest_first:
         name = robot.name or str(index)
         stem = name.removesuffix(" +").removesuffix(" -")
-        halves = [r for r in forces.robots if r.contact == robot.contact]
-        if len(halves) == 2 and all(r.name in (f"{stem} +", f"{stem} -") for r in halves):
-            name = stem
+        halves = [r for r in arrows.robots if r.contact == robot.contact]
+        both = len(halves) == 2 and all(r.name in (f"{stem} +", f"{stem} -") for r in halves)
+        name = stem if both else name
         if (name, robot.contact) in done:
             continue
         done.add((name, robot.contact))
-        spots, bearing = _outer_spots(forces, robot)
+        spots, bearing = _outer_spots(arrows, robot)
+        if both:  # beside their arrows
+            spots += [0.5 * np.sum(arrows.ends(half), axis=0) for half in halves]
+            bearing += 0.5 * math.pi
         colour = LOOKS["thruster" if robot.mounted else "robot"][0]
-        size = 8.0 if len(forces.robots) <= FEW else 7.0
+        size = 8.0 if len(arrows.robots) <= FEW else 7.0
         page.label(name, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
 
-def _outer_spots(forces: Forces, robot: Robot) -> tuple[list[Any], float]:
-    """Return where a robot's label may sit, best first, and the bearing [rad] it prefers."""
-    tail, tip = forces.ends(robot)
+def _outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
+    """Return where a robot's label may sit, best first, and the bearing [rad] it prefers.
+
+    The outer end of the arrow and its middle; a thruster's at the contact, off the arrow:
+    inside the object the tip may be nearer to another thruster.
+    """
+    if robot.mounted:
+        return [np.array(robot.contact)], robot.direction + math.pi
+    tail, tip = arrows.ends(robot)
     contact = np.array(robot.contact)
     outer = tip if np.array_equal(contact, tail) else tail
     way = outer - contact
@@ -225,14 +267,23 @@ def _outer_spots(forces: Forces, robot: Robot) -> tuple[list[Any], float]:
 
 
 def _label_edges(page: Page, outline: Outline) -> None:
-    """Write the names of edges just outside them."""
+    """Write the names of edges just outside them, where each is nearest to its own."""
     named = [edge for edge, name in enumerate(outline.edge_names) if name]
     for edge in named if len(named) <= MOST_LABELS else []:
         p, q = outline.edge_ends(edge)
         spots = [p + share * (q - p) for share in (0.5, 0.35, 0.65, 0.2, 0.8)]
         outward = outline.inward_normal(edge) + math.pi
         look = {"fontsize": 7.0, "fontstyle": "italic", "color": style.GREY, "gid": "edge-label"}
-        page.label(outline.edge_names[edge], spots, outward, optional=True, **look)
+        fits = partial(_is_beside, outline, edge)
+        name = outline.edge_names[edge]
+        page.label(name, spots, outward, optional=True, reach=EDGE_REACH, fits=fits, **look)
+
+
+def _is_beside(outline: Outline, edge: int, point: Any) -> bool:
+    """Tell whether an edge is the one nearest to a point."""
+    nearest = float(outline.nearest(point)[1][0])
+    start, end = outline.corner_arc_lengths[edge : edge + 2]
+    return bool(start < nearest < end)
 
 
 def _title(swarm: Swarm, quality: Quality | None, placements: Sequence[Placement]) -> str:
@@ -245,10 +296,10 @@ def _title(swarm: Swarm, quality: Quality | None, placements: Sequence[Placement
 
 
 def _legend_entries(
-    forces: Forces, weakest: bool, zones: Sequence[Stretch], no_go: Sequence[Stretch]
+    arrows: Arrows, weakest: bool, zones: Sequence[Stretch], no_go: Sequence[Stretch]
 ) -> list[Any]:
     """Return a legend entry for everything that is drawn."""
-    kinds = _kinds(forces)
+    kinds = _kinds(arrows)
     entries: list[Any] = [
         ArrowEntry(color=LOOKS[kind][0], label=kind, linewidth=0.0)
         for kind in ("robot", "thruster", "newcomer", "runner-up")
@@ -261,8 +312,6 @@ def _legend_entries(
         entries.append(Line2D([], [], **strip, color=style.GREEN, label="zone"))
     if any(z.is_point for z in zones):
         entries.append(Line2D([], [], **BOLLARD, label="bollard"))
-    if any(not s.is_point for s in no_go):
+    if no_go:
         entries.append(Line2D([], [], **strip, **STRIPES, label="no-go"))
-    elif no_go:
-        entries.append(Line2D([], [], **BARRED, label="no-go"))
     return entries

@@ -10,6 +10,7 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.plot import style
 
 PIXELS_PER_INCH: Final = 240
 """Sharp in print at column width, and light."""
@@ -72,7 +73,10 @@ def _write_whole(figure: Figure, target: Path, suffix: str) -> None:
     """Write to a temporary file in the target's folder, then rename it."""
     scratch = target.with_name(f".{target.stem}-{secrets.token_hex(6)}{suffix}")
     try:
-        with mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"}):
+        with (
+            mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"}),
+            style.quietly(),
+        ):
             figure.savefig(
                 scratch,
                 format=suffix[1:],

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, ArrowInLegend, Forces, draw_arrows
+from swarmgrasp.plot.arrows import ArrowEntry, ArrowInLegend, Arrows, draw_arrows
 from swarmgrasp.plot.labels import Page
 
 MARGINS: Final = (0.60, 0.14, 0.32, 0.78)
@@ -25,16 +25,16 @@ LEGEND_ROW: Final = 0.17
 LEGEND_COLUMNS: Final = 4
 
 
-def new_axes(forces: Forces, entries: int) -> Axes:
+def new_axes(arrows: Arrows, entries: int) -> Axes:
     """Return an axes in a figure whose height suits what is to be drawn.
 
     Parameters
     ----------
-    forces : Forces
+    arrows : Arrows
     entries : int
         How many entries the legend will have.
     """
-    low, high = forces.box()
+    low, high = arrows.box()
     left, right, top, bottom = MARGINS
     bottom += LEGEND_ROW * math.ceil(entries / LEGEND_COLUMNS)
     width = style.WIDTH - left - right
@@ -48,10 +48,10 @@ def new_axes(forces: Forces, entries: int) -> Axes:
     )
 
 
-def frame(ax: Axes, forces: Forces) -> Page:
+def frame(ax: Axes, arrows: Arrows) -> Page:
     """Set equal axes whose limits fill the axes' box and leave room for labels."""
     page = Page(ax)
-    low, high = forces.box()
+    low, high = arrows.box()
     box = np.array([ax.bbox.width, ax.bbox.height])
     room = np.maximum(box - 2.0 * PADDING * page.point_size, 0.3 * box)
     half = 0.5 * box * float(np.max((high - low) / room))
@@ -74,14 +74,14 @@ def write_title(page: Page, title: str) -> None:
     )  # fmt: skip
 
 
-def draw_force_key(page: Page, forces: Forces) -> None:
+def draw_force_key(page: Page, arrows: Arrows) -> None:
     """Draw the length of a round force above the picture, on the right."""
-    if not forces.strongest:
+    if not arrows.strongest:
         return
     ax, inverse = page.ax, page.ax.transData.inverted()
-    value = style.round_below(forces.strongest)
+    value = style.round_below(arrows.strongest)
     tip = inverse.transform((ax.bbox.x1, ax.bbox.y1 + 12.0 * page.point_size))
-    tail = tip - [forces.length(value), 0.0]
+    tail = tip - [arrows.length(value), 0.0]
     draw_arrows(ax, [(tail, tip)], color=style.GREY, gid="key", clip_on=False)
     ax.annotate(
         style.force(value), (float(tail[0]), float(tail[1])),

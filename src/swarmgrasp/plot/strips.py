@@ -1,6 +1,7 @@
 """Zones and no-go stretches as strips along the boundary."""
 
 import itertools
+import math
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -30,13 +31,12 @@ BOLLARD: Final[dict[str, Any]] = {
     "markeredgecolor": "white",
     "markeredgewidth": 0.8,
 }
-BARRED: Final[dict[str, Any]] = BOLLARD | {
-    "marker": "X",
-    "color": style.INK,
-}
 
 MOST_NAMES: Final = 16
-"""With more bollards than this none is named."""
+"""With more bollards, or more strips, than this none is named."""
+
+REACH: Final = 36.0
+"""Farthest a name is written from a strip that is too short for it [pt]."""
 
 
 def stretch_path(outline: Outline, stretch: Stretch) -> NDArray[np.float64]:
@@ -56,7 +56,7 @@ def stretch_path(outline: Outline, stretch: Stretch) -> NDArray[np.float64]:
 def draw_strips(
     page: Page, outline: Outline, zones: Sequence[Stretch], no_go: Sequence[Stretch]
 ) -> None:
-    """Draw zones green, no-go stretches striped, points as marks, and name the bollards.
+    """Draw zones green, bollards as dots and no-go stretches striped.
 
     Parameters
     ----------
@@ -64,32 +64,73 @@ def draw_strips(
     outline : Outline
     zones, no_go : sequence of Stretch
     """
-    for stretch in zones:
+    for kind, stretch in _kinds(zones, no_go):
         path = stretch_path(outline, stretch)
-        if stretch.is_point:
-            page.ax.plot(*path[0], **BOLLARD, zorder=4.5, gid="bollard")
-        else:
-            _take(page, path)
-            page.ax.plot(*path.T, **STRIP, color=style.GREEN, gid="zone")
-    for stretch in no_go:
-        path = stretch_path(outline, stretch)
-        if stretch.is_point:
-            page.ax.plot(*path[0], **BARRED, zorder=4.6, gid="no-go")
-        else:
-            _take(page, path)
-            page.ax.plot(*path.T, **STRIP, color="white")
-            page.ax.plot(*path.T, **STRIP, **_whole_stripes(page, path), gid="no-go")
-    named = [z for z in zones if z.is_point and z.name and z.name not in outline.edge_names]
-    for stretch in named if len(named) <= MOST_NAMES else []:
-        point = stretch_path(outline, stretch)[0]
-        inward = outline.at_point(point).inward
-        page.label(stretch.name, [point], inward, fontsize=7.0, color=style.GREEN)
+        if kind == "bollard":
+            page.ax.plot(*path[0], **BOLLARD, zorder=4.5, gid=kind)
+            page.keep_clear(path[0], path[0], breadth=BOLLARD["markersize"])
+            continue
+        for start, end in itertools.pairwise(path):
+            page.keep_clear(start, end, breadth=STRIP["linewidth"])
+        page.ax.plot(*path.T, **STRIP, color="white" if kind == "no-go" else style.GREEN, gid=kind)
+        if kind == "no-go":
+            page.ax.plot(*path.T, **STRIP, **_whole_stripes(page, path))
 
 
-def _take(page: Page, path: NDArray[np.float64]) -> None:
-    """Keep labels off a strip."""
-    for start, end in itertools.pairwise(path):
-        page.keep_clear(start, end, breadth=STRIP["linewidth"])
+def name_bollards(page: Page, outline: Outline, zones: Sequence[Stretch]) -> None:
+    """Name the zones that are points, unless there are too many.
+
+    Parameters
+    ----------
+    page : Page
+    outline : Outline
+    zones : sequence of Stretch
+    """
+    named = [zone for zone in zones if zone.is_point and zone.name not in _edge_names(outline)]
+    for zone in named if len(named) <= MOST_NAMES else []:
+        contact = outline.at_arc_length(zone.start)
+        look: dict[str, Any] = {"fontsize": 7.0, "color": style.GREEN, "gid": "bollard-label"}
+        page.label(zone.name, [contact.point], contact.inward, **look)
+
+
+def name_strips(
+    page: Page, outline: Outline, zones: Sequence[Stretch], no_go: Sequence[Stretch]
+) -> None:
+    """Name no-go stretches, and zones that are not points, where there is room.
+
+    A name stands along its strip, inside the object; one too long for that stands near by.
+    Zones called after their edge go without: the edge has its own name.
+
+    Parameters
+    ----------
+    page : Page
+    outline : Outline
+    zones, no_go : sequence of Stretch
+    """
+    edges = _edge_names(outline)
+    kinds = [pair for pair in _kinds((), no_go) + _kinds(zones, ()) if pair[0] != "bollard"]
+    named = [(kind, stretch) for kind, stretch in kinds if stretch.name not in edges]
+    for kind, stretch in named if len(named) <= MOST_NAMES else []:
+        path = stretch_path(outline, stretch)
+        longest = int(np.argmax(np.hypot(*np.diff(path, axis=0).T)))
+        start, end = path[longest : longest + 2]
+        colour = style.INK if kind == "no-go" else style.GREEN
+        look: dict[str, Any] = {"fontsize": 7.0, "color": colour, "gid": f"{kind}-label"}
+        if page.label_along(stretch.name, (start, end), **look) is None:
+            middle = 0.5 * (start + end)
+            outward = outline.at_point(middle).inward + math.pi
+            page.label(stretch.name, [middle], outward, optional=True, reach=REACH, **look)
+
+
+def _edge_names(outline: Outline) -> set[str]:
+    """Return the names that stretches of edges have when none is given, and no name."""
+    return {"", *(outline.edge_label(edge) for edge in range(len(outline)))}
+
+
+def _kinds(zones: Sequence[Stretch], no_go: Sequence[Stretch]) -> list[tuple[str, Stretch]]:
+    """Return every stretch with its kind, "zone", "bollard" or "no-go"."""
+    kinds = [("bollard" if zone.is_point else "zone", zone) for zone in zones]
+    return kinds + [("no-go", stretch) for stretch in no_go]
 
 
 def _whole_stripes(page: Page, path: NDArray[np.float64]) -> dict[str, Any]:

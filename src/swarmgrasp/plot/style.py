@@ -1,7 +1,12 @@
 """Colours, sizes and units that all pictures share."""
 
 import math
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any, Final
+
+import matplotlib as mpl
 
 BLUE: Final = "#0072B2"
 SKY: Final = "#56B4E9"
@@ -30,6 +35,7 @@ RC: Final[Any] = {  # matplotlib types the keys one by one
     "axes.labelcolor": INK,
     "axes.unicode_minus": True,
     "text.color": INK,
+    "text.parse_math": False,  # a name may hold a "$"
     "xtick.labelsize": 8.0,
     "ytick.labelsize": 8.0,
     "xtick.color": GREY,
@@ -49,6 +55,34 @@ RC: Final[Any] = {  # matplotlib types the keys one by one
 }
 """The settings each picture is drawn under; the caller's own are left as they are."""
 
+UNITS: Final = (
+    (1e6, 1e-6, "MN"),
+    (1e3, 1e-3, "kN"),
+    (1e-2, 1.0, "N"),
+    (1e-4, 1e3, "mN"),
+    (1e-7, 1e6, "µN"),
+    (0.0, 1e9, "nN"),
+)
+"""Least force [N] shown in a unit, numbers in it per newton, and its name."""
+
+
+@contextmanager
+def settings() -> Iterator[None]:
+    """Draw under the settings of all pictures, and quietly."""
+    with mpl.rc_context(RC), quietly():
+        yield
+
+
+@contextmanager
+def quietly() -> Iterator[None]:
+    """Drop matplotlib's warning of letters the font lacks, such as Chinese ones in a name.
+
+    They are drawn as empty boxes.
+    """
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", r"Glyph \d+ .* missing from", UserWarning)
+        yield
+
 
 def force_unit(value: float) -> tuple[float, str]:
     """Choose the unit a force of this size reads best in.
@@ -62,21 +96,17 @@ def force_unit(value: float) -> tuple[float, str]:
     factor : float
         Newtons times this are numbers in the unit.
     unit : str
-        "N", "kN" or "MN".
+        From "nN" to "MN".
 
     Examples
     --------
     >>> force_unit(12_000.0)
     (0.001, 'kN')
-    >>> force_unit(0.39)
-    (1.0, 'N')
+    >>> force_unit(0.39), force_unit(2e-3), force_unit(0.0)
+    ((1.0, 'N'), (1000.0, 'mN'), (1.0, 'N'))
     """
-    size = abs(value)
-    if size >= 1e6:
-        return 1e-6, "MN"
-    if size >= 1e3:
-        return 1e-3, "kN"
-    return 1.0, "N"
+    size = abs(value) or 1.0
+    return next((factor, unit) for least, factor, unit in UNITS if size >= least)
 
 
 def number(value: float) -> str:
@@ -123,7 +153,7 @@ def round_below(value: float) -> float:
 
 
 def gain(before: float, after: float) -> str:
-    """Write how a quality changes.
+    """Write how a quality changes, with the same decimals before and after.
 
     Parameters
     ----------
@@ -132,15 +162,25 @@ def gain(before: float, after: float) -> str:
     Examples
     --------
     >>> gain(0.0, 2100.0), gain(0.696, 0.696)
-    ('quality 0 → 2.1 kN', 'quality stays 0.696 N')
+    ('quality 0 → 2.10 kN', 'quality stays 0.696 N')
+    >>> gain(134_648.0, 311_200.0), gain(134_648.0, 135_268.0)
+    ('quality 135 → 311 kN', 'quality 134.65 → 135.27 kN')
     """
     factor, unit = force_unit(max(before, after))
     if abs(after - before) <= 1e-9 * max(before, after):
         return f"quality stays {number(after * factor)} {unit}"
-    digits = [number(before * factor), number(after * factor)]
-    if digits[0] == digits[1]:  # a gain too small for three digits
-        digits = [f"{value * factor:.6g}" for value in (before, after)]
-    return f"quality {digits[0]} → {digits[1]} {unit}"
+    old, new = before * factor, after * factor
+    least = _decimals(max(old, new), 3)
+    decimals = max(least, _decimals(abs(new - old), 2))  # two digits of the gain show
+    if old > 0.0:
+        decimals = max(decimals, min(_decimals(old, 3), least + 2))
+    first = f"{old:.{decimals}f}" if old > 0.0 else "0"
+    return f"quality {first} → {new:.{decimals}f} {unit}"
+
+
+def _decimals(value: float, digits: int) -> int:
+    """Return the decimals that show so many significant digits of a positive value."""
+    return max(0, digits - 1 - math.floor(math.log10(value)))
 
 
 def count(robots: int) -> str:

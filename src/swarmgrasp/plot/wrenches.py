@@ -10,6 +10,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.path import Path
+from matplotlib.text import Text
+from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Bbox
 from mpl_toolkits.mplot3d import proj3d  # type: ignore[import-untyped]
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
@@ -32,6 +35,9 @@ TURNS: Final = (25.0, 65.0)
 
 ROOM: Final = (0.03, 0.07, 0.97, 0.88)
 """Left, bottom, right and top of the part of the figure the 3-D box and its labels fill."""
+
+LABEL_PADS: Final = tuple(np.arange(2.0, 22.0, 2.0))
+"""Distances of the names of the axes from their axes [pt], the first that has room."""
 
 SOLID: Final = "#C9CDD2"
 WIRES_SEEN: Final[dict[str, Any]] = {"linewidth": 0.9, "zorder": 3}
@@ -70,7 +76,7 @@ def wrench_sets(
         metric = before.characteristic_length, before.force_weights
         last = body(Swarm(after.outline, after.robots, *metric))
     factor, unit = style.force_unit(float(np.abs(last.vertices).max()))
-    with mpl.rc_context(style.RC):
+    with style.settings():
         figure = Figure(figsize=(style.WIDTH, 4.3))
         ax = cast(
             Axes3D,
@@ -209,9 +215,9 @@ def _set_axes(
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(tuple(high - low))
     roots = [f"√{a:g} · " if a != 1.0 else "" for a in swarm.force_weights]
-    ax.set_xlabel(f"{roots[0]}surge force [{unit}]", labelpad=2.0)
-    ax.set_ylabel(f"{roots[1]}sway force [{unit}]", labelpad=2.0)
-    ax.set_zlabel(f"torque / {style.number(swarm.characteristic_length)} m [{unit}]", labelpad=2.0)
+    ax.set_xlabel(f"{roots[0]}surge force [{unit}]")
+    ax.set_ylabel(f"{roots[1]}sway force [{unit}]")
+    ax.set_zlabel(f"torque / {style.number(swarm.characteristic_length)} m [{unit}]")
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
     ax.tick_params(pad=1.5)
@@ -239,11 +245,54 @@ def _fit(figure: Figure, ax: Axes3D) -> None:
         artist.set_clip_on(False)
 
 
+def _clear_ticks(figure: Figure, ax: Axes3D) -> None:
+    """Move the names of the axes outward until they clear all numbers and each other.
+
+    Where the numbers of an axis touch, fewer are written.
+    """
+    axes = ax.xaxis, ax.yaxis, ax.zaxis
+    for axis in axes:
+        axis.labelpad = LABEL_PADS[0]
+    for _ in LABEL_PADS[1:]:
+        figure.draw_without_rendering()  # places the labels
+        names = [text_area(axis.label) for axis in axes]
+        rows = [
+            [text_area(t.label1) for t in axis.get_major_ticks() if t.label1.get_text()]
+            for axis in axes
+        ]
+        numbers = [number for row in rows for number in row]
+        crowded = [
+            any(name.intersects_path(other) for other in [*numbers, *names[:i], *names[i + 1 :]])
+            for i, name in enumerate(names)
+        ]
+        tight = [any(a.intersects_path(b) for a, b in itertools.pairwise(row)) for row in rows]
+        if not any(crowded + tight):
+            return
+        for axis, is_tight in zip(axes, tight, strict=True):
+            if is_tight:
+                axis.set_major_locator(MaxNLocator(3))
+        for axis, is_crowded in zip(axes, crowded, strict=True):
+            axis.labelpad += (LABEL_PADS[1] - LABEL_PADS[0]) * is_crowded
+    figure.draw_without_rendering()
+
+
+def text_area(text: Text) -> Path:
+    """Return the turned box [px] a text fills."""
+    turn = text.get_rotation()
+    centre = text.get_window_extent().get_points().mean(axis=0)
+    text.set_rotation(0.0)
+    half = np.array(text.get_window_extent().size) / 2.0
+    text.set_rotation(turn)
+    corners = half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    return Path(centre + corners @ np.array([[c, s], [-s, c]]), closed=True)
+
+
 def _drawn_box(
     figure: Figure, ax: Axes3D, low: NDArray[np.float64], high: NDArray[np.float64]
 ) -> Bbox:
     """Return the box round the 3-D box and its labels, in shares of the figure."""
-    figure.draw_without_rendering()  # places the labels
+    _clear_ticks(figure, ax)
     renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))))
     x, y, _ = proj3d.proj_transform(*corners.T, ax.get_proj())
