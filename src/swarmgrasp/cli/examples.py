@@ -46,7 +46,7 @@ def examples(
 def _write(folder: Path, texts: dict[str, str], force: bool) -> None:
     """Write the texts, all or none."""
     from swarmgrasp.cli.report import told_written
-    from swarmgrasp.placement.document import write_whole
+    from swarmgrasp.files import write_whole
 
     paths = {name: folder / f"{name}.yaml" for name in texts}
     if os.path.lexists(folder) and not folder.is_dir():

@@ -127,7 +127,7 @@ def put_json(path: str | None, data: dict[str, Any]) -> list[str]:
     """Write data as JSON to a file; return the files written, none for "-" or None."""
     if path in (None, DASH):
         return []
-    from swarmgrasp.placement.document import write_whole
+    from swarmgrasp.files import write_whole
 
     write_whole(str(path), json_text(data).encode())
     return [str(path)]

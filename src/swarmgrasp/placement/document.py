@@ -1,14 +1,13 @@
 """Answers as JSON: complete enough that a stranger can check them."""
 
 import json
-import os
-import tempfile
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.files import write_whole
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement
 from swarmgrasp.placement.digest import digest_of
@@ -72,32 +71,17 @@ def write_answer(path: str | Path, answers: Placement | Sequence[Placement]) -> 
 
     Examples
     --------
+    >>> from tempfile import TemporaryDirectory
     >>> from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
     >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     >>> crew = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7)]
     >>> answer = place(Swarm(square, crew), Newcomer(attachment="push"))
-    >>> with tempfile.TemporaryDirectory() as folder:
+    >>> with TemporaryDirectory() as folder:
     ...     write_answer(f"{folder}/answer.json", answer)
     ...     sorted(read_answer(f"{folder}/answer.json"))[:3]
     ['digest', 'format', 'metric']
     """
     write_whole(path, answer_text(answers).encode())
-
-
-def write_whole(path: str | Path, content: bytes) -> None:
-    """Write a file through a temporary one beside it, so that it is never half-written."""
-    target = Path(path)
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        umask = os.umask(0)
-        os.umask(umask)
-        Path(name).chmod(0o666 & ~umask)
-        Path(name).replace(target)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
 
 
 def read_answer(path: str | Path) -> dict[str, Any]:

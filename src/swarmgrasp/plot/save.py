@@ -1,7 +1,6 @@
 """Writing a picture to a file: all of it or nothing."""
 
 import os
-import secrets
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
@@ -10,6 +9,7 @@ import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.files import scratch_for
 from swarmgrasp.plot import style
 
 PIXELS_PER_INCH: Final = 240
@@ -60,29 +60,14 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
         raise PictureNotSaved(f"{target}: there is no folder {target.parent}; create it first")
     if target.is_dir():
         raise PictureNotSaved(f"{target}: this is a folder; give the path of a file")
+    style_of_file = mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"})
     try:
-        _write_whole(figure, target, suffix)
+        with scratch_for(target) as scratch, style_of_file, style.quietly():
+            figure.savefig(
+                scratch, format=suffix[1:], dpi=PIXELS_PER_INCH, metadata=METADATA[suffix]
+            )
     except OSError as fault:
         raise PictureNotSaved(
             f"{target}: {fault.strerror or fault}; choose a folder you may write to"
         ) from fault
     return target
-
-
-def _write_whole(figure: Figure, target: Path, suffix: str) -> None:
-    """Write to a temporary file in the target's folder, then rename it."""
-    scratch = target.with_name(f".{target.stem}-{secrets.token_hex(6)}{suffix}")
-    try:
-        with (
-            mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"}),
-            style.quietly(),
-        ):
-            figure.savefig(
-                scratch,
-                format=suffix[1:],
-                dpi=PIXELS_PER_INCH,
-                metadata=METADATA[suffix],
-            )
-        scratch.replace(target)
-    finally:
-        scratch.unlink(missing_ok=True)
