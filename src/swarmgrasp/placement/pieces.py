@@ -15,7 +15,7 @@ from swarmgrasp.robot import RIGHT_ANGLE, Zone
 Interval = tuple[float, float]
 
 SLIVER = 1e-9
-"""Width of allowed contacts that counts as rounding, relative to the outline's extent."""
+"""Width of contacts, allowed or not, that counts as rounding, relative to the outline's extent."""
 
 
 @dataclass(frozen=True)
@@ -100,9 +100,14 @@ def _allowed(problem: Problem, zone: Zone | None) -> Iterator[tuple[int, float, 
             wanted = _on_edge(outline, edge, zone.stretch)
         taken = [run for stretch in problem.no_go for run in _runs(outline, edge, stretch)]
         taken += _crowded(problem, edge)
+        sliver = SLIVER * outline.extent
         for start, end in wanted:
+            if start == end:
+                if not any(a + sliver < start < b - sliver for a, b in taken):
+                    yield edge, start, end
+                continue
             for a, b in _minus((start, end), taken):
-                if b - a > SLIVER * outline.extent or start == end:
+                if b - a > sliver:
                     yield edge, a, b
 
 
@@ -142,25 +147,21 @@ def _crowded(problem: Problem, edge: int) -> Iterator[Interval]:
         offset = np.asarray(robot.contact) - p
         middle = float(offset @ along)
         height = float(abs(offset[0] * along[1] - offset[1] * along[0]))
-        if not robot.mounted and height < spacing:
+        if not robot.mounted and height < spacing - SLIVER * outline.extent:
             half = math.sqrt(spacing**2 - height**2)
             yield middle - half, middle + half
 
 
 def _minus(whole: Interval, taken: list[Interval]) -> list[Interval]:
-    """Return what open intervals leave of a closed one; a point inside one goes."""
+    """Return what open intervals leave of a closed one."""
     left = [whole]
     for a, b in taken:
-        left = (
-            [
-                part
-                for lo, hi in left
-                for part in ((lo, min(hi, a)), (max(lo, b), hi))
-                if part[0] < part[1] or (lo == hi and part == (lo, hi))
-            ]
-            if a < b
-            else left
-        )
+        left = [
+            part
+            for lo, hi in left
+            for part in ((lo, min(hi, a)), (max(lo, b), hi))
+            if part[0] < part[1]
+        ]
     return left
 
 

@@ -37,8 +37,8 @@ RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 NEAR = 1e-6
 """Distance of a contact from the boundary that counts as none, relative to the extent."""
-SLIVER = 2e-9
-"""Width of allowed contacts that counts as rounding, relative to the outline's extent."""
+SLIVER = 1e-9
+"""Width of contacts, allowed or not, that counts as rounding, relative to the extent."""
 ANGLE = 1e-9
 """Angle [rad] that counts as none."""
 
@@ -281,7 +281,7 @@ class _Check:
                         continue
                     place = label or names[edge] or f"edge {edge}"
                     for lo, hi in _sides(self.claim, zone, inward):
-                        yield Cell(place, start, end, lo, hi, 0.0 < b - a <= self.sliver)
+                        yield Cell(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * self.sliver)
 
     def spans(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array
@@ -313,24 +313,23 @@ class _Check:
         length = float(np.linalg.norm(q - p))
         for robot in self.present if self.claim.spacing > 0.0 else []:
             if not robot.mounted:
-                # |p + s d - c|^2 = spacing^2, a quadratic in s
-                d, to_p = (q - p) / length, p - np.array(robot.contact)
-                half = float(d @ to_p)
-                root = half**2 - float(to_p @ to_p) + self.claim.spacing**2
-                if root > 0.0:
-                    for s in (-half - math.sqrt(root), -half + math.sqrt(root)):
-                        if 0.0 < s < length:
-                            yield s
+                d, from_p = (q - p) / length, np.array(robot.contact) - p
+                height = abs(float(d[0] * from_p[1] - d[1] * from_p[0]))
+                if height < self.claim.spacing - self.sliver:
+                    half = math.sqrt(self.claim.spacing**2 - height**2)
+                    foot = float(d @ from_p)
+                    yield from (s for s in (foot - half, foot + half) if 0.0 < s < length)
 
     def is_allowed(
         self, zone: "ZoneClaim | None", arc: float, perimeter: float, point: Array
     ) -> bool:
         """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
-        if zone is not None and not _covers(zone, arc, perimeter, self.near):
+        is_point = zone is not None and zone.start == zone.end  # then the contact is its own
+        if zone and not is_point and not _covers(zone, arc, perimeter, self.sliver):
             return False
-        if any(_covers(stretch, arc, perimeter, -self.near) for stretch in self.claim.no_go):
+        if any(_covers(stretch, arc, perimeter, -self.sliver) for stretch in self.claim.no_go):
             return False
-        spacing = self.claim.spacing - self.near
+        spacing = self.claim.spacing - self.sliver
         return all(
             robot.mounted or float(np.linalg.norm(point - np.array(robot.contact))) >= spacing
             for robot in self.present
