@@ -25,7 +25,7 @@ from swarmgrasp import (
     quality,
 )  # fmt: skip
 from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
-from swarmgrasp.placement import read_answer, verify, verify_document, write_answer
+from swarmgrasp.placement import read_answer, recompute, verify, verify_document, write_answer
 from swarmgrasp.placement.document import document_of
 
 
@@ -411,15 +411,15 @@ def test_no_cell_of_length_zero_hides_the_others(document):
 
 def test_the_check_shares_no_code_with_the_search():
     """Of the package it imports the form of the file and its digest, and nothing else."""
-    tree = ast.parse(Path(verify.__file__).read_text(encoding="utf-8"))
+    trees = [ast.parse(Path(m.__file__).read_text(encoding="utf-8")) for m in (verify, recompute)]
     names = set()
-    for node in ast.walk(tree):
+    for node in (node for tree in trees for node in ast.walk(tree)):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0
             names.add(node.module)
     ours = {name for name in names if name.startswith("swarmgrasp")}
-    form = {f"swarmgrasp.placement.{name}" for name in ("claims", "digest", "document")}
+    form = {f"swarmgrasp.placement.{name}" for name in ("claims", "digest", "recompute")}
     assert ours <= form | {"swarmgrasp.errors"}
     assert not names & {"numba", "shapely", "importlib"}

@@ -1,23 +1,36 @@
 """An independent check of an answer, from its plain data alone.
 
-This module uses nothing of the search, nor of the package's outlines, pieces and kernels: it
-finds the allowed places by cutting every edge where anything changes, recomputes each quality by
-sorting the plane across each generator, and bounds every allowed place by the given normals and
-weights, by weak duality (T10): if a robot b reaches the quality t, then t <= h(n) + max(0, n . b)
-for every n, so that t <= max(sum l_k h(n_k) + v . b, max h(n_k)) with v = sum l_k n_k.
+This and `recompute` use nothing of the search, nor of the package's outlines, pieces and
+kernels. They find the allowed places by cutting every edge where anything changes, recompute
+each quality by sorting the plane across each generator, and bound every allowed place by the
+given normals and weights, by weak duality (T10): if a robot b reaches the quality t, then
+t <= h(n) + max(0, n . b) for every n, so that t <= max(sum l_k h(n_k) + v . b, max h(n_k)) with
+v = sum l_k n_k.
 A claim is trusted only after it was recomputed; the normals and weights need no trust at all.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from swarmgrasp.placement.digest import digest_of
+from swarmgrasp.placement.recompute import (
+    ABSOLUTE,
+    ANGLE,
+    Array,
+    covers,
+    crest,
+    distance_to,
+    exact_quality,
+    labels_of,
+    sides_of,
+    turns_into,
+    units_of,
+)
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
     from swarmgrasp.placement.claims import (
@@ -25,24 +38,17 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
         PlacementClaim,
         RobotClaim,
         RunnerUpClaim,
-        StretchClaim,
         ZoneClaim,
     )
 
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
-ABSOLUTE = 1e-12
-"""The same, relative to sum |b_i|; also the share of it up to which a quality counts as 0."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 NEAR = 1e-6
 """Distance of a contact from the boundary that counts as none, relative to the extent."""
 SLIVER = 1e-9
 """Width of contacts, allowed or not, that counts as rounding, relative to the extent."""
-ANGLE = 1e-9
-"""Angle [rad] that counts as none."""
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -208,7 +214,7 @@ class _Check:
         ends = np.roll(self.corners, -1, axis=0)
         point = np.array(robot.contact)
         return any(
-            _to_segment(point, p, q) <= self.near for p, q in zip(self.corners, ends, strict=True)
+            distance_to(point, p, q) <= self.near for p, q in zip(self.corners, ends, strict=True)
         )
 
     def is_inside(self, robot: "RobotClaim") -> bool:
@@ -231,8 +237,8 @@ class _Check:
         places = {
             cell.place
             for cell in self.cells
-            if _to_segment(contact, cell.p, cell.q) <= self.near
-            and _turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
+            if distance_to(contact, cell.p, cell.q) <= self.near
+            and turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
         }
         if not places:
             yield (
@@ -253,14 +259,14 @@ class _Check:
         lo, hi = np.array([c.lo for c in cells]), np.array([c.hi for c in cells])
         bounds = np.full(len(cells), math.inf)
         for proof in self.claim.proofs:
-            normals, weights = _units(proof.normals), np.array(proof.weights)
+            normals, weights = units_of(proof.normals), np.array(proof.weights)
             if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
                 continue
             weights = weights / weights.max()
             weights /= weights.sum()
             heights = np.maximum(self.base @ normals.T, 0.0).sum(axis=0)
             covector = (weights @ normals) * self.scale * self.claim.newcomer.limit
-            reach = np.maximum(*(_crest(covector, end - self.origin, lo, hi) for end in (p, q)))
+            reach = np.maximum(*(crest(covector, end - self.origin, lo, hi) for end in (p, q)))
             bounds = np.minimum(bounds, np.maximum(weights @ heights + reach, heights.max()))
         return float(bounds.max())
 
@@ -269,7 +275,7 @@ class _Check:
         lengths, names = self.lengths(), self.edge_names
         arcs = np.concatenate([[0.0], np.cumsum(lengths)])
         zones = [None] if self.claim.zones is None else self.claim.zones
-        labels = _zone_labels(zones)
+        labels = labels_of(zones)
         for edge, length in enumerate(lengths):
             p, q = self.corners[edge], self.corners[(edge + 1) % len(self.corners)]
             inward = math.atan2(q[0] - p[0], p[1] - q[1])
@@ -280,7 +286,7 @@ class _Check:
                     if not self.is_allowed(zone, middle, arcs[-1], 0.5 * (start + end)):
                         continue
                     place = label or names[edge] or f"edge {edge}"
-                    for lo, hi in _sides(self.claim, zone, inward):
+                    for lo, hi in sides_of(self.claim, zone, inward):
                         yield Cell(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * self.sliver)
 
     def spans(
@@ -325,132 +331,12 @@ class _Check:
     ) -> bool:
         """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
         is_point = zone is not None and zone.start == zone.end  # then the contact is its own
-        if zone and not is_point and not _covers(zone, arc, perimeter, self.sliver):
+        if zone and not is_point and not covers(zone, arc, perimeter, self.sliver):
             return False
-        if any(_covers(stretch, arc, perimeter, -self.sliver) for stretch in self.claim.no_go):
+        if any(covers(stretch, arc, perimeter, -self.sliver) for stretch in self.claim.no_go):
             return False
         spacing = self.claim.spacing - self.sliver
         return all(
             robot.mounted or float(np.linalg.norm(point - np.array(robot.contact))) >= spacing
             for robot in self.present
         )
-
-
-def exact_quality(generators: Array) -> float:
-    """Compute the quality (T2) in the plane across each generator.
-
-    In that plane the generators are vectors in two dimensions and h is least at a normal to
-    one of them; walking once around, sorted by angle, h changes by running sums.
-
-    Parameters
-    ----------
-    generators : (n, 3) [N]
-        In the metric's coordinates.
-
-    Examples
-    --------
-    >>> cube = np.vstack([np.eye(3), -np.eye(3)])
-    >>> exact_quality(cube)
-    1.0
-    """
-    sizes = np.linalg.norm(generators, axis=1)
-    least = math.inf
-    for b, size in zip(generators, sizes, strict=True):
-        if size == 0.0:
-            continue
-        basis = np.linalg.svd((b / size)[None, :])[2][1:]
-        flat = generators @ basis.T
-        lengths = np.linalg.norm(flat, axis=1)
-        flip = np.where((flat[:, 1] > 0.0) | ((flat[:, 1] == 0.0) & (flat[:, 0] > 0.0)), 1.0, -1.0)
-        folded = flat * flip[:, None]
-        order = np.argsort(np.arctan2(folded[:, 1], folded[:, 0]))
-        folded, total = folded[order], folded.sum(axis=0)
-        past = np.cumsum(folded, axis=0) - folded
-        spans = lengths[order] > 1e-14 * sizes[order]
-        if not spans.any():
-            continue
-        normals = np.column_stack([-folded[:, 1], folded[:, 0]])[spans]
-        normals /= np.linalg.norm(normals, axis=1)[:, None]
-        width = (normals * (total - 2.0 * past[spans])).sum(axis=1)
-        skew = np.abs(normals @ flat.sum(axis=0))
-        least = min(least, float(0.5 * (width - skew).min()))
-    zero = ABSOLUTE * float(sizes.sum())
-    return least if zero < least < math.inf else 0.0
-
-
-def _units(vectors: list[tuple[float, float, float]]) -> Array | None:
-    """Return vectors scaled to unit length, or None if that cannot be done without loss."""
-    rows = np.array(vectors)
-    largest = np.abs(rows).max(axis=1, keepdims=True)
-    if not (largest > 1e-100).all():
-        return None
-    rows = rows / largest
-    return np.asarray(rows / np.linalg.norm(rows, axis=1, keepdims=True))
-
-
-def _crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
-    """Return the greatest v . (F, arm x F) over unit forces in the sectors [lo, hi], (k,)."""
-    a = covector[0] - covector[2] * arms[:, 1]
-    b = covector[1] + covector[2] * arms[:, 0]
-    top = np.arctan2(b, a)
-    turned = top + 2.0 * math.pi * np.ceil((lo - top) / (2.0 * math.pi))
-    ends = np.maximum(a * np.cos(lo) + b * np.sin(lo), a * np.cos(hi) + b * np.sin(hi))
-    return np.asarray(np.where(turned <= hi, np.hypot(a, b), ends))
-
-
-def _sides(
-    claim: "PlacementClaim", zone: "ZoneClaim | None", inward: float
-) -> Iterator[tuple[float, float]]:
-    """Yield the sectors allowed at an edge, each on one side of it."""
-    source = claim.newcomer if zone is None or zone.attachment is None else zone
-    free = source.attachment == "free"
-    half = math.pi / 2 if free or source.half_angle is None else source.half_angle
-    for side, middle in (("push", inward), ("pull", inward + math.pi)):
-        if not free and source.attachment != side:
-            continue
-        if zone is None or zone.directions is None:
-            yield middle - half, middle + half
-            continue
-        first, last = zone.directions
-        width = (last - first) % (2.0 * math.pi)
-        if width == 0.0 and last != first:  # whole turns: any direction
-            yield middle - half, middle + half
-            continue
-        for turn in range(-2, 3):
-            start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
-            lo, hi = max(start, middle - half), min(start + width, middle + half)
-            if lo > hi + ANGLE:
-                continue
-            yield (lo, hi) if lo <= hi else (0.5 * (lo + hi),) * 2
-
-
-def _covers(stretch: "StretchClaim", arc: float, perimeter: float, slack: float) -> bool:
-    """Tell whether a stretch covers an arc length, its ends widened by a slack [m]."""
-    length = stretch.end - stretch.start
-    if length < 0.0:
-        length += perimeter
-    past = (arc - stretch.start + slack) % perimeter
-    return past <= length + 2.0 * slack
-
-
-def _to_segment(point: Array, p: Array, q: Array) -> float:
-    """Return the distance [m] of a point from a segment."""
-    along = q - p
-    square = float(along @ along)
-    share = min(max(float((point - p) @ along) / square, 0.0), 1.0) if square > 0.0 else 0.0
-    return float(np.linalg.norm(point - p - share * along))
-
-
-def _turns_into(angle: float, lo: float, hi: float) -> bool:
-    """Tell whether an angle lies in [lo, hi], whole turns aside."""
-    turned = angle + 2.0 * math.pi * math.ceil((lo - angle) / (2.0 * math.pi))
-    return lo <= turned <= hi or lo <= turned - 2.0 * math.pi <= hi
-
-
-def _zone_labels(zones: "Sequence[ZoneClaim | None]") -> list[str]:
-    """Return the zones' names; of several with one name, each with its number."""
-    names = ["" if zone is None else zone.name for zone in zones]
-    return [
-        f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
-        for k, name in enumerate(names)
-    ]
