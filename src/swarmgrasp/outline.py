@@ -17,6 +17,8 @@ from swarmgrasp.polygon import (
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
+POINTS_AT_ONCE = 100_000
+"""Points times edges that are looked at together."""
 
 
 @dataclass(frozen=True)
@@ -202,15 +204,20 @@ class Outline:
         [[3.0, 0.5], [1.0, 3.0]]
         """
         wanted = np.asarray(points, dtype=float).reshape(-1, 2)
-        distances = np.full(len(wanted), np.inf)
-        arc_lengths = np.zeros(len(wanted))
-        for edge, length in enumerate(self.lengths):
-            p, q = self.edge_ends(edge)
-            along = np.clip((wanted - p) @ (q - p) / length, 0.0, length)
-            gap = np.linalg.norm(wanted - p - np.outer(along / length, q - p), axis=1)
-            closer = gap < distances
-            distances[closer] = gap[closer]
-            arc_lengths[closer] = self.corner_arc_lengths[edge] + along[closer]
+        p, lengths = self.vertices, self.lengths
+        unit = (np.roll(p, -1, axis=0) - p) / lengths[:, None]
+        distances, arc_lengths = np.empty(len(wanted)), np.empty(len(wanted))
+        step = max(1, POINTS_AT_ONCE // len(self))
+        for first in range(0, len(wanted), step):
+            part = slice(first, first + step)
+            offset = wanted[part, None, :] - p
+            along = np.clip((offset * unit).sum(axis=2), 0.0, lengths)
+            apart = offset - along[:, :, None] * unit
+            gaps = np.sqrt((apart * apart).sum(axis=2))
+            edge = gaps.argmin(axis=1)
+            row = np.arange(len(edge))
+            distances[part] = gaps[row, edge]
+            arc_lengths[part] = self.corner_arc_lengths[edge] + along[row, edge]
         return distances, arc_lengths
 
     def at_arc_length(self, arc_length: float) -> Contact:
