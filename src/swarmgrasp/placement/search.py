@@ -3,6 +3,8 @@
 import math
 from collections.abc import Iterable
 
+import numpy as np
+
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
@@ -10,9 +12,10 @@ from swarmgrasp.placement.optimum import OPPOSITE, Array, Optimum, Search
 from swarmgrasp.placement.pieces import point_on
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.ties import break_tie, is_tied
-from swarmgrasp.quality import Quality, quality, wrench_words
+from swarmgrasp.quality import wrench_words
+from swarmgrasp.quality.facets import Facets, facets_of
 from swarmgrasp.robot import Newcomer, Robot, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Swarm, wrenches
 
 EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
@@ -169,7 +172,6 @@ class _Placing:
         certificate = found.certificate()
         asked_for = winner.quality * (1.0 + self.gap) + 2.0 * floor
         improves = winner.quality > self.before * (1.0 + RISE) + 10.0 * self.search.zero
-        after = quality(self.problem.swarm.with_robot(winner.robot))
         return Placement(
             problem=self.problem,
             robot=winner.robot,
@@ -180,7 +182,7 @@ class _Placing:
             tolerance=self.gap,
             stopped_early=certificate.upper_bound > asked_for,
             improves=improves,
-            reason=_limit_words(after) if improves else self.why_not(),
+            reason=self.what_limits(winner.robot) if improves else self.why_not(),
             certificate=certificate,
             runners_up=tuple(
                 sorted((c for c in candidates if c is not winner), key=lambda c: -c.quality)
@@ -201,8 +203,15 @@ class _Placing:
     def runner_up(self, best: Array, name: str) -> RunnerUp:
         """Turn the best robot of some pieces into one in contact, with its exact quality."""
         robot = self.robot(best, name)
-        value = quality(self.problem.swarm.with_robot(robot)).value
-        return RunnerUp(robot, value, self.pieces[int(best[4])].place)
+        return RunnerUp(robot, self.with_robot(robot).quality, self.pieces[int(best[4])].place)
+
+    def with_robot(self, robot: Robot) -> Facets:
+        """Evaluate the swarm with a robot, exactly."""
+        swarm = self.problem.swarm
+        arm = np.array([robot.contact]) - swarm.outline.origin
+        generator = wrenches(arm, np.array([robot.direction]), np.array([robot.limit]))
+        together = np.vstack([self.search.generators, generator * swarm.scale])
+        return facets_of(together, margin=0.0)
 
     def others(
         self, found: Optimum, winner: RunnerUp, name: str, fraction: float
@@ -219,6 +228,10 @@ class _Placing:
                 best[4] = chosen[int(best[4])]
                 runners.append(self.runner_up(best, name))
         return [runner for runner in runners if runner.quality >= least]
+
+    def what_limits(self, robot: Robot) -> str:
+        """Say what limits the swarm with its new robot."""
+        return f"what remains weakest is {wrench_words(self.with_robot(robot).weakest)}"
 
     def why_not(self) -> str:
         """Say why no newcomer improves the swarm."""
@@ -241,11 +254,6 @@ class _Placing:
             f"no allowed robot raises what is weakest, {weakest}, without another direction "
             "staying as weak: allow more places or directions, or place several"
         )
-
-
-def _limit_words(after: Quality) -> str:
-    """Say what limits the swarm with its new robot."""
-    return f"what remains weakest is {wrench_words(after.direction)}"
 
 
 def _check_fractions(gap: float, runners_up: float | None) -> None:
