@@ -1,12 +1,13 @@
 """The object: orientation, measures, and contacts by point, arc length, edge and angle."""
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from shapely import Polygon
+from shapely import Point, Polygon
 
 from swarmgrasp.errors import ContactInvalid, OutlineInvalid, SwarmGraspError, ZoneInvalid
 from swarmgrasp.outline import Outline
@@ -205,3 +206,61 @@ def test_contains_counts_the_boundary_and_not_the_bay():
     outline = Outline(U_SHAPE)
     inside = [outline.contains(p) for p in [(1, 3), (2, 3), (3, 3), (3, 1), (7, 1)]]
     assert inside == [True, True, False, True, False]
+
+
+@given(stars, st.integers(0, 2**32))
+@settings(deadline=None, max_examples=40)
+def test_nearest_points_and_insides_agree_with_shapely(drawn, seed):
+    """Random points, corners and middles of edges, against a random non-convex polygon."""
+    outline = Outline(drawn[0])
+    points = drawn[1] + np.random.default_rng(seed).uniform(-2.5, 2.5, (40, 2))
+    ends = np.roll(outline.vertices, -1, axis=0)
+    points = np.vstack([points, outline.vertices, 0.5 * (outline.vertices + ends)])
+    truth = Polygon(outline.vertices)
+    distances, arc_lengths = outline.nearest(points)
+    for point, distance, arc_length in zip(points, distances, arc_lengths, strict=True):
+        assert distance == pytest.approx(truth.exterior.distance(Point(point)), abs=1e-12)
+        reached = outline.at_arc_length(arc_length).point
+        assert math.dist(reached, point) == pytest.approx(distance, abs=2.0 * outline.tolerance)
+    inside = [truth.covers(Point(point)) for point in points[:40]] + [True] * (2 * len(outline))
+    assert outline.contains_each(points).tolist() == inside
+
+
+def test_many_points_are_taken_in_parts_with_the_same_answers():
+    """A part's border shows nowhere, whatever the number of edges; no points are no answers."""
+    rng = np.random.default_rng(5)
+    outline = Outline(star(rng, 120)[0])
+    points = rng.uniform(-2.0, 2.0, (700, 2))
+    each = [np.concatenate(values) for values in zip(*map(outline.nearest, points), strict=True)]
+    np.testing.assert_array_equal(outline.nearest(points), each)
+    np.testing.assert_array_equal(
+        outline.contains_each(points), [outline.contains(point) for point in points]
+    )
+    assert [values.shape for values in outline.nearest([])] == [(0,), (0,)]
+
+
+def test_a_million_points_take_little_memory():
+    """Far less than points times edges."""
+    outline = Outline(star(np.random.default_rng(5), 40)[0])
+    points = np.random.default_rng(6).uniform(-2.0, 2.0, (1_000_000, 2))
+    tracemalloc.start()
+    outline.nearest(points)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 100e6
+
+
+def test_a_point_out_of_this_world_is_merely_far_away():
+    """Its distance overflows, without a warning."""
+    assert Outline(RECTANGLE).nearest((1e300, 0.0))[0].tolist() == [math.inf]
+
+
+def test_normals_and_lengths_are_kept_for_all_edges():
+    """Arrays that nobody can change, the same as edge by edge."""
+    outline = Outline(U_SHAPE)
+    assert outline.inward_normals.tolist() == [outline.inward_normal(e) for e in range(8)]
+    np.testing.assert_allclose(outline.inward_normals[:3] / math.pi, [0.5, 1.0, -0.5])
+    assert outline.lengths.tolist() == [math.dist(*outline.edge_ends(e)) for e in range(8)]
+    for array in (outline.inward_normals, outline.lengths, outline.edge_ends(3)[1]):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 9.0

@@ -1,17 +1,36 @@
 """Generators, the metric, and robots that hold nothing."""
 
 import math
+import pickle
+import re
+import time
 
 import numpy as np
 import pytest
 
 import reference
-from swarmgrasp.errors import MetricInvalid, RobotOffBoundary
+from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
 from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Swarm, wrenches
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+ARRAYS = ("contacts", "directions", "limits", "mounted", "generators", "scaled_generators")
+
+
+def crew_on(outline, count, seed=0):
+    """Return random contacts on the boundary, directions and limits, as arrays."""
+    rng = np.random.default_rng(seed)
+    edges = rng.integers(len(outline), size=count)
+    ends = np.roll(outline.vertices, -1, axis=0)
+    steps = rng.uniform(size=(count, 1)) * (ends - outline.vertices)[edges]
+    return outline.vertices[edges] + steps, rng.uniform(0, 7, count), rng.uniform(1, 2, count)
+
+
+def same_arrays(one, other):
+    """Assert that two swarms hold the same numbers, to the last bit."""
+    for name in ARRAYS:
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
 
 
 def test_generators_by_hand():
@@ -93,3 +112,164 @@ def test_the_metric_is_positive_and_finite(bad):
         Swarm(Outline(SQUARE), [], characteristic_length=bad, force_weights=(bad, bad))
     assert len(caught.value.faults) == 3
     assert "1e-100 <= value <= 1e+100 [m]" in caught.value.faults[0]
+
+
+# -- arrays -------------------------------------------------------------------------------
+
+
+def test_a_swarm_made_from_arrays_equals_the_one_made_from_its_robots():
+    """Same numbers in both, and robots that are made only when they are asked for."""
+    outline = Outline(SQUARE, origin=(0.3, 0.1))
+    swarm = Swarm.from_arrays(outline, *crew_on(outline, 50), characteristic_length=3.0)
+    assert (len(swarm), swarm.robot_label(7), "robots" in vars(swarm)) == (50, "robot 7", False)
+    same_arrays(swarm, Swarm(outline, swarm.robots, 3.0))
+    assert swarm.robots is swarm.robots
+
+
+def test_a_swarm_keeps_the_very_robots_it_is_made_from():
+    """Also after one more has joined; labels are their names."""
+    crew = [Robot((1, 0), 0.0, name="ajax"), Robot((0, 0), 1.0, mounted=True)]
+    swarm = Swarm(Outline(SQUARE), crew[:1]).with_robot(crew[1])
+    assert all(kept is given for kept, given in zip(swarm.robots, crew, strict=True))
+    assert [swarm.robot_label(i) for i in (0, 1, -1)] == ["ajax", "robot 1", "robot 1"]
+    with pytest.raises(IndexError):
+        swarm.robot_label(2)
+
+
+def test_a_newcomer_to_arrays_is_remembered_with_its_name():
+    """Robot by robot, the same swarm as at once, and still no object per robot."""
+    outline = Outline(SQUARE)
+    contacts, directions, limits = crew_on(outline, 9, seed=1)
+    swarm = Swarm.from_arrays(outline, contacts[:4], directions[:4], limits[:4])
+    for contact, direction, limit in zip(contacts[4:], directions[4:], limits[4:], strict=True):
+        swarm = swarm.with_robot(Robot(tuple(contact), direction, limit, name=f"tug {limit:.3f}"))
+    assert "robots" not in vars(swarm)
+    same_arrays(swarm, Swarm.from_arrays(outline, contacts, directions, limits))
+    assert swarm.robots[8].name == swarm.robot_label(8) == f"tug {limits[8]:.3f}"
+
+
+def test_a_newcomer_off_the_boundary_is_named_by_its_place_in_the_swarm():
+    """Those before it were checked already; what is no robot is refused."""
+    swarm = Swarm.from_arrays(Outline(SQUARE), [(1, 0), (0, 1)], [0.0, 0.0])
+    with pytest.raises(RobotOffBoundary, match=r"robot 2 at \(3, 0\) m is 2 m off"):
+        swarm.with_robot(Robot((3, 0), 0.0))
+    with pytest.raises(RobotInvalid, match="'tug' is no Robot"):
+        swarm.with_robot("tug")
+    with pytest.raises(OutlineInvalid, match="is no outline"):
+        Swarm(SQUARE, [])
+
+
+def test_arrays_are_copied_and_can_be_read_only():
+    """Neither the caller nor a reader can change a swarm; it survives a trip in a pickle."""
+    outline = Outline(SQUARE)
+    given = crew_on(outline, 5)
+    swarm = Swarm.from_arrays(outline, *given)
+    for array in given:
+        array[:] = 9.0
+    same_arrays(swarm, Swarm.from_arrays(outline, *crew_on(outline, 5)))
+    for array in (swarm.scale, *(getattr(swarm, name) for name in ARRAYS)):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 9.0
+    same_arrays(swarm, pickle.loads(pickle.dumps(swarm)))
+
+
+@pytest.mark.parametrize("empty", [[], [[]], np.empty((0, 2)), np.empty((2, 0))])
+def test_empty_arrays_are_nobody(empty):
+    """Of any sensible shape; a single limit still fits."""
+    for nobody in (
+        Swarm.from_arrays(Outline(SQUARE), empty, []),
+        Swarm.from_arrays(Outline(SQUARE), empty, empty, empty, mounted=empty),
+    ):
+        assert (len(nobody), nobody.robots, nobody.contacts.shape) == (0, (), (0, 2))
+
+
+def test_limits_and_mounted_flags_fit_all_robots_or_each():
+    """One value for all, or one per robot."""
+    inside = [(0.5, 0.5), (1, 0)]
+    swarm = Swarm.from_arrays(Outline(SQUARE), inside, [0, 1], 3, mounted=[True, False])
+    assert (swarm.limits.tolist(), swarm.mounted.tolist()) == ([3.0, 3.0], [True, False])
+    assert [robot.mounted for robot in swarm.robots] == [True, False]
+    assert Swarm.from_arrays(Outline(SQUARE), inside, [0, 1], [3, 4], mounted=True).mounted.all()
+
+
+@pytest.mark.parametrize(
+    ("arrays", "says"),
+    [
+        ((np.zeros((2, 5)), np.zeros(5)), [r"contacts have shape \(2, 5\); .* \(n, 2\)"]),
+        (
+            ([(1, 0)] * 3, [0.0, 0.0], [1.0] * 4),
+            [r"directions have shape \(2,\).* \(3,\)", r"limits have .* \(\) or \(3,\)"],
+        ),
+        (
+            ([(1,), (2, 3)], ["north"], None),
+            ["contacts have rows of", "directions are of type <U5", "limits are of type object"],
+        ),
+        (
+            ([(1, math.nan), (1, 0)], [0.0, -2e6], [0.0, math.inf]),
+            [
+                r"robot 0: the contact is \(1.0, nan\)",
+                "robot 0: the limit is 0.0; it should be 1e-100 <=",
+                "robot 1: the direction is -2000000.0; it should be -1e6 <=",
+                "robot 1: the limit is inf",
+            ],
+        ),
+    ],
+)
+def test_arrays_at_fault_are_explained_all_at_once(arrays, says):
+    """Their types, their shapes, or their values in the words of a single robot."""
+    with pytest.raises(RobotInvalid) as caught:
+        Swarm.from_arrays(Outline(SQUARE), *arrays)
+    for fault, pattern in zip(caught.value.faults, says, strict=True):
+        assert re.search(pattern, fault)
+
+
+def test_flags_are_not_guessed_from_numbers_or_words():
+    """A mounted flag is True or False."""
+    with pytest.raises(RobotInvalid, match=r"mounted flags are of type <U2; .* True or False"):
+        Swarm.from_arrays(Outline(SQUARE), [(1, 0)], [0.0], mounted="no")
+
+
+def test_a_million_faults_make_a_readable_message():
+    """Ten robots are described, the others counted, by kind of fault."""
+    outline, million = Outline(SQUARE), 1_000_000
+    contacts, directions = np.full((million, 2), 3.0), np.zeros(million)
+    with pytest.raises(RobotOffBoundary) as caught:
+        Swarm.from_arrays(outline, contacts, directions, mounted=directions > 0.0)
+    assert (len(caught.value.faults), caught.value.faults[-1]) == (11, "... and 999 990 more")
+    contacts[:], directions[-3:] = math.nan, math.inf
+    with pytest.raises(RobotInvalid) as caught:
+        Swarm.from_arrays(outline, contacts, directions)
+    assert caught.value.faults[9].startswith("robot 9: the contact is (nan, nan)")
+    assert caught.value.faults[10:] == (
+        "... and 999 990 more; in all, out of range: 1 000 000 contacts, 3 directions",
+    )
+
+
+def test_exactly_as_many_faults_as_are_listed_leave_nobody_to_count():
+    """Ten robots off the boundary are ten lines."""
+    with pytest.raises(RobotOffBoundary) as caught:
+        Swarm.from_arrays(Outline(SQUARE), [(3, 0)] * 10, np.zeros(10))
+    assert len(caught.value.faults) == 10
+
+
+def test_a_million_robots_are_practical():
+    """Made and joined in no time, from arrays, without an object per robot."""
+    outline = Outline(SQUARE)
+    arrays = crew_on(outline, 1_000_000)
+    start = time.perf_counter()
+    swarm = Swarm.from_arrays(outline, *arrays).with_robot(Robot((1, 0), 0.0))
+    assert (len(swarm), swarm.robot_label(999_999)) == (1_000_001, "robot 999999")
+    assert "..." in repr(swarm)
+    assert time.perf_counter() - start < 2.0
+    assert sum(getattr(swarm, name).nbytes for name in ARRAYS) < 100e6
+    assert "robots" not in vars(swarm)
+
+
+def test_wrenches_take_leading_axes():
+    """Two contacts against three directions, one force."""
+    arms, directions = np.array([[1.0, 0.5], [0.0, -1.0]]), np.array([0.0, 1.0, 2.0])
+    table = wrenches(arms[:, None], directions, np.array(2.0))
+    assert table.shape == (2, 3, 3)
+    for i, j in np.ndindex(2, 3):
+        one = wrenches(arms[i], directions[j], np.array(2.0))
+        np.testing.assert_array_equal(table[i, j], one)

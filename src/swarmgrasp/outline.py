@@ -1,12 +1,16 @@
 """The object: a simple polygon, its boundary, and the contacts on it."""
 
+import math
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid
+from swarmgrasp.nearest import Edges, edges_of
 from swarmgrasp.polygon import (
     as_point,
     centroid,
@@ -17,8 +21,6 @@ from swarmgrasp.polygon import (
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
-POINTS_AT_ONCE = 100_000
-"""Points times edges that are looked at together."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +111,13 @@ class Outline:
     origin: NDArray[np.float64]
     edge_names: tuple[str, ...]
     lengths: NDArray[np.float64] = field(repr=False)
+    """(k,) [m]: of the edges."""
     corner_arc_lengths: NDArray[np.float64] = field(repr=False)
+    """(k + 1,) [m]: where the edges begin; the last entry is the perimeter."""
+    inward_normals: NDArray[np.float64] = field(repr=False)
+    """(k,) [rad]: the directions of the edges' inward normals."""
+    _ends: NDArray[np.float64] = field(repr=False)
+    _edges: Edges = field(repr=False)
 
     def __init__(
         self,
@@ -128,15 +136,19 @@ class Outline:
             faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
         if faults:
             raise OutlineInvalid(faults)
-        lengths = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
-        arcs = np.concatenate([[0.0], np.cumsum(lengths)])
-        for array in (corners, centre, lengths, arcs):
+        ends = np.roll(corners, -1, axis=0)
+        lengths = np.linalg.norm(ends - corners, axis=1)
+        arrays = {
+            "vertices": corners,
+            "origin": centre,
+            "lengths": lengths,
+            "corner_arc_lengths": np.concatenate([[0.0], np.cumsum(lengths)]),
+            "inward_normals": np.arctan2(ends[:, 0] - corners[:, 0], corners[:, 1] - ends[:, 1]),
+            "_ends": ends,
+        }
+        for array in arrays.values():
             array.setflags(write=False)
-        object.__setattr__(self, "vertices", corners)
-        object.__setattr__(self, "origin", centre)
-        object.__setattr__(self, "edge_names", tuple(names))
-        object.__setattr__(self, "lengths", lengths)
-        object.__setattr__(self, "corner_arc_lengths", arcs)
+        vars(self).update(arrays, edge_names=tuple(names), _edges=edges_of(corners))
 
     # -- measures ---------------------------------------------------------------------
 
@@ -144,27 +156,27 @@ class Outline:
         """Return the number of edges."""
         return len(self.vertices)
 
-    @property
+    @cached_property
     def perimeter(self) -> float:
         """Length of the boundary [m]."""
         return float(self.corner_arc_lengths[-1])
 
-    @property
+    @cached_property
     def area(self) -> float:
         """Enclosed area [m^2]."""
         return float(signed_area(self.vertices))
 
-    @property
+    @cached_property
     def extent(self) -> float:
         """Diagonal of the bounding box [m], the scale of every geometric tolerance."""
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
-    @property
+    @cached_property
     def tolerance(self) -> float:
         """Distance [m] below which two boundary points count as one."""
         return BOUNDARY_TOLERANCE * self.extent
 
-    @property
+    @cached_property
     def radius(self) -> float:
         """Largest distance from the origin to the outline [m]."""
         return float(np.linalg.norm(self.vertices - self.origin, axis=1).max())
@@ -175,12 +187,11 @@ class Outline:
 
     def edge_ends(self, edge: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the two ends of an edge, counter-clockwise, each (2,) [m, m]."""
-        return self.vertices[edge], self.vertices[(edge + 1) % len(self)]
+        return self.vertices[edge], self._ends[edge]
 
     def inward_normal(self, edge: int) -> float:
         """Return the direction [rad] of an edge's inward normal."""
-        p, q = self.edge_ends(edge)
-        return float(np.arctan2(q[0] - p[0], p[1] - q[1]))
+        return float(self.inward_normals[edge])
 
     # -- contacts ---------------------------------------------------------------------
 
@@ -204,21 +215,8 @@ class Outline:
         [[3.0, 0.5], [1.0, 3.0]]
         """
         wanted = np.asarray(points, dtype=float).reshape(-1, 2)
-        p, lengths = self.vertices, self.lengths
-        unit = (np.roll(p, -1, axis=0) - p) / lengths[:, None]
-        distances, arc_lengths = np.empty(len(wanted)), np.empty(len(wanted))
-        step = max(1, POINTS_AT_ONCE // len(self))
-        for first in range(0, len(wanted), step):
-            part = slice(first, first + step)
-            offset = wanted[part, None, :] - p
-            along = np.clip((offset * unit).sum(axis=2), 0.0, lengths)
-            apart = offset - along[:, :, None] * unit
-            gaps = np.sqrt((apart * apart).sum(axis=2))
-            edge = gaps.argmin(axis=1)
-            row = np.arange(len(edge))
-            distances[part] = gaps[row, edge]
-            arc_lengths[part] = self.corner_arc_lengths[edge] + along[row, edge]
-        return distances, arc_lengths
+        distances, edges, alongs = self._edges.nearest(wanted)
+        return distances, self.corner_arc_lengths[edges] + alongs
 
     def at_arc_length(self, arc_length: float) -> Contact:
         """Return the contact at a distance along the boundary.
@@ -238,23 +236,37 @@ class Outline:
                 f"arc length {arc_length:.9g} m is outside the boundary: "
                 f"it should lie in [0, {self.perimeter:.9g}] m"
             )
-        reach = self.corner_arc_lengths
-        edge = min(int(np.searchsorted(reach, arc_length, side="right")) - 1, len(self) - 1)
-        along = float(arc_length - reach[edge])
-        if reach[edge + 1] - arc_length <= self.tolerance:  # a corner belongs to what follows
+        reach, wanted = self._reach, float(arc_length)
+        edge = min(bisect_right(reach, wanted) - 1, len(self) - 1)
+        along = wanted - reach[edge]
+        if reach[edge + 1] - wanted <= self.tolerance:  # a corner belongs to what follows
             edge, along = (edge + 1) % len(self), 0.0
         return self._contact(edge, 0.0 if along <= self.tolerance else along)
 
+    @cached_property
+    def _reach(self) -> list[float]:
+        """The corners' arc lengths, for a quick search."""
+        return list(map(float, self.corner_arc_lengths))
+
+    @cached_property
+    def _rows(self) -> list[list[float]]:
+        """(x, y, dx, dy, length, inward normal) of every edge, for single contacts."""
+        steps = self._ends - self.vertices
+        rows: list[list[float]] = np.column_stack(
+            [self.vertices, steps, self.lengths, self.inward_normals]
+        ).tolist()
+        return rows
+
     def _contact(self, edge: int, along: float) -> Contact:
         """Return the contact at a distance [m] along an edge, which it belongs to."""
-        p, q = self.edge_ends(edge)
-        length = float(self.lengths[edge])
-        point = p + (q - p) * (along / length)
+        x, y, dx, dy, length, inward = self._rows[edge]
+        along = float(along)
+        share = along / length
         return Contact(
-            point=(float(point[0]), float(point[1])),
+            point=(x + dx * share, y + dy * share),
             edge=edge,
-            arc_length=float(self.corner_arc_lengths[edge] + along),
-            inward=self.inward_normal(edge),
+            arc_length=self._reach[edge] + along,
+            inward=inward,
             is_corner=min(along, length - along) <= self.tolerance,
         )
 
@@ -317,28 +329,19 @@ class Outline:
 
     def ray_contacts(self, theta: float) -> tuple[Contact, ...]:
         """Return every contact on the ray from the origin at a polar angle [rad]."""
-        ray = np.array([np.cos(theta), np.sin(theta)])
-        hits: list[float] = []
-        for edge, length in enumerate(self.lengths):
-            p, q = self.edge_ends(edge)
-            side_p, side_q = (
-                ray[0] * (v - self.origin)[1] - ray[1] * (v - self.origin)[0] for v in (p, q)
-            )
-            if abs(side_p - side_q) <= 1e-15 * self.extent:
-                continue  # along the ray: its ends belong to the neighbours
-            share = np.clip(side_p / (side_p - side_q), 0.0, 1.0)
-            point = p + share * (q - p)
-            across = ray[0] * (point - self.origin)[1] - ray[1] * (point - self.origin)[0]
-            if abs(across) <= self.tolerance and ray @ (point - self.origin) >= 0.0:
-                hits.append(float(self.corner_arc_lengths[edge] + share * length))
+        ray_x, ray_y = math.cos(theta), math.sin(theta)
+        p, q = self.vertices - self.origin, self._ends - self.origin
+        side_p, side_q = (ray_x * v[:, 1] - ray_y * v[:, 0] for v in (p, q))
+        turn = side_p - side_q
+        crosses = np.abs(turn) > 1e-15 * self.extent  # otherwise its ends belong to the neighbours
+        share = np.clip(side_p / np.where(crosses, turn, 1.0), 0.0, 1.0)
+        x, y = (p + share[:, None] * (q - p)).T
+        touches = np.abs(ray_x * y - ray_y * x) <= self.tolerance
+        hits = np.flatnonzero(crosses & touches & (ray_x * x + ray_y * y >= 0.0))
         contacts: list[Contact] = []
-        for hit in hits:
-            contact = self.at_arc_length(min(hit, self.perimeter))
-            if all(
-                np.hypot(contact.point[0] - c.point[0], contact.point[1] - c.point[1])
-                > self.tolerance
-                for c in contacts
-            ):
+        for reached in self.corner_arc_lengths[hits] + share[hits] * self.lengths[hits]:
+            contact = self.at_arc_length(min(float(reached), self.perimeter))
+            if all(math.dist(contact.point, c.point) > self.tolerance for c in contacts):
                 contacts.append(contact)
         return tuple(contacts)
 
@@ -435,12 +438,10 @@ class Outline:
         >>> square.contains((1, 1)), square.contains((2, 1)), square.contains((3, 1))
         (True, True, False)
         """
-        x, y = np.asarray(point, dtype=float)
-        if self.nearest((x, y))[0][0] <= self.tolerance:
-            return True
-        a, b = self.vertices, np.roll(self.vertices, -1, axis=0)
-        spans = (a[:, 1] > y) != (b[:, 1] > y)
-        crossing = a[spans, 0] + (y - a[spans, 1]) * (b[spans, 0] - a[spans, 0]) / (
-            b[spans, 1] - a[spans, 1]
-        )
-        return bool(np.count_nonzero(crossing > x) % 2)
+        return bool(self.contains_each(np.reshape(point, (1, 2)))[0])
+
+    def contains_each(self, points: ArrayLike) -> NDArray[np.bool_]:
+        """Do the same for many points, (n, 2) [m, m]; return (n,) bool."""
+        wanted = np.asarray(points, dtype=float).reshape(-1, 2)
+        on_boundary = self.nearest(wanted)[0] <= self.tolerance
+        return on_boundary | self._edges.enclose(wanted)

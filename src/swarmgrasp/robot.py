@@ -59,7 +59,7 @@ class Robot:
         point = numbers(self.contact)
         if len(point) != 2:
             faults.append(f"the contact is {self.contact!r}; it should be two finite numbers [m]")
-        if not angles(self.direction):
+        if not angles((self.direction,)):
             faults.append(
                 f"the direction is {self.direction!r}; it should be -1e6 <= direction <= 1e6 [rad]"
             )
@@ -201,8 +201,8 @@ class Zone:
 def numbers(values: object) -> tuple[float, ...]:
     """Return finite numbers as floats; nothing at all if one is not."""
     try:
-        found = tuple(float(v) for v in values)  # type: ignore[attr-defined]
-    except (TypeError, ValueError):
+        found = tuple(map(float, values))  # type: ignore[call-overload]
+    except (TypeError, ValueError, OverflowError):
         return ()
     return found if all(map(math.isfinite, found)) else ()
 

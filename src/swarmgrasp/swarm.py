@@ -3,18 +3,33 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid, RobotOffBoundary
+from swarmgrasp.crew import (
+    NAMELESS,
+    Crew,
+    Names,
+    check_contacts,
+    checked_crew,
+    crew_of,
+    robot_label,
+)
+from swarmgrasp.errors import MetricInvalid, OutlineInvalid
 from swarmgrasp.outline import Outline
 from swarmgrasp.robot import STRONGEST, WEAKEST, Robot, numbers
+
+Column = TypeVar("Column", NDArray[np.float64], NDArray[np.bool_])
 
 
 @dataclass(frozen=True, eq=False)
 class Swarm:
     """Robots in contact with an object.
+
+    Kept as read-only arrays, so that there may be a million of them: see `from_arrays`.
 
     Parameters
     ----------
@@ -31,8 +46,10 @@ class Swarm:
     ------
     MetricInvalid
         If a weight or the length is not positive and finite.
+    RobotInvalid
+        If something is no `Robot`.
     RobotOffBoundary
-        If robots are off the boundary, or mounted ones outside; all of them are named,
+        If robots are off the boundary, or mounted ones outside; the first ten are named,
         each with its distance and the nearest boundary point.
 
     Examples
@@ -44,11 +61,19 @@ class Swarm:
     """
 
     outline: Outline
-    robots: tuple[Robot, ...]
-    characteristic_length: float
-    force_weights: tuple[float, float]
+    contacts: NDArray[np.float64]
+    """(n, 2) [m, m]: where the robots hold the object, in the frame of the vertices."""
+    directions: NDArray[np.float64]
+    """(n,) [rad]: of their forces on the object, counter-clockwise from +x."""
+    limits: NDArray[np.float64]
+    """(n,) [N]: the largest forces they can exert."""
+    mounted: NDArray[np.bool_] = field(repr=False)
+    """(n,): which are a vessel's own thrusters."""
     generators: NDArray[np.float64] = field(repr=False)
     """(n, 3) [N, N, N m]: the wrench of each robot at its limit, about the origin."""
+    characteristic_length: float
+    force_weights: tuple[float, float]
+    _names: Names = field(repr=False)
 
     def __init__(
         self,
@@ -58,46 +83,112 @@ class Swarm:
         force_weights: tuple[float, float] = (1.0, 1.0),
     ) -> None:
         crew = tuple(robots)
+        columns = crew_of(crew)
+        names = {i: robot.name for i, robot in enumerate(crew) if robot.name}
+        self._fill(outline, columns, names, characteristic_length, force_weights)
+        vars(self)["robots"] = crew
+
+    @classmethod
+    def from_arrays(
+        cls,
+        outline: Outline,
+        contacts: ArrayLike,
+        directions: ArrayLike,
+        limits: ArrayLike = 1.0,
+        *,
+        characteristic_length: float | None = None,
+        force_weights: tuple[float, float] = (1.0, 1.0),
+        mounted: ArrayLike = False,
+    ) -> "Swarm":
+        """Make a swarm of nameless robots from arrays, which are copied.
+
+        Parameters
+        ----------
+        outline : Outline
+        contacts : (n, 2) [m, m]
+            Where the robots hold the object, in the frame of the outline's vertices.
+        directions : (n,) [rad]
+            Directions of their forces on the object, counter-clockwise from +x.
+        limits : float or (n,) [N]
+            The largest forces they can exert.
+        characteristic_length : float [m], optional
+        force_weights : tuple of float
+            The metric, as for any `Swarm`.
+        mounted : bool or (n,)
+            Which are a vessel's own thrusters, anywhere inside the outline.
+
+        Raises
+        ------
+        RobotInvalid
+            If an array has the wrong shape or type, or values are outside their range; the
+            first ten robots at fault are described, the others counted.
+        MetricInvalid, RobotOffBoundary
+            As for any `Swarm`.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> swarm = Swarm.from_arrays(square, [(1, 0.5), (0, -1)], [0.0, 0.0], limits=2.0)
+        >>> swarm.generators.tolist()
+        [[2.0, 0.0, -1.0], [2.0, 0.0, 2.0]]
+        >>> swarm.robots[1]
+        Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='', mounted=False)
+        """
+        crew = checked_crew(contacts, directions, limits, mounted)
+        swarm = cls.__new__(cls)
+        swarm._fill(outline, crew, NAMELESS, characteristic_length, force_weights)
+        return swarm
+
+    def _fill(
+        self,
+        outline: Outline,
+        crew: Crew,
+        names: Names,
+        length: float | None,
+        force_weights: tuple[float, float],
+    ) -> None:
+        """Check what only the outline and the metric can tell, and keep everything."""
         if not isinstance(outline, Outline):
             raise OutlineInvalid(f"{outline!r} is no outline: make one with Outline(vertices)")
-        strangers = [robot for robot in crew if not isinstance(robot, Robot)]
-        if strangers:
-            raise RobotInvalid(f"{robot!r} is no Robot" for robot in strangers)
-        length = outline.radius if characteristic_length is None else characteristic_length
+        length = outline.radius if length is None else length
         check_metric(length, force_weights)
-        contacts = np.array([r.contact for r in crew], dtype=float).reshape(-1, 2)
-        _check_contacts(outline, crew, contacts)
-        generators = wrenches(
-            contacts - outline.origin,
-            np.array([r.direction for r in crew], dtype=float),
-            np.array([r.limit for r in crew], dtype=float),
+        check_contacts(outline, crew, names)
+        generators = wrenches(crew.contacts - outline.origin, crew.directions, crew.limits)
+        vars(self).update(
+            {name: _read_only(column) for name, column in crew._asdict().items()},
+            outline=outline,
+            generators=_read_only(generators),
+            characteristic_length=float(length),
+            force_weights=tuple(map(float, force_weights)),
+            _names=names,
         )
-        generators.setflags(write=False)
-        object.__setattr__(self, "outline", outline)
-        object.__setattr__(self, "robots", crew)
-        object.__setattr__(self, "characteristic_length", float(length))
-        object.__setattr__(self, "force_weights", tuple(map(float, force_weights)))
-        object.__setattr__(self, "generators", generators)
 
     def __len__(self) -> int:
         """Return the number of robots."""
-        return len(self.robots)
+        return len(self.directions)
 
-    @property
+    @cached_property
+    def robots(self) -> tuple[Robot, ...]:
+        """The robots one by one; those of a swarm made from arrays are made when asked for."""
+        crew = (self.contacts, self.directions, self.limits, self.mounted)
+        rows = zip(*(column.tolist() for column in crew), strict=True)
+        return tuple(
+            Robot((x, y), direction, limit, self._names.get(i, ""), mounted)
+            for i, ((x, y), direction, limit, mounted) in enumerate(rows)
+        )
+
+    @cached_property
     def scale(self) -> NDArray[np.float64]:
         """(3,) [1, 1, 1/m]: A^(1/2), which makes the metric Euclidean."""
         a1, a2 = self.force_weights
-        return np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length])
+        return _read_only(
+            np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length])
+        )
 
-    @property
+    @cached_property
     def scaled_generators(self) -> NDArray[np.float64]:
         """(n, 3) [N, N, N]: the generators in the metric's coordinates."""
-        return self.generators * self.scale
-
-    @property
-    def contacts(self) -> NDArray[np.float64]:
-        """(n, 2) [m, m]: where the robots hold the object, in the frame of the vertices."""
-        return np.array([robot.contact for robot in self.robots], dtype=float).reshape(-1, 2)
+        return _read_only(self.generators * self.scale)
 
     @property
     def metric_sentence(self) -> str:
@@ -110,7 +201,7 @@ class Swarm:
 
     def robot_label(self, index: int) -> str:
         """Return the name of a robot, or "robot i" for a nameless one."""
-        return self.robots[index].name or f"robot {index}"
+        return robot_label(range(len(self))[index], self._names)
 
     def with_robot(self, robot: Robot) -> "Swarm":
         """Return the swarm with one robot more.
@@ -121,8 +212,23 @@ class Swarm:
         >>> len(Swarm(square, []).with_robot(Robot((1, 0), direction=3.14)))
         1
         """
-        crew = (*self.robots, robot)
-        return Swarm(self.outline, crew, self.characteristic_length, self.force_weights)
+        outline, count, one = self.outline, len(self), crew_of((robot,))
+        names = {**self._names, count: robot.name} if robot.name else self._names
+        check_contacts(outline, one, names, first=count)
+        rows = one._asdict()
+        rows["generators"] = wrenches(one.contacts - outline.origin, one.directions, one.limits)
+        swarm = Swarm.__new__(Swarm)
+        vars(swarm).update(
+            {name: _joined(getattr(self, name), row) for name, row in rows.items()},
+            outline=outline,
+            characteristic_length=self.characteristic_length,
+            force_weights=self.force_weights,
+            scale=self.scale,
+            _names=names,
+        )
+        if "robots" in vars(self):
+            vars(swarm)["robots"] = (*self.robots, robot)
+        return swarm
 
 
 def wrenches(
@@ -132,13 +238,13 @@ def wrenches(
 
     Parameters
     ----------
-    arms : (n, 2) [m, m]
-    directions : (n,) [rad]
-    forces : (n,) [N]
+    arms : (..., 2) [m, m]
+    directions : (...) [rad]
+    forces : (...) [N]
 
     Returns
     -------
-    (n, 3) [N, N, N m]
+    (..., 3) [N, N, N m]
 
     Examples
     --------
@@ -146,7 +252,10 @@ def wrenches(
     [[2.0, 0.0, -1.0]]
     """
     fx, fy = forces * np.cos(directions), forces * np.sin(directions)
-    return np.column_stack([fx, fy, arms[:, 0] * fy - arms[:, 1] * fx])
+    torques = arms[..., 0] * fy - arms[..., 1] * fx
+    found = np.empty((*torques.shape, 3))
+    found[..., 0], found[..., 1], found[..., 2] = fx, fy, torques
+    return found
 
 
 def check_metric(length: float, force_weights: tuple[float, float]) -> None:
@@ -165,23 +274,12 @@ def check_metric(length: float, force_weights: tuple[float, float]) -> None:
         raise MetricInvalid(faults)
 
 
-def _check_contacts(
-    outline: Outline, robots: tuple[Robot, ...], contacts: NDArray[np.float64]
-) -> None:
-    """Raise `RobotOffBoundary` naming every robot that holds nothing."""
-    distances, arc_lengths = outline.nearest(contacts)
-    faults = []
-    for i in np.flatnonzero(~(distances <= outline.tolerance)):
-        robot = robots[i]
-        if robot.mounted and outline.contains(robot.contact):
-            continue
-        nearest = outline.at_arc_length(float(arc_lengths[i]))
-        where = outline.off_boundary(robot.contact, nearest, float(distances[i]))
-        remedy = (
-            "a mounted robot should be inside the outline"
-            if robot.mounted
-            else "move it there, or declare it mounted if it sits inside the outline"
-        )
-        faults.append(f"{robot.name or f'robot {i}'} at {where}; {remedy}")
-    if faults:
-        raise RobotOffBoundary(faults)
+def _joined(rows: Column, more: Column) -> Column:
+    """Return the rows of both arrays."""
+    return _read_only(np.concatenate([rows, more]))
+
+
+def _read_only(array: Column) -> Column:
+    """Return an array, now read-only."""
+    array.setflags(write=False)
+    return array

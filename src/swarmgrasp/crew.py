@@ -1,0 +1,179 @@
+"""Robots as arrays: a million of them, checked at once and described a few at a time."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
+from swarmgrasp.outline import Outline
+from swarmgrasp.robot import MOST_TURNED, STRONGEST, WEAKEST, Robot
+
+MOST_LISTED = 10
+"""Robots at fault that a message describes; it counts the others."""
+Names = Mapping[int, str]
+"""The names of those robots that have one, by index."""
+NAMELESS: Names = {}
+
+
+class Crew(NamedTuple):
+    """The values of n robots, one array each."""
+
+    contacts: NDArray[np.float64]
+    """(n, 2) [m, m], in the frame of the outline's vertices."""
+    directions: NDArray[np.float64]
+    """(n,) [rad]"""
+    limits: NDArray[np.float64]
+    """(n,) [N]"""
+    mounted: NDArray[np.bool_]
+    """(n,)"""
+
+
+def crew_of(robots: Iterable[Robot]) -> Crew:
+    """Return the values of robots, which have checked them.
+
+    Raises
+    ------
+    RobotInvalid
+        If something is no robot.
+    """
+    found = tuple(robots)
+    strangers = [robot for robot in found if not isinstance(robot, Robot)]
+    if strangers:
+        raise RobotInvalid(f"{robot!r} is no Robot" for robot in strangers)
+    return Crew(
+        np.array([robot.contact for robot in found], dtype=float).reshape(-1, 2),
+        np.array([robot.direction for robot in found], dtype=float),
+        np.array([robot.limit for robot in found], dtype=float),
+        np.array([robot.mounted for robot in found], dtype=bool),
+    )
+
+
+def checked_crew(
+    contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike, mounted: ArrayLike
+) -> Crew:
+    """Return copies of arrays of the right type and shape, in the ranges of a `Robot`.
+
+    Parameters
+    ----------
+    contacts : (n, 2) [m, m]
+    directions : (n,) [rad]
+    limits : float or (n,) [N]
+    mounted : bool or (n,)
+
+    Raises
+    ------
+    RobotInvalid
+        All faults of type, of shape, or of values; of these, those of the first robots.
+
+    Examples
+    --------
+    >>> checked_crew([(0, 1), (2, 3)], [0.5, 0.6], 7.0, False).limits.tolist()
+    [7.0, 7.0]
+    >>> checked_crew([(0, 1), (2, 3)], [0.5, 2e6], 7.0, False)
+    Traceback (most recent call last):
+    ...
+    swarmgrasp.errors.RobotInvalid: robot 1: the direction is 2000000.0; it should be ...
+    """
+    points, *columns = _arrays(contacts, directions, limits, mounted)
+    count = len(points) if points.size else 0
+    if points.size and (points.ndim != 2 or points.shape[1] != 2):
+        raise RobotInvalid(f"the contacts have shape {points.shape}; it should be (n, 2)")
+    turns, forces, flags = (c if c.size or count else c.ravel() for c in columns)
+    faults = []
+    if turns.shape != (count,):
+        faults.append(f"the directions have shape {turns.shape}; it should be ({count},)")
+    for name, array in (("limits", forces), ("mounted flags", flags)):
+        if array.shape not in ((), (1,), (count,)):
+            faults.append(f"the {name} have shape {array.shape}; it should be () or ({count},)")
+    if faults:
+        raise RobotInvalid(faults)
+    crew = Crew(
+        np.array(points, dtype=float, order="C").reshape(count, 2),
+        np.array(turns, dtype=float),
+        np.array(np.broadcast_to(forces, count), dtype=float),
+        np.array(np.broadcast_to(flags, count), dtype=bool),
+    )
+    _check_values(crew)
+    return crew
+
+
+def check_contacts(outline: Outline, crew: Crew, names: Names, first: int = 0) -> None:
+    """Raise `RobotOffBoundary` if robots, numbered from `first`, hold nothing."""
+    distances, arc_lengths = outline.nearest(crew.contacts)
+    if distances.max(initial=0.0) <= outline.tolerance:
+        return
+    off = np.flatnonzero(~(distances <= outline.tolerance))
+    aboard = crew.mounted[off]
+    aboard[aboard] = outline.contains_each(crew.contacts[off[aboard]])
+    off = off[~aboard]
+    faults = []
+    for i in off[:MOST_LISTED].tolist():
+        nearest = outline.at_arc_length(float(arc_lengths[i]))
+        where = outline.off_boundary(crew.contacts[i], nearest, float(distances[i]))
+        remedy = (
+            "a mounted robot should be inside the outline"
+            if crew.mounted[i]
+            else "move it there, or declare it mounted if it sits inside the outline"
+        )
+        faults.append(f"{robot_label(first + i, names)} at {where}; {remedy}")
+    if faults:
+        raise RobotOffBoundary(faults + _others(len(off)))
+
+
+def robot_label(index: int, names: Names = NAMELESS) -> str:
+    """Return the name of a robot, or "robot i" for a nameless one."""
+    return names.get(index) or f"robot {index}"
+
+
+def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
+    """Return values as arrays of numbers, and the last one of flags."""
+    names = ("contacts", "directions", "limits", "mounted flags")
+    arrays, faults = [], []
+    for name, given in zip(names, values, strict=True):
+        kinds, meant = ("b", "True or False") if name == names[-1] else ("biuf", "numbers")
+        try:
+            arrays.append(array := np.asarray(given))
+        except ValueError:
+            faults.append(f"the {name} have rows of different lengths")
+        else:
+            if array.size and array.dtype.kind not in kinds:
+                faults.append(f"the {name} are of type {array.dtype}; they should be {meant}")
+    if faults:
+        raise RobotInvalid(faults)
+    return arrays
+
+
+def _check_values(crew: Crew) -> None:
+    """Raise `RobotInvalid`, in the words of `Robot`, for values outside its ranges."""
+    x, y = crew.contacts.T
+    wrong = {
+        "contacts": ~(np.isfinite(x) & np.isfinite(y)),
+        "directions": ~(np.abs(crew.directions) <= MOST_TURNED),
+        "limits": ~((crew.limits >= WEAKEST) & (crew.limits <= STRONGEST)),
+    }
+    found = np.flatnonzero(np.logical_or.reduce(list(wrong.values())))
+    if not len(found):
+        return
+    faults: list[str] = []
+    for i in found[:MOST_LISTED].tolist():
+        point, direction, limit = (column[i].tolist() for column in crew[:3])
+        try:
+            Robot(tuple(point), direction, limit, name=robot_label(i))
+        except RobotInvalid as error:
+            faults += error.faults
+    counts = (f"{_grouped(flags.sum())} {name}" for name, flags in wrong.items() if flags.any())
+    in_all = f"; in all, out of range: {', '.join(counts)}"
+    raise RobotInvalid(faults + [line + in_all for line in _others(len(found))])
+
+
+def _others(count: int) -> list[str]:
+    """Return the line for those robots at fault, of a number, that a message leaves out."""
+    left = count - MOST_LISTED
+    return [f"... and {_grouped(left)} more"] if left > 0 else []
+
+
+def _grouped(count: int) -> str:
+    """Return a count with spaces between its thousands."""
+    return f"{count:,}".replace(",", " ")
