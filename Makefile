@@ -2,7 +2,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-KERNELS := $(wildcard src/swarmgrasp/kernels/*.py)
+KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch])
 
 .PHONY: demo test test-long lint docs bench lock clean
 
@@ -11,10 +11,10 @@ demo: $(VENV)/installed
 	$(BIN)/swarmgrasp place deck-barge --plot demo/deck-barge.png --json demo/deck-barge.json
 	$(BIN)/swarmgrasp verify demo/deck-barge.json
 
-test: $(VENV)/developing $(VENV)/kernels
+test: $(VENV)/developing
 	$(BIN)/python -m pytest -n 2
 
-test-long: $(VENV)/developing $(VENV)/kernels
+test-long: $(VENV)/developing
 	$(BIN)/python -m pytest -n 2 -m long
 
 lint: $(VENV)/developing
@@ -26,27 +26,26 @@ lint: $(VENV)/developing
 docs: $(VENV)/documenting
 	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build
 
-bench: $(VENV)/developing $(VENV)/kernels
+bench: $(VENV)/developing
 	$(BIN)/python benchmarks/placement.py
 
-# The package itself goes in last, from this folder, without fetching anything.
-$(VENV)/installed: requirements.lock pyproject.toml
+$(VENV)/locked: requirements.lock
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	touch $@
+
+# The package itself goes in last, from this folder, without fetching anything.
+$(VENV)/installed: $(VENV)/locked pyproject.toml $(KERNELS)
+	@command -v cc >/dev/null || { echo "a C compiler is needed, such as Debian's gcc and libc6-dev" >&2; exit 1; }
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
-$(VENV)/developing: $(VENV)/installed requirements-dev.lock
+$(VENV)/developing: $(VENV)/locked requirements-dev.lock | $(VENV)/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
 	touch $@
 
 $(VENV)/documenting: $(VENV)/developing requirements-docs.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-docs.lock
-	touch $@
-
-# Numba does not see a change in a kernel that another file's kernel calls: forget what is compiled.
-$(VENV)/kernels: $(KERNELS) | $(VENV)/installed
-	rm -f src/swarmgrasp/kernels/__pycache__/*.nb?
 	touch $@
 
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \

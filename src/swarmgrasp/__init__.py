@@ -5,15 +5,17 @@ from swarmgrasp.outline import Contact, Outline, Stretch
 from swarmgrasp.placement import (
     Placement,
     Problem,
+    cell_qualities,
     place,
     place_sequence,
+    qualities_with,
     read_answer,
     verify_document,
     write_answer,
 )
-from swarmgrasp.quality import ForceClosure, Quality, quality, wrench_words
+from swarmgrasp.quality import ForceClosure, Quality, qualities, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Swarm, wrenches
 from swarmgrasp.wrench_set import WrenchSet
 
 __all__ = [
@@ -30,11 +32,15 @@ __all__ = [
     "SwarmGraspError",
     "WrenchSet",
     "Zone",
+    "cell_qualities",
     "place",
     "place_sequence",
+    "qualities",
+    "qualities_with",
     "quality",
     "read_answer",
     "verify_document",
     "wrench_words",
+    "wrenches",
     "write_answer",
 ]

@@ -232,7 +232,7 @@ class Swarm:
 
 
 def wrenches(
-    arms: NDArray[np.float64], directions: NDArray[np.float64], forces: NDArray[np.float64]
+    arms: NDArray[np.float64], directions: NDArray[np.float64], forces: NDArray[np.float64] | float
 ) -> NDArray[np.float64]:
     """Compute the wrenches of forces at moment arms: (F, c x F), the paper's B_i corrected.
 
@@ -240,7 +240,7 @@ def wrenches(
     ----------
     arms : (..., 2) [m, m]
     directions : (...) [rad]
-    forces : (...) [N]
+    forces : float or (...) [N]
 
     Returns
     -------

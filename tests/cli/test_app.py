@@ -1,16 +1,12 @@
 import os
 import subprocess
 import sys
-from types import SimpleNamespace
 
 import pytest
-
-from swarmgrasp.cli import first_run
 
 COMMANDS = ["place", "quality", "verify", "plot", "examples", "schema"]
 
 
-COMPILING = "compiling the kernels, once: a few seconds ...\n"
 """Said on standard error by the first run after installation only."""
 
 
@@ -75,7 +71,7 @@ def test_an_interrupt_is_quiet(run, monkeypatch):
 def test_piped_output_is_plain():
     """No escape codes, no frames, no broken lines; the exit status is the program's."""
     done = shell("swarmgrasp place deck-barge")
-    assert (done.returncode, done.stderr.replace(COMPILING, "")) == (0, "")
+    assert (done.returncode, done.stderr) == (0, "")
     assert "\x1b" not in done.stdout
     assert "─" not in done.stdout
     assert max(map(len, done.stdout.splitlines())) > 80
@@ -110,27 +106,5 @@ def test_closed_streams_are_no_traceback():
 def test_a_pipe_of_commands_verifies():
     """An answer goes from `place` to `verify` without a file."""
     done = shell("set -o pipefail; swarmgrasp place model-ship --json - | swarmgrasp verify -")
-    assert (done.returncode, done.stderr.replace(COMPILING, "")) == (0, "")
+    assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("<stdin>: verified\n")
-
-
-def kernel():
-    """Stand in for a compiled function."""
-
-
-def test_compilation_is_announced_until_cached(tmp_path):
-    """A kernel counts as cached once its index is there, newer than its source."""
-    compiled = SimpleNamespace(py_func=kernel, stats=SimpleNamespace(cache_path=str(tmp_path)))
-    assert not first_run.is_cached(compiled)
-    python = f"py{sys.version_info.major}{sys.version_info.minor}"
-    index = tmp_path / f"test_app.kernel-{kernel.__code__.co_firstlineno}.{python}.nbi"
-    index.write_bytes(b"")
-    assert first_run.is_cached(compiled)
-    os.utime(index, (0, 0))
-    assert not first_run.is_cached(compiled)
-
-
-def test_without_a_cache_folder_every_run_compiles():
-    """Numba then has no path for its cache."""
-    stats = SimpleNamespace(cache_path=None)
-    assert not first_run.is_cached(SimpleNamespace(py_func=kernel, stats=stats))

@@ -8,7 +8,6 @@ from strategies import L_SHAPE
 from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone
 from swarmgrasp.errors import NowhereToAttach, ZoneInvalid
 from swarmgrasp.placement import Problem, place
-from swarmgrasp.placement.pieces import pieces_of
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)], edge_names=["s", "e", "n", "w"])
 QUARTER = math.pi / 2
@@ -17,7 +16,7 @@ QUARTER = math.pi / 2
 def ask(*zones, robots=(), outline=SQUARE, newcomer=None, **rest):
     """Return the pieces of a problem."""
     newcomer = newcomer or Newcomer(attachment="pull", half_angle=0.0)
-    return pieces_of(Problem(Swarm(outline, robots), newcomer, zones or None, **rest))
+    return Problem(Swarm(outline, robots), newcomer, zones or None, **rest).pieces().each
 
 
 def parts(*zones, **rest):

@@ -3,11 +3,18 @@ import math
 import numpy as np
 import pytest
 
-from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place
-from swarmgrasp.placement import Problem
-from swarmgrasp.placement.optimum import Search
+from swarmgrasp import (
+    Newcomer,
+    Outline,
+    Robot,
+    Stretch,
+    Swarm,
+    Zone,
+    cell_qualities,
+    place,
+    qualities_with,
+)
 from swarmgrasp.plot import landscape
-from swarmgrasp.plot.landscape import cell_qualities
 from swarmgrasp.quality import quality
 
 RESOLUTION = (120, 90)
@@ -18,14 +25,11 @@ def test_the_grid_is_the_quality_of_each_swarm_with_one_more(crowd, count):
     base = Swarm(crowd.outline, crowd.robots[:count], crowd.characteristic_length)
     contacts = np.array([(1.8, 0.1), (-0.4, 0.8), (1.8, -0.8)])
     directions = np.array([0.0, 1.0, math.pi, -2.5])
-    search = Search(Problem(base, Newcomer(1.5)))
-    for contact in contacts:
-        arm = contact - base.outline.origin
-        for direction in directions:
-            force = np.cos(direction), np.sin(direction)
-            unit = np.array([[*force, arm[0] * force[1] - arm[1] * force[0]]])
-            truth = quality(base.with_robot(Robot(tuple(contact), float(direction), 1.5))).value
-            assert search.qualities(unit)[0] == pytest.approx(truth, abs=1e-12)
+    pairs = [(tuple(contact), float(direction)) for contact in contacts for direction in directions]
+    values = qualities_with(base, *zip(*pairs, strict=True), limits=1.5)
+    for value, (contact, direction) in zip(values, pairs, strict=True):
+        truth = quality(base.with_robot(Robot(contact, direction, 1.5))).value
+        assert value == pytest.approx(truth, abs=1e-12)
 
 
 @pytest.mark.parametrize("attachment", ["push", "pull", "free"])

@@ -123,10 +123,8 @@ def solve(
             f"{source}: {', '.join(taken)} is there already, and --robots {robots} gives that name "
             "to a newcomer; names should differ"
         )
-    from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.placement import Problem, place_sequence
 
-    prepare_kernels(placing=True)
     try:
         problem = Problem(
             scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing

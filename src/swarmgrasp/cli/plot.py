@@ -24,13 +24,11 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
         contact and direction of the newcomer.
     """
     scenario = read_scenario(file, output_faults(picture, PICTURES))
-    from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.place import solve
     from swarmgrasp.cli.report import told_written
 
     if scenario.newcomer is None and what != "landscape":
-        prepare_kernels(placing=False)
         written = pictures({what: picture}, scenario.swarm, ())
     else:
         written = pictures({what: picture}, scenario.swarm, solve(scenario, file))

@@ -31,10 +31,8 @@ def quality(file: Dashed, /, *, json: Dashed | None = None) -> None:
         SI units.
     """
     scenario = read_scenario(file, json_faults(json))
-    from swarmgrasp.cli.first_run import prepare_kernels
     from swarmgrasp.quality import quality as quality_of
 
-    prepare_kernels(placing=False)
     found = quality_of(scenario.swarm)
     data = data_of(scenario, found)
     if json == DASH:

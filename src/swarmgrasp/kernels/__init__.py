@@ -1,1 +1,1 @@
-"""Compiled kernels: floats, arrays and status codes; they check nothing and never raise."""
+"""The kernels, in C: floats and arrays in, numbers and bytes out; `core` is the compiled module."""

@@ -3,6 +3,7 @@
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
+from swarmgrasp.placement.many import cell_qualities, qualities_with
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import place, place_sequence
 from swarmgrasp.placement.verify import Verdict, verify_document
@@ -14,9 +15,11 @@ __all__ = [
     "Proof",
     "RunnerUp",
     "Verdict",
+    "cell_qualities",
     "parse_answer",
     "place",
     "place_sequence",
+    "qualities_with",
     "read_answer",
     "verify_document",
     "write_answer",

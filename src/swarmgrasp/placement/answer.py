@@ -1,11 +1,14 @@
 """The answer to a placement: the robot, what it adds, and the proof."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from swarmgrasp.placement.certificate import Certificate
+from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.reason import reason_of
+from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.robot import Robot
 from swarmgrasp.swarm import Swarm
 
@@ -42,8 +45,10 @@ class Placement:
         The newcomer in contact, at its full limit (T6).
     place : str
         The zone's name, or the edge's.
-    quality_before, quality : float [N]
-        Of the swarm without and with it.
+    before, after : Weakest
+        Quality and weakest normal of the swarm without and with it.
+    opposite : float [N]
+        The support function without it, opposite to the weakest normal.
     upper_bound : float [N]
         What no allowed robot exceeds.
     tolerance : float
@@ -54,9 +59,6 @@ class Placement:
     improves : bool
         Whether the newcomer raises the quality. If not, no allowed place does to within
         the gap, and `robot` is the one that lifts the other directions most.
-    reason : str
-        What limits the answer, in words.
-    certificate : Certificate
     runners_up : tuple of RunnerUp
         Best first.
     """
@@ -64,20 +66,40 @@ class Placement:
     problem: Problem
     robot: Robot
     place: str
-    quality_before: float
-    quality: float
+    before: Weakest
+    after: Weakest
+    opposite: float
     upper_bound: float
     tolerance: float
     stopped_early: bool
     improves: bool
-    reason: str
-    certificate: Certificate
-    runners_up: tuple[RunnerUp, ...] = ()
+    runners_up: tuple[RunnerUp, ...]
+    _found: Optimum = field(repr=False)
+
+    @property
+    def quality_before(self) -> float:
+        """Quality of the swarm without the newcomer [N]."""
+        return self.before.quality
+
+    @property
+    def quality(self) -> float:
+        """Quality of the swarm with the newcomer [N]."""
+        return self.after.quality
 
     @property
     def gap(self) -> float:
         """By how much the bound exceeds the quality [N]."""
         return self.upper_bound - self.quality
+
+    @property
+    def reason(self) -> str:
+        """What limits the answer, in words."""
+        return reason_of(self)
+
+    @property
+    def certificate(self) -> Certificate:
+        """The proof that no allowed robot exceeds the bound."""
+        return self._found.certificate
 
     @cached_property
     def swarm_after(self) -> Swarm:

@@ -37,7 +37,8 @@ def document_of(answers: Placement | Sequence[Placement]) -> dict[str, Any]:
     if not answers:
         raise AnswerInvalid("there is no answer to write")
     for before, after in pairwise(answers):
-        if after.problem.swarm.robots != before.swarm_after.robots:
+        found, left = after.problem.swarm, before.swarm_after
+        if found is not left and found.robots != left.robots:
             raise AnswerInvalid(
                 f"{after.robot.name or 'a robot'} was placed in another swarm than the one that "
                 f"{before.robot.name or 'the robot before it'} joined: write them apart"

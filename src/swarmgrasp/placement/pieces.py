@@ -3,23 +3,25 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
-from swarmgrasp.placement.problem import Problem
-from swarmgrasp.robot import RIGHT_ANGLE, Zone
+from swarmgrasp.robot import RIGHT_ANGLE, Newcomer, Zone
 
 Interval = tuple[float, float]
 
 SLIVER = 1e-9
 """Width of contacts, allowed or not, that counts as rounding, relative to the outline's extent."""
+REMEMBERED = 32
+"""Outlines whose pieces are kept for the next question."""
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(NamedTuple):
     """A straight part of one edge and a sector of directions on one side of it.
 
     Attributes
@@ -44,71 +46,147 @@ class Piece:
     place: str
 
 
-def pieces_of(problem: Problem) -> list[Piece]:
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """All pieces a newcomer may attach to.
+
+    Attributes
+    ----------
+    each : tuple of Piece
+    rows : (k, 10)
+        As the kernels take them: the moment arms of both ends [m], in an order that makes
+        the torque grow from the first to the second, the sector's limits [rad], and the
+        cosine and sine of each.
+    """
+
+    outline: Outline
+    each: tuple[Piece, ...]
+    rows: NDArray[np.float64]
+
+    def robot_at(self, index: int, c: float, s: float, torque: float) -> tuple[Interval, float]:
+        """Return the contact [m, m] and direction [rad] of a unit wrench [1, 1, m] on a piece."""
+        piece = self.each[index]
+        first_x, first_y, last_x, last_y = self.rows[index, :4].tolist()
+        from_first, from_last = first_x * s - first_y * c, last_x * s - last_y * c
+        spread = from_last - from_first
+        share = 0.5 if spread == 0.0 else min(max((torque - from_first) / spread, 0.0), 1.0)
+        share = share if piece.inward else 1.0 - share
+        return _point_on(self.outline, piece, share), math.atan2(s, c)
+
+
+def pieces_of(
+    outline: Outline,
+    newcomer: Newcomer,
+    zones: Sequence[Zone] | None = None,
+    no_go: Sequence[Stretch] = (),
+    crowd: NDArray[np.float64] | None = None,
+    spacing: float = 0.0,
+) -> Pieces:
     """List all pieces a newcomer may attach to.
+
+    Parameters
+    ----------
+    outline : Outline
+    newcomer : Newcomer
+    zones, no_go, spacing
+        As for `Problem`.
+    crowd : (n, 2) [m, m], optional
+        The contacts that the spacing is kept to.
 
     Raises
     ------
     NowhereToAttach
         If there are none.
     """
-    outline, newcomer = problem.swarm.outline, problem.newcomer
-    pieces = []
-    for zone, label in zip(problem.zones or (None,), problem.zone_labels, strict=True):
-        for edge, start, end in _allowed(problem, zone):
-            inward_normal = outline.inward_normal(edge)
-            for inward in (True, False):
-                middle = inward_normal if inward else inward_normal + math.pi
-                for lo, hi in _sectors(
-                    newcomer.attachment, newcomer.half_angle, zone, inward, middle
-                ):
-                    place = label or outline.edge_label(edge)
-                    pieces.append(Piece(edge, start, end, lo, hi, inward, place))
+    crowded = crowd is not None and spacing > 0.0
+    if zones is None and not no_go and not crowded:
+        return _whole_boundary(outline, newcomer.attachment, newcomer.half_angle)
+    pieces: list[Piece] = []
+    for zone, label in zip(zones or (None,), zone_labels(zones), strict=True):
+        for edge in range(len(outline)):
+            taken = [run for stretch in no_go for run in _runs(outline, edge, stretch)]
+            if crowd is not None and spacing > 0.0:
+                taken += _crowded(outline, edge, crowd, spacing)
+            for start, end in _allowed(outline, edge, zone, taken):
+                pieces += _on_stretch(outline, newcomer, zone, label, edge, start, end)
+    return _checked(outline, pieces)
+
+
+def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
+    """Return the zones' names; of several with one name, each with its number; "" without zones."""
+    names = [zone.stretch.name for zone in zones or ()]
+    return tuple(
+        f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
+        for k, name in enumerate(names)
+    ) or ("",)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _whole_boundary(outline: Outline, attachment: str, half_angle: float | None) -> Pieces:
+    """Return the pieces of a newcomer that may attach anywhere."""
+    newcomer = Newcomer(1.0, attachment, half_angle)  # type: ignore[arg-type]
+    pieces: list[Piece] = []
+    for edge in range(len(outline)):
+        end = float(outline.lengths[edge])
+        pieces += _on_stretch(outline, newcomer, None, "", edge, 0.0, end)
+    return _checked(outline, pieces)
+
+
+def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
+    """Return pieces with their rows; there should be some."""
     if not pieces:
         raise NowhereToAttach(
             "no boundary point is left to the newcomer: widen the zones or their directions, "
             "shorten the no-go stretches or lessen the spacing"
         )
-    return pieces
-
-
-def piece_rows(outline: Outline, pieces: Sequence[Piece]) -> NDArray[np.float64]:
-    """Return the pieces as rows for the kernels, (k, 10); see `kernels.sector`."""
     rows = np.empty((len(pieces), 10))
     for row, piece in zip(rows, pieces, strict=True):
-        first, last = (point_on(outline, piece, s) - outline.origin for s in (0.0, 1.0))
+        first, last = (np.array(_point_on(outline, piece, s)) - outline.origin for s in (0.0, 1.0))
         row[0:2], row[2:4] = (first, last) if piece.inward else (last, first)
         row[4:6] = piece.lo, piece.hi
     rows[:, 6], rows[:, 7] = np.cos(rows[:, 4]), np.sin(rows[:, 4])
     rows[:, 8], rows[:, 9] = np.cos(rows[:, 5]), np.sin(rows[:, 5])
-    return rows
+    rows.setflags(write=False)
+    return Pieces(outline, tuple(pieces), rows)
 
 
-def point_on(outline: Outline, piece: Piece, share: float) -> NDArray[np.float64]:
-    """Return the boundary point (2,) [m, m] at a share of the way along a piece."""
+def _point_on(outline: Outline, piece: Piece, share: float) -> Interval:
+    """Return the boundary point [m, m] at a share of the way along a piece."""
     p, q = outline.edge_ends(piece.edge)
-    along = piece.start + share * (piece.end - piece.start)
-    return np.asarray(p + (q - p) * (along / outline.lengths[piece.edge]))
+    along = (piece.start + share * (piece.end - piece.start)) / float(outline.lengths[piece.edge])
+    (x, y), (to_x, to_y) = p.tolist(), q.tolist()
+    return x + (to_x - x) * along, y + (to_y - y) * along
 
 
-def _allowed(problem: Problem, zone: Zone | None) -> Iterator[tuple[int, float, float]]:
-    """Yield (edge, start, end) of every stretch of a zone that is left to the newcomer."""
-    outline = problem.swarm.outline
-    for edge in range(len(outline)):
-        wanted = [(0.0, float(outline.lengths[edge]))]
-        if zone is not None:
-            wanted = _on_edge(outline, edge, zone.stretch)
-        taken = [run for stretch in problem.no_go for run in _runs(outline, edge, stretch)]
-        taken += _crowded(problem, edge)
-        sliver = SLIVER * outline.extent
-        for start, end in wanted:
-            if start == end:
-                if not any(a + sliver < start < b - sliver for a, b in taken):
-                    yield edge, start, end
-                continue
-            for a, b in _minus((start, end), taken):
-                if b - a > sliver:
-                    yield edge, a, b
+def _on_stretch(
+    outline: Outline, newcomer: Newcomer, zone: Zone | None, label: str, edge: int,
+    start: float, end: float,
+) -> Iterator[Piece]:  # fmt: skip
+    """Yield the pieces of one stretch of an edge."""
+    inward_normal = outline.inward_normal(edge)
+    place = label or outline.edge_label(edge)
+    for inward in (True, False):
+        middle = inward_normal if inward else inward_normal + math.pi
+        for lo, hi in _sectors(newcomer, zone, inward, middle):
+            yield Piece(edge, start, end, lo, hi, inward, place)
+
+
+def _allowed(
+    outline: Outline, edge: int, zone: Zone | None, taken: list[Interval]
+) -> Iterator[Interval]:
+    """Yield (start, end) of every stretch of an edge that a zone allows and others leave."""
+    sliver = SLIVER * outline.extent
+    wanted = [(0.0, float(outline.lengths[edge]))]
+    if zone is not None:
+        wanted = _on_edge(outline, edge, zone.stretch)
+    for start, end in wanted:
+        if start == end:
+            if not any(a + sliver < start < b - sliver for a, b in taken):
+                yield start, end
+            continue
+        for a, b in _minus((start, end), taken):
+            if b - a > sliver:
+                yield a, b
 
 
 def _runs(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
@@ -136,39 +214,38 @@ def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     return parts
 
 
-def _crowded(problem: Problem, edge: int) -> Iterator[Interval]:
-    """Yield the parts of an edge that are too near a robot already there."""
-    outline, spacing = problem.swarm.outline, problem.spacing
-    if spacing == 0.0:
-        return
+def _crowded(
+    outline: Outline, edge: int, crowd: NDArray[np.float64], spacing: float
+) -> list[Interval]:
+    """Return the parts of an edge that are too near a robot already there."""
     p, q = outline.edge_ends(edge)
     along = (q - p) / outline.lengths[edge]
-    for robot in problem.swarm.robots:
-        offset = np.asarray(robot.contact) - p
-        middle = float(offset @ along)
-        height = float(abs(offset[0] * along[1] - offset[1] * along[0]))
-        if not robot.mounted and height < spacing - SLIVER * outline.extent:
-            half = math.sqrt(spacing**2 - height**2)
-            yield middle - half, middle + half
+    offsets = crowd - p
+    heights = np.abs(offsets[:, 0] * along[1] - offsets[:, 1] * along[0])
+    near = heights < spacing - SLIVER * outline.extent
+    middles = offsets[near] @ along
+    halves = np.sqrt(spacing**2 - heights[near] ** 2)
+    return list(zip((middles - halves).tolist(), (middles + halves).tolist(), strict=True))
 
 
-def _minus(whole: Interval, taken: list[Interval]) -> list[Interval]:
-    """Return what open intervals leave of a closed one."""
-    left = [whole]
-    for a, b in taken:
-        left = [
-            part
-            for lo, hi in left
-            for part in ((lo, min(hi, a)), (max(lo, b), hi))
-            if part[0] < part[1]
-        ]
-    return left
+def _minus(whole: Interval, taken: list[Interval]) -> Iterator[Interval]:
+    """Yield what open intervals leave of a closed one."""
+    start, end = whole
+    for a, b in sorted(taken):
+        if b <= a or b <= start:
+            continue
+        if a >= end:
+            break
+        if a > start:
+            yield start, a
+        start = b
+    if start < end:
+        yield start, end
 
 
-def _sectors(
-    attachment: str, half_angle: float | None, zone: Zone | None, inward: bool, middle: float
-) -> list[Interval]:
+def _sectors(newcomer: Newcomer, zone: Zone | None, inward: bool, middle: float) -> list[Interval]:
     """Return the sectors of directions allowed on one side of an edge."""
+    attachment, half_angle = newcomer.attachment, newcomer.half_angle
     if zone is not None and zone.attachment is not None:
         attachment, half_angle = zone.attachment, zone.half_angle
     if attachment == ("pull" if inward else "push"):

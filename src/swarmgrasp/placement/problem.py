@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from swarmgrasp.errors import ZoneInvalid
 from swarmgrasp.outline import Stretch
+from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.swarm import Swarm
 
@@ -83,11 +84,19 @@ class Problem:
     @property
     def zone_labels(self) -> tuple[str, ...]:
         """The zones' names; of several with one name, each with its number; "" without zones."""
-        names = [zone.stretch.name for zone in self.zones or ()]
-        return tuple(
-            f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
-            for k, name in enumerate(names)
-        ) or ("",)
+        return zone_labels(self.zones)
+
+    def pieces(self) -> Pieces:
+        """List the pieces of the boundary that are left to the newcomer.
+
+        Raises
+        ------
+        NowhereToAttach
+            If there are none.
+        """
+        swarm = self.swarm
+        crowd = swarm.contacts[~swarm.mounted] if self.spacing > 0.0 else None
+        return pieces_of(swarm.outline, self.newcomer, self.zones, self.no_go, crowd, self.spacing)
 
     def with_swarm(self, swarm: Swarm) -> "Problem":
         """Return the same question for another swarm on the same outline."""

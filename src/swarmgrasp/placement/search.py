@@ -3,19 +3,14 @@
 import math
 from collections.abc import Iterable
 
-import numpy as np
-
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
-from swarmgrasp.placement.optimum import OPPOSITE, Array, Optimum, Search
-from swarmgrasp.placement.pieces import point_on
+from swarmgrasp.placement.optimum import Best, Optimum, Search
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.ties import break_tie, is_tied
-from swarmgrasp.quality import wrench_words
-from swarmgrasp.quality.facets import Facets, facets_of
+from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.robot import Newcomer, Robot, Zone
-from swarmgrasp.swarm import Swarm, wrenches
+from swarmgrasp.swarm import Swarm
 
 EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
@@ -150,110 +145,69 @@ class _Placing:
 
     def __init__(self, problem: Problem, gap: float) -> None:
         self.problem, self.gap = problem, gap
+        self.pieces = problem.pieces()
+        swarm = problem.swarm
+        weights = swarm.scale * problem.newcomer.limit
+        self.search = Search(swarm.scaled_generators, weights, self.pieces.rows)
         # half of the gap is the search's, the other half the tie-break's
-        self.search = Search(problem, math.sqrt(1.0 + gap) - 1.0)
-        self.pieces, self.facets = self.search.pieces, self.search.facets
-        self.before = self.facets.quality
+        self.half = math.sqrt(1.0 + gap) - 1.0
 
     def placement(self, fraction: float | None, index: int | None = None) -> Placement:
         """Answer the problem."""
-        floor = self.search.floor
-        found = self.search.solve()
-        target = min(found.best[0] / (1.0 + self.search.gap), found.best[0] - 0.5 * floor)
-        best = break_tie(self.search, found, target) if is_tied(found, target) else found.best
+        search, before = self.search, self.search.base
+        found = search.solve(self.half)
+        target = min(
+            found.best.quality / (1.0 + self.half), found.best.quality - 0.5 * search.floor
+        )
         name = self.problem.newcomer.name or "newcomer"
         name = name if index is None else f"{name} {index}"
-        candidates = [self.runner_up(best, name)]
+        winner, after = self.candidate(search.break_tie(found, target), name)
+        runners = []
         if fraction is not None:
-            candidates += self.others(found, candidates[0], name, fraction)
-        winner = max(candidates, key=lambda c: c.quality)
-        if winner.quality <= candidates[0].quality * (1.0 + EQUAL):
-            winner = candidates[0]
-        certificate = found.certificate()
-        asked_for = winner.quality * (1.0 + self.gap) + 2.0 * floor
-        improves = winner.quality > self.before * (1.0 + RISE) + 10.0 * self.search.zero
+            runners = self.others(found, winner, name, fraction)
+            best = max(runners, key=lambda pair: pair[0].quality, default=(winner, after))
+            if best[0].quality > winner.quality * (1.0 + EQUAL):
+                runners = [pair for pair in runners if pair is not best] + [(winner, after)]
+                winner, after = best
+        asked_for = winner.quality * (1.0 + self.gap) + 2.0 * search.floor
         return Placement(
             problem=self.problem,
             robot=winner.robot,
             place=winner.place,
-            quality_before=self.before,
-            quality=winner.quality,
-            upper_bound=max(certificate.upper_bound, winner.quality),
+            before=before,
+            after=after,
+            opposite=search.opposite,
+            upper_bound=max(found.upper_bound, winner.quality),
             tolerance=self.gap,
-            stopped_early=certificate.upper_bound > asked_for,
-            improves=improves,
-            reason=self.what_limits(winner.robot) if improves else self.why_not(),
-            certificate=certificate,
-            runners_up=tuple(
-                sorted((c for c in candidates if c is not winner), key=lambda c: -c.quality)
-            ),
+            stopped_early=found.upper_bound > asked_for,
+            improves=winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero,
+            runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),
+            _found=found,
         )
 
-    def robot(self, best: Array, name: str) -> Robot:
-        """Turn a wrench on a piece into a robot in contact."""
-        piece, row = self.pieces[int(best[4])], self.search.rows[int(best[4])]
-        _, c, s, torque = best[:4]
-        from_p, from_q = (x * s - y * c for x, y in (row[0:2], row[2:4]))
-        spread = from_q - from_p
-        share = 0.5 if spread == 0.0 else min(max((torque - from_p) / spread, 0.0), 1.0)
-        x, y = point_on(self.problem.swarm.outline, piece, share if piece.inward else 1.0 - share)
-        angle = math.atan2(s, c)
-        return Robot((float(x), float(y)), angle, self.problem.newcomer.limit, name)
-
-    def runner_up(self, best: Array, name: str) -> RunnerUp:
-        """Turn the best robot of some pieces into one in contact, with its exact quality."""
-        robot = self.robot(best, name)
-        return RunnerUp(robot, self.with_robot(robot).quality, self.pieces[int(best[4])].place)
-
-    def with_robot(self, robot: Robot) -> Facets:
-        """Evaluate the swarm with a robot, exactly."""
-        swarm = self.problem.swarm
-        arm = np.array([robot.contact]) - swarm.outline.origin
-        generator = wrenches(arm, np.array([robot.direction]), np.array([robot.limit]))
-        together = np.vstack([self.search.generators, generator * swarm.scale])
-        return facets_of(together, margin=0.0)
+    def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:
+        """Turn a wrench on a piece into a robot in contact, with its exact quality."""
+        contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
+        robot = Robot(contact, angle, self.problem.newcomer.limit, name)
+        x0, y0 = self.problem.swarm.outline.origin.tolist()
+        c, s = math.cos(angle), math.sin(angle)
+        after = self.search.quality_with(c, s, (contact[0] - x0) * s - (contact[1] - y0) * c)
+        return RunnerUp(robot, after.quality, self.pieces.each[best.piece].place), after
 
     def others(
         self, found: Optimum, winner: RunnerUp, name: str, fraction: float
-    ) -> list[RunnerUp]:
+    ) -> list[tuple[RunnerUp, Weakest]]:
         """Find the best robot in every other place that is nearly as good."""
         runners = []
-        least = fraction * winner.quality
-        for place in dict.fromkeys(piece.place for piece in self.pieces):
-            chosen = [k for k, piece in enumerate(self.pieces) if piece.place == place]
-            if place == winner.place or found.bounds[chosen].max() < least:
+        least, bounds = fraction * winner.quality, found.bounds
+        for place in dict.fromkeys(piece.place for piece in self.pieces.each):
+            chosen = [k for k, piece in enumerate(self.pieces.each) if piece.place == place]
+            if place == winner.place or bounds[chosen].max() < least:
                 continue
-            best = self.search.solve(chosen).best
-            if best[4] >= 0.0:  # otherwise nothing there betters the swarm as it is
-                best[4] = chosen[int(best[4])]
-                runners.append(self.runner_up(best, name))
-        return [runner for runner in runners if runner.quality >= least]
-
-    def what_limits(self, robot: Robot) -> str:
-        """Say what limits the swarm with its new robot."""
-        return f"what remains weakest is {wrench_words(self.with_robot(robot).weakest)}"
-
-    def why_not(self) -> str:
-        """Say why no newcomer improves the swarm."""
-        present = len(self.problem.swarm)
-        weakest = wrench_words(self.facets.weakest)
-        if present < 3:
-            return (
-                "force closure takes at least 4 robots, wherever they are; with this one there "
-                f"{'are' if present else 'is'} {present + 1}"
-            )
-        opposite = self.facets.normals @ self.facets.weakest < OPPOSITE
-        heights = self.facets.heights[opposite]
-        equal = self.before * (1.0 + self.gap) + 2.0 * self.search.floor
-        if self.before > 0.0 and len(heights) and heights.min() <= equal:
-            return (
-                f"the swarm is equally weak in {weakest} and in the opposite direction, and one "
-                "robot can push only one way: place two"
-            )
-        return (
-            f"no allowed robot raises what is weakest, {weakest}, without another direction "
-            "staying as weak: allow more places or directions, or place several"
-        )
+            best = self.search.solve(self.half, chosen).best
+            if best.piece >= 0:  # otherwise nothing there betters the swarm as it is
+                runners.append(self.candidate(best, name))
+        return [pair for pair in runners if pair[0].quality >= least]
 
 
 def _check_fractions(gap: float, runners_up: float | None) -> None:

@@ -12,10 +12,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.placement import Placement, Problem
-from swarmgrasp.placement.optimum import Search
+from swarmgrasp.placement import Placement, Problem, cell_qualities
 from swarmgrasp.plot import style
-from swarmgrasp.swarm import wrenches
 
 COLOURS: Final = "cividis"
 """Even in lightness, and the same to every kind of colour vision."""
@@ -93,63 +91,6 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
         small_print = f"Quality with {problem.swarm.metric_sentence}. White: inward normal."
         figure.text(BOX[0], 0.02, small_print, fontsize=7.0, color=style.GREY)
     return figure
-
-
-def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.float64]:
-    """Compute the quality with the newcomer in every cell of contacts and directions.
-
-    Parameters
-    ----------
-    problem : Problem
-    resolution : tuple of int
-        Columns (arc lengths within [0, perimeter]) and rows (directions within
-        [-pi, pi]).
-
-    Returns
-    -------
-    (columns, rows) [N]
-        nan where nothing is allowed.
-    """
-    outline = problem.swarm.outline
-    columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
-    rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
-    grid = np.full(resolution, np.nan)
-    search = Search(problem)
-    for piece in search.pieces:
-        base = float(outline.corner_arc_lengths[piece.edge])
-        where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
-        p, q = outline.edge_ends(piece.edge)
-        shares = (arc_lengths - base)[:, None] / outline.lengths[piece.edge]
-        contacts = p + shares * (q - p)
-        low = (piece.lo + math.pi) % math.tau - math.pi
-        width = piece.hi - piece.lo
-        parts = [_samples(rows, low - t, low - t + width) for t in (0.0, math.tau)]
-        which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
-        arms = np.repeat(contacts - outline.origin, len(directions), axis=0)
-        turns = np.tile(directions, len(contacts))
-        values = search.qualities(wrenches(arms, turns, np.ones(len(turns))))
-        cells = np.ix_(where, which)
-        grid[cells] = np.fmax(grid[cells], values.reshape(len(where), len(which)))
-    return grid
-
-
-def _samples(
-    bounds: NDArray[np.float64], low: float, high: float
-) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Return the cells an interval reaches and the value in it nearest to each middle.
-
-    A single value, such as a bollard's place, takes its neighbours too: one cell alone
-    is too narrow to see.
-    """
-    step = float(bounds[1] - bounds[0])
-    last = len(bounds) - 2
-    if high - low <= 1e-9 * step:
-        middle = min(int((low - bounds[0]) // step), last) if bounds[0] <= low else -2
-        cells = np.arange(max(middle - 1, 0), min(middle + 1, last) + 1)
-    else:
-        reached = np.minimum(bounds[1:], high) - np.maximum(bounds[:-1], low)
-        cells = np.flatnonzero(reached > 1e-9 * step)
-    return cells, np.clip(0.5 * (bounds[cells] + bounds[cells + 1]), low, high)
 
 
 def _draw_values(

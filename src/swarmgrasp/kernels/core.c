@@ -1,0 +1,338 @@
+/* The kernels as a Python module: arrays in, numbers and bytes out, nothing checked but sizes. */
+#define PY_SSIZE_T_CLEAN
+#define Py_LIMITED_API 0x030B0000
+#include <Python.h>
+
+#include "place.h"
+#include "quality.h"
+#include "sector.h"
+
+static int interrupted(void) { return PyErr_CheckSignals() != 0; }
+
+/* Get C-contiguous doubles, a multiple of `width` of them. */
+static int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
+    if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT))
+        return -1;
+    if (view->itemsize != sizeof(double) || !view->format || view->format[0] != 'd'
+        || view->len % (width * (Py_ssize_t)sizeof(double))
+        || view->len / (width * (Py_ssize_t)sizeof(double)) > INT_MAX / 16) {
+        PyErr_Format(PyExc_ValueError, "float64 in rows of %zd are wanted", width);
+        PyBuffer_Release(view);
+        return -1;
+    }
+    return 0;
+}
+
+static int rows_of(const Py_buffer *view, int width) {
+    return (int)(view->len / (width * (Py_ssize_t)sizeof(double)));
+}
+
+/* -- qualities --------------------------------------------------------------------------------- */
+
+static PyObject *core_weakest(PyObject *module, PyObject *object) {
+    Py_buffer view;
+    Sweep sweep = {0};
+    double quality, n[3];
+    (void)module;
+    if (get_doubles(object, &view, 3))
+        return NULL;
+    int count = rows_of(&view, 3);
+    int status = sweep_room(&sweep, count <= SWEPT ? count : 0);
+    if (status == 0)
+        status = exact_quality(&sweep, view.buf, count, interrupted, &quality, n);
+    sweep_free(&sweep);
+    PyBuffer_Release(&view);
+    if (status != 0)
+        return status == -1 ? PyErr_NoMemory() : NULL;
+    return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
+}
+
+static PyObject *core_qualities(PyObject *module, PyObject *args) {
+    PyObject *object, *result = NULL;
+    Py_buffer view;
+    Sweep sweep = {0};
+    int n, status = 0;
+    (void)module;
+    if (!PyArg_ParseTuple(args, "Oi:qualities", &object, &n))
+        return NULL;
+    if (get_doubles(object, &view, 3 * (n > 0 ? n : 1)))
+        return NULL;
+    int count = rows_of(&view, 3 * (n > 0 ? n : 1));
+    result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
+    if (result && sweep_room(&sweep, n <= SWEPT ? n : 0) == 0) {
+        double *values = (double *)PyBytes_AsString(result), weakest[3];
+        const double *generators = view.buf;
+        for (int k = 0; k < count && status == 0; k++) {
+            status = exact_quality(&sweep, generators + (Py_ssize_t)3 * n * k, n, interrupted,
+                                   values + k, weakest);
+            if (status == 0 && k % 256 == 255 && interrupted())
+                status = -2;
+        }
+    } else {
+        status = -1;
+    }
+    sweep_free(&sweep);
+    PyBuffer_Release(&view);
+    if (status != 0) {
+        Py_CLEAR(result);
+        if (status == -1)
+            PyErr_NoMemory();
+    }
+    return result;
+}
+
+/* -- the search ----------------------------------------------------------------------------------- */
+
+typedef struct {
+    PyObject_HEAD
+    Search search;
+    Py_buffer generators, pieces;
+    Proof *proofs;
+} SearchObject;
+
+/* Turn a status into an exception; OUT_OF_BUDGET is none. */
+static int is_fault(int status) {
+    if (status == NO_MEMORY)
+        PyErr_NoMemory();
+    return status == NO_MEMORY || status == INTERRUPTED;
+}
+
+static void search_dealloc(PyObject *object) {
+    SearchObject *self = (SearchObject *)object;
+    PyTypeObject *type = Py_TYPE(object);
+    search_end(&self->search);
+    PyMem_Free(self->proofs);
+    if (self->generators.obj)
+        PyBuffer_Release(&self->generators);
+    if (self->pieces.obj)
+        PyBuffer_Release(&self->pieces);
+    freefunc release = (freefunc)PyType_GetSlot(type, Py_tp_free);
+    release(object);
+    Py_DECREF(type);
+}
+
+static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
+    PyObject *generators, *pieces;
+    double weights[3];
+    (void)kwargs;
+    if (!PyArg_ParseTuple(args, "O(ddd)O:Search", &generators, weights, weights + 1, weights + 2,
+                          &pieces))
+        return NULL;
+    allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
+    SearchObject *self = (SearchObject *)make(type, 0);
+    if (!self)
+        return NULL;
+    if (get_doubles(generators, &self->generators, 3) || get_doubles(pieces, &self->pieces, PIECE))
+        goto failed;
+    int many = rows_of(&self->pieces, PIECE);
+    if (many == 0) {
+        PyErr_SetString(PyExc_ValueError, "there are no pieces");
+        goto failed;
+    }
+    self->proofs = PyMem_Calloc((size_t)many, sizeof *self->proofs);
+    if (!self->proofs) {
+        PyErr_NoMemory();
+        goto failed;
+    }
+    if (is_fault(search_begin(&self->search, self->generators.buf, rows_of(&self->generators, 3),
+                              weights, self->pieces.buf, many, interrupted)))
+        goto failed;
+    return (PyObject *)self;
+failed:
+    Py_DECREF(self);
+    return NULL;
+}
+
+static PyObject *best_tuple(const Best *best) {
+    const double *w = best->wrench;
+    return Py_BuildValue("ddddi", best->quality, w[0], w[1], w[2], best->piece);
+}
+
+/* solve(gap, chosen, budget) -> (solved, best, top, bounds, rows, shares) */
+static PyObject *search_solve_method(PyObject *object, PyObject *args) {
+    SearchObject *self = (SearchObject *)object;
+    Search *s = &self->search;
+    const char *chosen = NULL;
+    Py_ssize_t chosen_size = s->many;
+    double gap;
+    int budget;
+    Best best;
+    if (!PyArg_ParseTuple(args, "dz#i:solve", &gap, &chosen, &chosen_size, &budget))
+        return NULL;
+    if (chosen && chosen_size != s->many) {
+        PyErr_Format(PyExc_ValueError, "there are %d pieces", s->many);
+        return NULL;
+    }
+    int status = search_solve(s, chosen, gap, budget, &best, self->proofs);
+    if (is_fault(status))
+        return NULL;
+    PyObject *bounds = PyBytes_FromStringAndSize(NULL, s->many * (Py_ssize_t)sizeof(double));
+    PyObject *rows = PyBytes_FromStringAndSize(NULL, 4 * s->many * (Py_ssize_t)sizeof(int));
+    PyObject *shares = PyBytes_FromStringAndSize(NULL, 4 * s->many * (Py_ssize_t)sizeof(double));
+    PyObject *tuple = best_tuple(&best);
+    if (bounds && rows && shares && tuple) {
+        double *bound = (double *)PyBytes_AsString(bounds);
+        double *share = (double *)PyBytes_AsString(shares);
+        int *row = (int *)PyBytes_AsString(rows);
+        double top = 0.0;
+        for (int k = 0; k < s->many; k++) {
+            const Proof *proof = self->proofs + k;
+            bound[k] = proof->bound;
+            top = larger(top, proof->bound);
+            for (int i = 0; i < 4; i++) {
+                row[4 * k + i] = proof->row[i] - LIMITS;
+                share[4 * k + i] = proof->row[i] >= LIMITS ? proof->share[i] : 0.0;
+            }
+        }
+        return Py_BuildValue("(ONdNNN)", status == SOLVED ? Py_True : Py_False, tuple, top, bounds,
+                             rows, shares);
+    }
+    Py_XDECREF(bounds);
+    Py_XDECREF(rows);
+    Py_XDECREF(shares);
+    Py_XDECREF(tuple);
+    return NULL;
+}
+
+/* break_tie(best, target) -> best */
+static PyObject *search_break_tie_method(PyObject *object, PyObject *args) {
+    SearchObject *self = (SearchObject *)object;
+    Best best;
+    double target, *w = best.wrench;
+    if (!PyArg_ParseTuple(args, "(ddddi)d:break_tie", &best.quality, w, w + 1, w + 2, &best.piece,
+                          &target))
+        return NULL;
+    if (search_is_tied(&self->search, &best, self->proofs, target)
+        && is_fault(search_break_tie(&self->search, self->proofs, target, &best)))
+        return NULL;
+    return best_tuple(&best);
+}
+
+/* quality_with(c, s, torque) -> (quality, normal) */
+static PyObject *search_quality_method(PyObject *object, PyObject *args) {
+    SearchObject *self = (SearchObject *)object;
+    double wrench[3], quality, n[3];
+    if (!PyArg_ParseTuple(args, "ddd:quality_with", wrench, wrench + 1, wrench + 2))
+        return NULL;
+    if (is_fault(search_quality(&self->search, wrench, -INFINITY, &quality, n)))
+        return NULL;
+    return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
+}
+
+/* qualities_with(robots) -> bytes */
+static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
+    SearchObject *self = (SearchObject *)object;
+    Py_buffer view;
+    if (get_doubles(robots, &view, 3))
+        return NULL;
+    int count = rows_of(&view, 3), status = SOLVED;
+    PyObject *result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
+    double *values = result ? (double *)PyBytes_AsString(result) : NULL;
+    for (int k = 0; values && k < count && status == SOLVED; k++) {
+        double normal[3];
+        status = search_quality(&self->search, (const double *)view.buf + 3 * k, -INFINITY,
+                                values + k, normal);
+        if (status == SOLVED && k % 1024 == 1023 && interrupted())
+            status = INTERRUPTED;
+    }
+    PyBuffer_Release(&view);
+    if (is_fault(status))
+        Py_CLEAR(result);
+    return result;
+}
+
+/* height(x, y, z) -> float */
+static PyObject *search_height_method(PyObject *object, PyObject *args) {
+    double n[3];
+    if (!PyArg_ParseTuple(args, "ddd:height", n, n + 1, n + 2))
+        return NULL;
+    return PyFloat_FromDouble(search_height(&((SearchObject *)object)->search, n));
+}
+
+/* normals() -> bytes: the pool's unit normals */
+static PyObject *search_normals_method(PyObject *object, PyObject *ignored) {
+    const Search *s = &((SearchObject *)object)->search;
+    int count = s->count - LIMITS;
+    PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
+    (void)ignored;
+    if (!result)
+        return NULL;
+    double *normals = (double *)PyBytes_AsString(result);
+    for (int k = 0; k < count; k++, normals += 3) {
+        for (int i = 0; i < 3; i++)
+            normals[i] = s->pool[k + LIMITS].m[i] / s->weights[i];
+        double size = length(normals);
+        for (int i = 0; i < 3; i++)
+            normals[i] /= size;
+    }
+    return result;
+}
+
+static PyObject *search_quality_get(PyObject *object, void *ignored) {
+    (void)ignored;
+    return PyFloat_FromDouble(((SearchObject *)object)->search.quality);
+}
+
+static PyObject *search_weakest_get(PyObject *object, void *ignored) {
+    const double *n = ((SearchObject *)object)->search.weakest;
+    (void)ignored;
+    return Py_BuildValue("(ddd)", n[0], n[1], n[2]);
+}
+
+static PyObject *search_size_get(PyObject *object, void *ignored) {
+    (void)ignored;
+    return PyFloat_FromDouble(((SearchObject *)object)->search.size);
+}
+
+static PyMethodDef search_methods[] = {
+    {"solve", search_solve_method, METH_VARARGS, NULL},
+    {"break_tie", search_break_tie_method, METH_VARARGS, NULL},
+    {"quality_with", search_quality_method, METH_VARARGS, NULL},
+    {"qualities_with", search_qualities_method, METH_O, NULL},
+    {"height", search_height_method, METH_VARARGS, NULL},
+    {"normals", search_normals_method, METH_NOARGS, NULL},
+    {NULL, NULL, 0, NULL},
+};
+
+static PyGetSetDef search_getset[] = {
+    {"quality", search_quality_get, NULL, NULL, NULL},
+    {"weakest", search_weakest_get, NULL, NULL, NULL},
+    {"size", search_size_get, NULL, NULL, NULL},
+    {NULL, NULL, NULL, NULL, NULL},
+};
+
+static PyType_Slot search_slots[] = {
+    {Py_tp_new, search_new},         {Py_tp_dealloc, search_dealloc},
+    {Py_tp_methods, search_methods}, {Py_tp_getset, search_getset},
+    {0, NULL},
+};
+
+static PyType_Spec search_spec = {
+    .name = "swarmgrasp.kernels.core.Search",
+    .basicsize = sizeof(SearchObject),
+    .flags = Py_TPFLAGS_DEFAULT,
+    .slots = search_slots,
+};
+
+/* -- the module ------------------------------------------------------------------------------------ */
+
+static PyMethodDef methods[] = {
+    {"weakest", core_weakest, METH_O, NULL},
+    {"qualities", core_qualities, METH_VARARGS, NULL},
+    {NULL, NULL, 0, NULL},
+};
+
+static int fill(PyObject *module) {
+    PyObject *type = PyType_FromSpec(&search_spec);
+    int status = type ? PyModule_AddObjectRef(module, "Search", type) : -1;
+    Py_XDECREF(type);
+    return status;
+}
+
+static PyModuleDef_Slot slots[] = {{Py_mod_exec, fill}, {0, NULL}};
+
+static struct PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, .m_name = "core", .m_slots = slots, .m_methods = methods,
+};
+
+PyMODINIT_FUNC PyInit_core(void) { return PyModuleDef_Init(&definition); }

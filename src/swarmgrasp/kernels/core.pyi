@@ -1,0 +1,70 @@
+"""What the compiled kernels offer; the headers beside this file say how they work.
+
+Arrays are C-contiguous float64 of the sizes given; anything else raises `ValueError`. Values are
+not checked. All functions can be interrupted from the keyboard.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Normal = tuple[float, float, float]
+Best = tuple[float, float, float, float, int]
+"""Quality [N] and (cos, sin, torque) [1, 1, m] of a robot, and its piece; -1 if there is none."""
+
+def weakest(generators: Array, /) -> tuple[float, Normal]:
+    """Return the exact quality of generators (n, 3) [N], and the unit normal that attains it."""
+
+def qualities(generators: Array, n: int, /) -> bytes:
+    """Return the exact qualities (m,) [N] of m swarms of n generators each, (m, n, 3) [N]."""
+
+class Search:
+    """A swarm and what a newcomer can do: where it should attach (T9).
+
+    Parameters
+    ----------
+    generators : (n, 3) [N]
+        Of the base swarm, in the metric's coordinates.
+    weights : (3,) [N, N, N/m]
+        Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
+    pieces : (k, 10)
+        See `sector.h`.
+    """
+
+    quality: float
+    """Of the base swarm [N]."""
+    weakest: Normal
+    """Its weakest unit normal."""
+    size: float
+    """The sum of |b_i| and the newcomer's largest wrench [N]: what rounding is relative to."""
+
+    def __new__(cls, generators: Array, weights: Normal, pieces: Array, /) -> Search: ...
+    def solve(
+        self, gap: float, chosen: bytes | None, budget: int, /
+    ) -> tuple[bool, Best, float, bytes, bytes, bytes]:
+        """Find the best robot over all pieces, or over those whose byte in `chosen` is not 0.
+
+        Stops at a relative gap, or after so many normals.
+
+        Returns whether the gap is closed, the best robot, what no robot exceeds [N], and for
+        each piece its bound (k,) [N] and the proof of that: rows (k, 4) of `normals`, as C
+        int, and weights (k, 4).
+        """
+
+    def break_tie(self, best: Best, target: float, /) -> Best:
+        """Of the robots with at least the target quality, take the one that lifts the rest most.
+
+        After `solve`; returns the same robot if no other can be as good.
+        """
+
+    def quality_with(self, c: float, s: float, torque: float, /) -> tuple[float, Normal]:
+        """Return the exact quality with one robot more, and the unit normal that attains it."""
+
+    def qualities_with(self, robots: Array, /) -> bytes:
+        """Return the exact quality with each of many robots (m, 3), one at a time, (m,) [N]."""
+
+    def height(self, x: float, y: float, z: float, /) -> float:
+        """Return the base swarm's support function at a unit normal [N]."""
+
+    def normals(self) -> bytes:
+        """Return the unit normals met so far, (m, 3)."""

@@ -1,0 +1,533 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "place.h"
+#include "quality.h"
+#include "sector.h"
+#include "vectors.h"
+
+#define PI 3.14159265358979323846
+#define SMALL 100           /* robots up to which all facets are listed */
+#define TORQUE_FREE 1e-13   /* torque part of a normal, relative to its force part, that is none */
+#define ARC_END 1e-14       /* width [rad] at which an interval of directions is empty */
+#define PROBE 0.1           /* where between the best and its bound a rival piece is probed: low */
+#define TANGENTS 60         /* steps of the search for the best mixture of two arcs, at most */
+#define TIGHT 0.01          /* of the gap between level and best: how far a proof may be off */
+#define TILTS 8             /* steps of the search for the deepest cut */
+#define ROUNDING 1e-14      /* of sum |b_i|: a level missed by less is reached */
+#define FLOOR 1e-13         /* of sum |b_i|: a gap not worth closing */
+#define MARGIN 1e-9         /* of a bound, against rounding */
+
+typedef struct {
+    double v[3], size; /* only directions with (v[0], v[1]) . F >= v[2] reach the level */
+    int i, j;          /* because these two demands clash elsewhere */
+} Arc;
+
+/* -- the pool ---------------------------------------------------------------------------- */
+
+static int add_row(Search *s, const double *normal, double height) {
+    if (s->count == s->room) {
+        int room = 2 * s->room;
+        Row *grown = realloc(s->pool, (size_t)room * sizeof *grown);
+        if (!grown)
+            return NO_MEMORY;
+        s->pool = grown;
+        s->room = room;
+    }
+    Row *row = s->pool + s->count++;
+    int free = fabs(normal[2]) <= TORQUE_FREE * (fabs(normal[0]) + fabs(normal[1]));
+    row->m[0] = normal[0] * s->weights[0];
+    row->m[1] = normal[1] * s->weights[1];
+    row->m[2] = free ? 0.0 : normal[2] * s->weights[2];
+    row->height = height;
+    row->inverse = free ? 1.0 : 1.0 / fabs(row->m[2]);
+    return SOLVED;
+}
+
+/* h of the base swarm at a normal. */
+double search_height(const Search *s, const double *normal) {
+    if (s->is_small)
+        return support(s->generators, s->n, normal);
+    double m[3], g[3];
+    tree_direction(&s->tree, normal, m);
+    tree_gradient(&s->tree, m, 0.0, g);
+    return larger(0.0, dot(g, m));
+}
+
+/* -- what a level demands ------------------------------------------------------------------ */
+
+/* Find the tightest bounds on the torque that a level demands of a direction (c, s), and the rows
+ * that demand them: twice the same if one demand on the direction alone fails, and then the
+ * lower bound is above the upper. */
+static void torque_bounds(const Search *search, double level, double c, double s, double *lower,
+                          double *upper, int *i, int *j) {
+    double worst = 0.0;
+    int barred = 0;
+    *lower = -INFINITY;
+    *upper = INFINITY;
+    *i = *j = 0;
+    for (int k = 0; k < search->count; k++) {
+        const Row *row = search->pool + k;
+        double need = level - row->height;
+        if (need < 0.0)
+            continue;
+        need = (need - row->m[0] * c - row->m[1] * s) * row->inverse;
+        if (row->m[2] > 0.0) {
+            if (need > *lower) {
+                *lower = need;
+                *i = k;
+            }
+        } else if (row->m[2] < 0.0) {
+            if (-need < *upper) {
+                *upper = -need;
+                *j = k;
+            }
+        } else if (need > worst) {
+            worst = need;
+            barred = k;
+        }
+    }
+    if (barred > 0) {
+        *lower = 1.0;
+        *upper = 0.0;
+        *i = *j = barred;
+    }
+}
+
+/* Cut an interval of directions to the part an arc allows; empty if lo > hi. The arc misses
+ * `middle`; where rounding says otherwise, that side of it is kept on which the arc lies. */
+static void narrow(const Arc *arc, double middle, double *lo, double *hi) {
+    if (arc->v[2] > arc->size || arc->size == 0.0) {
+        *lo = 1.0;
+        *hi = 0.0;
+        return;
+    }
+    double half = acos(larger(arc->v[2], 0.0) / arc->size), crest = atan2(arc->v[1], arc->v[0]);
+    crest -= 2.0 * PI * round((crest - middle) / (2.0 * PI));
+    if (crest > middle)
+        *lo = middle;
+    else
+        *hi = middle;
+    *lo = larger(*lo, crest - half);
+    *hi = smaller(*hi, crest + half);
+}
+
+/* -- proofs -------------------------------------------------------------------------------- */
+
+/* Find the mixture of two arcs with the least bound on the piece, but for `enough`. Each arc is
+ * the mean of its normals that cancels the torque; the bound is convex in the share of the second
+ * arc, and tangents at both ends close in on its least. */
+static void prove(const Search *s, const double *piece, const Arc *one, const Arc *two,
+                  double enough, Proof *proof) {
+    const Arc *arcs[2] = {one, two};
+    double mean[2][4] = {{0.0}}, mu = 0.0, best = 0.0;
+    for (int a = 0; a < 2; a++) {
+        int rows[2] = {arcs[a]->i, arcs[a]->j};
+        double share[2], total = 0.0;
+        for (int k = 0; k < 2; k++) {
+            share[k] = rows[k] >= LIMITS ? s->pool[rows[k]].inverse : 0.0;
+            total += share[k];
+        }
+        for (int k = 0; k < 2; k++) {
+            const Row *row = s->pool + rows[k];
+            share[k] /= total;
+            for (int c = 0; c < 3; c++)
+                mean[a][c] += share[k] * row->m[c];
+            mean[a][3] += share[k] * row->height;
+            proof->row[2 * a + k] = rows[k];
+            proof->share[2 * a + k] = share[k];
+        }
+    }
+    /* the ends of an interval that holds the best share, with bound and slope there */
+    double ends[2][3];
+    proof->bound = INFINITY;
+    for (int step = 0; step < TANGENTS; step++) {
+        double v[4], wrench[3], bound, slope;
+        for (int c = 0; c < 4; c++)
+            v[c] = mean[0][c] + mu * (mean[1][c] - mean[0][c]);
+        bound = best_on_piece(piece, v, wrench) + v[3];
+        if (bound < proof->bound) {
+            proof->bound = bound;
+            best = mu;
+        }
+        slope = mean[1][3] - mean[0][3];
+        for (int c = 0; c < 3; c++)
+            slope += (mean[1][c] - mean[0][c]) * wrench[c];
+        if ((step == 0 && slope >= 0.0) || (step == 1 && slope <= 0.0))
+            break; /* one of the arcs alone is best */
+        double *end = ends[slope > 0.0];
+        end[0] = mu;
+        end[1] = bound;
+        end[2] = slope;
+        if (step == 0) {
+            mu = 1.0;
+            continue;
+        }
+        double lo = ends[0][0], hi = ends[1][0];
+        mu = lo + (ends[1][1] - ends[0][1] - ends[1][2] * (hi - lo)) / (ends[0][2] - ends[1][2]);
+        if (ends[0][1] + ends[0][2] * (mu - lo) >= proof->bound - enough)
+            break;
+        if (step % 3 == 2 || !(mu > lo && mu < hi))
+            mu = 0.5 * (lo + hi);
+    }
+    for (int k = 0; k < 4; k++)
+        proof->share[k] *= k > 1 ? best : 1.0 - best;
+}
+
+/* Write the best proof from the arc that emptied the interval and those at its ends. */
+static void refute(const Search *s, const double *piece, const Arc *arc, const Arc *lo_arc,
+                   const Arc *hi_arc, double enough, Proof *proof) {
+    prove(s, piece, arc, lo_arc, enough, proof);
+    if (hi_arc != lo_arc) {
+        Proof other;
+        prove(s, piece, arc, hi_arc, enough, &other);
+        if (other.bound < proof->bound)
+            *proof = other;
+    }
+}
+
+/* Try one proof on every piece. */
+static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
+    double mean[4] = {0.0}, highest = 0.0, wrench[3];
+    for (int k = 0; k < 4; k++)
+        if (proof->share[k] > 0.0) {
+            const Row *row = s->pool + proof->row[k];
+            highest = larger(highest, row->height);
+            for (int c = 0; c < 3; c++)
+                mean[c] += proof->share[k] * row->m[c];
+            mean[3] += proof->share[k] * row->height;
+        }
+    for (int k = 0; k < s->many; k++)
+        if (proofs[k].bound > highest) {
+            double bound = best_on_piece(s->pieces + PIECE * k, mean, wrench) + mean[3];
+            if (larger(bound, highest) < proofs[k].bound) {
+                proofs[k] = *proof;
+                proofs[k].bound = larger(bound, highest);
+            }
+        }
+}
+
+/* -- exact qualities with a newcomer ----------------------------------------------------------- */
+
+static double least_in_pool(const Search *s, const double *wrench, int *at) {
+    double least = INFINITY;
+    *at = -1;
+    for (int k = LIMITS; k < s->count; k++) {
+        const Row *row = s->pool + k;
+        if (row->height >= least)
+            continue;
+        double value = row->height + larger(0.0, dot(row->m, wrench));
+        if (value < least) {
+            least = value;
+            *at = k;
+        }
+    }
+    return least;
+}
+
+/* The least h at normals across a newcomer, INFINITY if there is none. */
+static double across(Search *s, const double *generator, const double **normal) {
+    double least = INFINITY;
+    int found = sweep_plane(&s->sweep, s->generators, s->n, generator, 0);
+    for (int k = 0; k < found; k++)
+        if (s->sweep.heights[k] < least) {
+            least = s->sweep.heights[k];
+            *normal = s->sweep.normals + 3 * k;
+        }
+    return least;
+}
+
+int search_quality(Search *s, const double *wrench, double enough, double *quality,
+                   double *normal) {
+    double generator[3], extra[3];
+    int at;
+    *quality = least_in_pool(s, wrench, &at);
+    for (int k = 0; k < 3; k++) {
+        normal[k] = s->pool[at].m[k] / s->weights[k];
+        generator[k] = wrench[k] * s->weights[k];
+    }
+    if (*quality < enough)
+        return SOLVED;
+    if (s->is_small) {
+        const double *found = NULL;
+        double least = across(s, generator, &found);
+        if (least < *quality) {
+            *quality = least;
+            memcpy(normal, found, 3 * sizeof *normal);
+        }
+        return SOLVED;
+    }
+    Sphere sphere;
+    tree_whiten(&s->tree, generator, extra);
+    int status = sphere_search(&sphere, &s->tree, extra, &s->base, 0.0, *quality, ZERO * s->size,
+                               s->interrupted);
+    if (sphere.best < *quality)
+        *quality = sphere_best(&sphere, normal);
+    sphere_free(&sphere);
+    return status == 0 ? SOLVED : status == -1 ? NO_MEMORY : INTERRUPTED;
+}
+
+/* Turn a normal that a robot fails away from the robot's wrench, for a deeper cut. At
+ * cos(phi) n - sin(phi) b/|b| the robot misses the demand t - h of the level t by sin(phi) |b|
+ * more; phi grows in halving steps while that is a gain. Without it a robot much stronger than
+ * the others would be cut off a sliver at a time. Returns h at the normal. */
+static double tilt(const Search *s, double *normal, double height, double level,
+                   const double *generator) {
+    double size = length(generator), phi = 0.5 * PI, miss = level - height, best = 0.0;
+    double turned[3];
+    for (int step = 0; step < TILTS; step++) {
+        phi *= 0.5;
+        double c = cos(best + phi), d = sin(best + phi) / size;
+        for (int k = 0; k < 3; k++)
+            turned[k] = c * normal[k] - d * generator[k];
+        double h = search_height(s, turned), gain = level - h + d * size * size;
+        if (h < level && gain > miss) {
+            miss = gain;
+            height = h;
+            best += phi;
+        }
+    }
+    double c = cos(best), d = sin(best) / size;
+    for (int k = 0; k < 3; k++)
+        normal[k] = c * normal[k] - d * generator[k];
+    return height;
+}
+
+/* Ask whether the robot at hand reaches a level: REACHED, SOLVED (a new cut says no), or a fault. */
+static int try_robot(Search *s, const double *wrench, double level, Best *best) {
+    double generator[3], normal[3], value, quality, height;
+    for (int k = 0; k < 3; k++)
+        generator[k] = wrench[k] * s->weights[k];
+    if (s->is_small) { /* all facets hold: only normals across the robot can fail */
+        const double *found = NULL;
+        int at;
+        value = across(s, generator, &found);
+        quality = smaller(value, least_in_pool(s, wrench, &at));
+        if (found)
+            memcpy(normal, found, sizeof normal);
+        height = value;
+    } else {
+        int status = search_quality(s, wrench, -INFINITY, &quality, normal);
+        if (status != SOLVED)
+            return status;
+        value = quality;
+        height = value - larger(0.0, dot(normal, generator));
+    }
+    if (quality > best->quality) {
+        best->quality = quality;
+        memcpy(best->wrench, wrench, sizeof best->wrench);
+    }
+    if (value >= level - ROUNDING * s->size)
+        return REACHED;
+    if (s->count >= s->most)
+        return OUT_OF_BUDGET;
+    if (s->is_small)
+        height = tilt(s, normal, height, level, generator);
+    return add_row(s, normal, height);
+}
+
+/* -- the search ------------------------------------------------------------------------------ */
+
+/* Decide whether a piece has a robot that reaches a level; REFUTED comes with its proof. */
+static int reach(Search *s, const double *piece, double level, Best *best, Proof *proof) {
+    Arc at_lo, at_hi, arc;
+    int is_lo_set = 0, is_hi_set = 0;
+    for (int k = 0; k < LIMITS; k++) {
+        double sign = 1.0 - 2.0 * k;
+        s->pool[k] = (Row){{sign * piece[2 * k + 1], -sign * piece[2 * k], sign}, level, 1.0};
+    }
+    double lo = piece[4], hi = piece[5];
+    for (;;) {
+        double middle = 0.5 * (lo + hi), wrench[3] = {cos(middle), sin(middle), 0.0};
+        double lower, upper, new_lo = lo, new_hi = hi;
+        int i, j;
+        torque_bounds(s, level, wrench[0], wrench[1], &lower, &upper, &i, &j);
+        if (lower <= upper || (i < LIMITS && j < LIMITS)) {
+            wrench[2] = 0.5 * (lower + upper);
+            int status = try_robot(s, wrench, level, best);
+            if (status != SOLVED)
+                return status;
+            continue;
+        }
+        const Row *a = s->pool + i, *b = s->pool + j;
+        for (int k = 0; k < 2; k++)
+            arc.v[k] = a->m[k] * a->inverse + b->m[k] * b->inverse;
+        arc.v[2] = (level - a->height) * a->inverse + (level - b->height) * b->inverse;
+        arc.size = sqrt(arc.v[0] * arc.v[0] + arc.v[1] * arc.v[1]);
+        arc.i = i;
+        arc.j = j;
+        narrow(&arc, middle, &new_lo, &new_hi);
+        if (new_hi - new_lo <= ARC_END) {
+            refute(s, piece, &arc, is_lo_set ? &at_lo : &arc, is_hi_set ? &at_hi : &arc,
+                   TIGHT * (level - best->quality), proof);
+            return REFUTED;
+        }
+        if (new_lo > lo) {
+            at_lo = arc;
+            is_lo_set = 1;
+        }
+        if (new_hi < hi) {
+            at_hi = arc;
+            is_hi_set = 1;
+        }
+        lo = new_lo;
+        hi = new_hi;
+    }
+}
+
+/* Bound all pieces by what is known before any search. */
+static void first_proofs(const Search *s, Proof *proofs) {
+    Proof trial = {INFINITY, {LIMITS, LIMITS + 1, LIMITS, LIMITS}, {1.0, 0.0, 0.0, 0.0}};
+    for (int k = 0; k < s->many; k++)
+        proofs[k].bound = INFINITY;
+    share_proof(s, &trial, proofs);
+    /* no robot lifts n and -n: nothing exceeds the larger h of the two (T17) */
+    trial.share[0] = trial.share[1] = 0.5;
+    for (int k = 0; k < 2; k++) {
+        share_proof(s, &trial, proofs);
+        trial.row[0] += 2;
+        trial.row[1] += 2;
+    }
+}
+
+int search_solve(Search *s, const char *chosen, double gap, int budget, Best *best,
+                 Proof *proofs) {
+    int status = SOLVED;
+    s->most = s->count + budget;
+    char *settled = calloc((size_t)s->many, 1);
+    if (!settled)
+        return NO_MEMORY;
+    for (int k = 0; chosen && k < s->many; k++)
+        settled[k] = !chosen[k];
+    *best = (Best){s->quality, {0.0, 0.0, 0.0}, -1};
+    first_proofs(s, proofs);
+    for (long round = 1;; round++) {
+        Proof trial;
+        int k = -1;
+        for (int j = 0; j < s->many; j++)
+            if (!settled[j] && (k < 0 || proofs[j].bound > proofs[k].bound
+                                || (proofs[j].bound == proofs[k].bound && j == best->piece)))
+                k = j;
+        if (k < 0)
+            break;
+        double before = best->quality, high = proofs[k].bound;
+        if (high - before <= larger(gap * before, FLOOR * s->size))
+            break;
+        if (round % 64 == 0 && s->interrupted()) {
+            status = INTERRUPTED;
+            break;
+        }
+        double share = best->piece >= 0 && best->piece != k ? PROBE : 0.5;
+        double level = before + share * (high - before);
+        int outcome = reach(s, s->pieces + PIECE * k, level, best, &trial);
+        if (best->quality > before)
+            best->piece = k;
+        if (outcome == REFUTED) {
+            share_proof(s, &trial, proofs);
+            if (proofs[k].bound - level > 0.5 * (high - level))
+                settled[k] = 1; /* rounding alone holds the bound up */
+        } else if (outcome == REACHED) {
+            if (best->quality - before < 0.5 * (level - before))
+                settled[k] = 1; /* reached by rounding alone */
+        } else {
+            status = outcome;
+            break;
+        }
+    }
+    free(settled);
+    return status;
+}
+
+/* -- the base swarm --------------------------------------------------------------------------- */
+
+/* Start the pool with the weakest normal, one that is little stronger also in the opposite
+ * direction, and their opposites; return a quality that no newcomer exceeds, or a negative
+ * status. */
+static double begin_pool(Search *s, const double *both) {
+    const double *normals[2] = {s->weakest, both};
+    double most = -INFINITY;
+    Proof *proofs = malloc((size_t)s->many * sizeof *proofs);
+    if (!proofs)
+        return -NO_MEMORY;
+    for (int k = 0; k < 2; k++) {
+        double opposite[3] = {-normals[k][0], -normals[k][1], -normals[k][2]};
+        add_row(s, normals[k], k == 0 ? s->quality : search_height(s, normals[k]));
+        add_row(s, opposite, search_height(s, opposite));
+    }
+    first_proofs(s, proofs);
+    for (int k = 0; k < s->many; k++)
+        most = larger(most, proofs[k].bound);
+    free(proofs);
+    return larger(most, s->quality) + MARGIN * s->size;
+}
+
+/* List all facets, and keep those that a newcomer can matter to. */
+static int begin_small(Search *s) {
+    size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
+    double *normals = malloc(4 * room * sizeof *normals), *heights = normals + 3 * room;
+    ptrdiff_t count;
+    if (!normals)
+        return NO_MEMORY;
+    s->quality = sweep_facets(&s->sweep, s->generators, s->n, s->weakest, normals, heights,
+                              &count);
+    round_quality(s->generators, s->n, &s->quality, s->weakest);
+    const double *both = s->weakest;
+    double least = INFINITY;
+    for (ptrdiff_t k = 0; k < count; k += 2)
+        if (larger(heights[k], heights[k + 1]) < least) {
+            least = larger(heights[k], heights[k + 1]);
+            both = normals + 3 * k;
+        }
+    double most = begin_pool(s, both);
+    int status = most < 0.0 ? NO_MEMORY : SOLVED;
+    for (ptrdiff_t k = 0; k < count && status == SOLVED; k++)
+        if (heights[k] < most)
+            status = add_row(s, normals + 3 * k, heights[k]);
+    free(normals);
+    return status;
+}
+
+/* Find the weakest normal, and keep the directions that a newcomer can matter to. */
+static int begin_large(Search *s, double reach) {
+    if (tree_build(&s->tree, s->generators, s->n))
+        return NO_MEMORY;
+    int status = sphere_search(&s->base, &s->tree, NULL, NULL, reach, INFINITY,
+                               ZERO * s->size, s->interrupted);
+    if (status != 0)
+        return status == -1 ? NO_MEMORY : INTERRUPTED;
+    s->quality = sphere_best(&s->base, s->weakest);
+    round_quality(s->generators, s->n, &s->quality, s->weakest);
+    double most = begin_pool(s, s->weakest);
+    if (most < 0.0)
+        return NO_MEMORY;
+    sphere_keep(&s->base, most);
+    return SOLVED;
+}
+
+int search_begin(Search *s, const double *generators, int n, const double *weights,
+                 const double *pieces, int many, int (*interrupted)(void)) {
+    *s = (Search){.generators = generators, .n = n, .pieces = pieces, .many = many};
+    s->is_small = n <= SMALL;
+    s->interrupted = interrupted;
+    memcpy(s->weights, weights, sizeof s->weights);
+    double arm = 0.0, reach;
+    for (int k = 0; k < many; k++)
+        for (int j = 0; j < 4; j += 2)
+            arm = larger(arm, hypot(pieces[PIECE * k + j], pieces[PIECE * k + j + 1]));
+    reach = hypot(larger(weights[0], weights[1]), arm * weights[2]) * (1.0 + MARGIN);
+    s->size = total_size(generators, n) + reach;
+    s->room = 256;
+    s->count = LIMITS;
+    s->pool = calloc((size_t)s->room, sizeof *s->pool);
+    if (!s->pool || sweep_room(&s->sweep, s->is_small ? n : 0))
+        return NO_MEMORY;
+    return s->is_small ? begin_small(s) : begin_large(s, reach);
+}
+
+void search_end(Search *s) {
+    free(s->pool);
+    sweep_free(&s->sweep);
+    sphere_free(&s->base);
+    tree_free(&s->tree);
+    s->pool = NULL;
+}

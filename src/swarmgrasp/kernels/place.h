@@ -1,0 +1,85 @@
+/* Placement by bisection on the level, with arcs of directions (T9) and their proofs (T10).
+ *
+ * A new robot b = (cos a, sin a, tau) [1, 1, m] at full force raises h(n) by max(0, m . b), where
+ * m is the covector of the normal n. It reaches level t when m . b >= t - h(n) for every normal
+ * with h(n) < t. For one direction a, every such demand bounds the torque from one side.
+ *
+ * The pool holds what is known of the base swarm: some or all of its facets, and normals met on
+ * the way. Its first two rows stand for the piece at hand, tau >= p x F and tau <= q x F. */
+#ifndef SWARMGRASP_PLACE_H
+#define SWARMGRASP_PLACE_H
+
+#include "facets.h"
+#include "sphere.h"
+
+#define LIMITS 2 /* pool rows kept for the piece at hand */
+
+enum { SOLVED, REACHED, REFUTED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
+
+/* A normal and what it demands. */
+typedef struct {
+    double m[3];    /* covector [N, N, N/m]; m[2] is 0 if it says nothing of the torque */
+    double height;  /* h at the unit normal [N] */
+    double inverse; /* 1 / |m[2]|, or 1 */
+} Row;
+
+/* A convex combination of pool rows that bounds a piece. */
+typedef struct {
+    double bound;
+    int row[4];
+    double share[4];
+} Proof;
+
+typedef struct {
+    const double *generators;   /* (n, 3) [N] of the base swarm, in the metric's coordinates */
+    int n;
+    const double *pieces;       /* (many, PIECE) where the newcomer may attach */
+    int many;
+    double weights[3];          /* turn its unit wrench [1, 1, m] into the metric's coordinates */
+    double size;                /* sum |b_i|, and the newcomer's [N] */
+    double quality, weakest[3]; /* of the base swarm */
+    int is_small;               /* whether the pool has all facets that matter; otherwise: */
+    Tree tree;                  /* of the base swarm */
+    Sphere base;                /* and the directions that may matter */
+    Sweep sweep;
+    Row *pool;
+    int count, room, most;
+    int (*interrupted)(void);
+} Search;
+
+/* The best robot: its quality, (c, s, torque), and its piece; -1 if none betters the base. */
+typedef struct {
+    double quality, wrench[3];
+    int piece;
+} Best;
+
+/* Prepare a search. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any case. */
+int search_begin(Search *search, const double *generators, int n, const double *weights,
+                 const double *pieces, int many, int (*interrupted)(void));
+void search_end(Search *search);
+
+/* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds
+ * the best by more than `gap` of it, or `budget` normals were met on the way; writes a proof per
+ * piece. Returns SOLVED, OUT_OF_BUDGET, or a fault. */
+int search_solve(Search *search, const char *chosen, double gap, int budget, Best *best,
+                 Proof *proofs);
+
+/* Compute the exact quality with one more robot (c, s, torque), at the unit normal written. Below
+ * `enough` any upper bound will do. */
+int search_quality(Search *search, const double *wrench, double enough, double *quality,
+                   double *normal);
+
+/* h of the base swarm at a normal of any length. */
+double search_height(const Search *search, const double *normal);
+
+/* Tell whether other robots may be as good as the best one, with at least the target quality. */
+int search_is_tied(const Search *search, const Best *best, const Proof *proofs, double target);
+
+/* Of the robots with at least the target quality take the one that lifts the rest of h most
+ * (T17). When the weakest facet cannot be raised, or the contact does not matter to it, a whole
+ * set of robots shares the best quality; of these the one is taken that makes the soft minimum
+ * of h over directions greatest, so that the robots to come are not stuck where this one could
+ * not help. */
+int search_break_tie(Search *search, const Proof *proofs, double target, Best *best);
+
+#endif

@@ -1,0 +1,60 @@
+#include "quality.h"
+#include "vectors.h"
+
+double total_size(const double *generators, int n) {
+    double size = 0.0;
+    for (int i = 0; i < n; i++)
+        size += length(generators + 3 * i);
+    return size;
+}
+
+/* A unit vector across the largest generator; the last axis if there is none. */
+static void across_largest(const double *generators, int n, double *normal) {
+    double b[3] = {1.0, 0.0, 0.0}, most = 0.0;
+    for (int i = 0; i < n; i++)
+        if (length(generators + 3 * i) > most) {
+            most = length(generators + 3 * i);
+            for (int k = 0; k < 3; k++)
+                b[k] = generators[3 * i + k] / most;
+        }
+    double axis[3] = {0.0, 0.0, 1.0};
+    if (fabs(b[2]) > 0.8) {
+        axis[1] = 1.0;
+        axis[2] = 0.0;
+    }
+    double along = dot(axis, b), size;
+    for (int k = 0; k < 3; k++)
+        normal[k] = axis[k] - along * b[k];
+    size = length(normal);
+    for (int k = 0; k < 3; k++)
+        normal[k] /= size;
+}
+
+void round_quality(const double *generators, int n, double *quality, double *weakest) {
+    if (*quality == INFINITY)
+        across_largest(generators, n, weakest);
+    if (*quality == INFINITY || *quality <= ZERO * total_size(generators, n))
+        *quality = 0.0;
+}
+
+int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
+                  double *quality, double *weakest) {
+    int status = 0;
+    if (n <= SWEPT) {
+        *quality = sweep_facets(sweep, generators, n, weakest, NULL, NULL, NULL);
+    } else {
+        Tree tree;
+        Sphere sphere;
+        if (tree_build(&tree, generators, n))
+            return -1;
+        status = sphere_search(&sphere, &tree, NULL, NULL, 0.0, INFINITY,
+                               ZERO * total_size(generators, n), interrupted);
+        *quality = sphere.best;
+        if (*quality < INFINITY)
+            sphere_best(&sphere, weakest);
+        sphere_free(&sphere);
+        tree_free(&tree);
+    }
+    round_quality(generators, n, quality, weakest);
+    return status;
+}

@@ -1,0 +1,23 @@
+/* The exact quality of a swarm of any size (T1). */
+#ifndef SWARMGRASP_QUALITY_H
+#define SWARMGRASP_QUALITY_H
+
+#include "facets.h"
+#include "sphere.h"
+
+#define SWEPT 80    /* generators up to which sweeping all planes is faster than a search */
+#define ZERO 1e-12  /* of sum |b_i|: a quality that counts as none */
+
+/* Find the least h over unit normals, and where; ZERO sum |b_i| and less is 0. A set that spans
+ * no plane has a normal across it, and 0. `sweep` has room for n generators if n <= SWEPT.
+ * Returns 0, -1 without memory, -2 if interrupted. */
+int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
+                  double *quality, double *weakest);
+
+/* Round a quality to 0 if it is next to that; for one that is INFINITY, of a set that spans no
+ * plane, write a normal across it. */
+void round_quality(const double *generators, int n, double *quality, double *weakest);
+
+double total_size(const double *generators, int n);
+
+#endif

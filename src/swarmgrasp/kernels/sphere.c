@@ -1,0 +1,396 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "sphere.h"
+#include "vectors.h"
+
+#ifndef LISTED
+#define LISTED 12
+#endif
+          /* generators a triangle may be crossed by for its vertices to be listed */
+#ifndef TRIES
+#define TRIES 2
+#endif
+            /* cuts made in a cell before it is split */
+#ifndef WORTH
+#define WORTH 0.4
+#endif
+          /* share of the gap that a cut should close for another to be tried */
+#define ROUNDING 4e-15     /* of sum |c_i|: what evaluations may differ by */
+#define PARALLEL 1e-12      /* sine of the angle between generators that have no vertex */
+#define NOISE 1e-15         /* of a product m . c: what is left of 0 at a vertex */
+#define FUTILE 0.1        /* gap, relative to h and the edge squared, that only splitting closes */
+#define SMALLEST 1e-13     /* edge of a triangle that is a point */
+#define INSIDE 1e-6        /* of a triangle's edge: by how much a vertex may lie outside */
+
+/* |M' m|: the length of the normal that m stands for. */
+static double size_of(const Tree *tree, const double *m) {
+    double n[3];
+    tree_normal(tree, m, n);
+    return length(n);
+}
+
+/* -- the heap ---------------------------------------------------------------------------- */
+
+static int push(Sphere *s, const Cell *cell) {
+    if (s->cells == s->room) {
+        int room = s->room ? 2 * s->room : 64;
+        Cell *grown = realloc(s->cell, (size_t)room * sizeof *grown);
+        if (!grown)
+            return -1;
+        s->cell = grown;
+        s->room = room;
+    }
+    int i = s->cells++;
+    while (i > 0 && s->cell[(i - 1) / 2].bound > cell->bound) {
+        s->cell[i] = s->cell[(i - 1) / 2];
+        i = (i - 1) / 2;
+    }
+    s->cell[i] = *cell;
+    return 0;
+}
+
+static void pop(Sphere *s, Cell *cell) {
+    *cell = s->cell[0];
+    const Cell *last = s->cell + --s->cells;
+    int i = 0;
+    for (;;) {
+        int k = 2 * i + 1;
+        if (k >= s->cells)
+            break;
+        if (k + 1 < s->cells && s->cell[k + 1].bound < s->cell[k].bound)
+            k++;
+        if (s->cell[k].bound >= last->bound)
+            break;
+        s->cell[i] = s->cell[k];
+        i = k;
+    }
+    s->cell[i] = *last;
+}
+
+/* -- values ------------------------------------------------------------------------------ */
+
+/* Evaluate h at m, write its gradient there, and keep the best h / |n|. */
+static double evaluate(Sphere *s, const double *m, double rounding, double *g) {
+    tree_gradient(s->tree, m, rounding, g);
+    if (s->extra && dot(m, s->extra) > 0.0)
+        for (int k = 0; k < 3; k++)
+            g[k] += s->extra[k];
+    double value = larger(0.0, dot(g, m)), ratio = value / size_of(s->tree, m);
+    s->evaluations++;
+    if (ratio < s->best) {
+        s->best = ratio;
+        memcpy(s->normal, m, sizeof s->normal);
+    }
+    return value;
+}
+
+/* -- the relaxation in one cell ------------------------------------------------------------ */
+
+/* What a cut says at the corners, and so between them. */
+static void at_corners(const double *scaled, const double *g, double *row) {
+    for (int j = 0; j < 3; j++)
+        row[j] = dot(g, scaled + 3 * j);
+}
+
+static double highest(double rows[][3], int count, const double *share) {
+    double value = dot(rows[0], share);
+    for (int k = 1; k < count; k++)
+        value = larger(value, dot(rows[k], share));
+    return value;
+}
+
+/* Minimise the greatest of some rows over shares of the corners: a linear program of three
+ * unknowns, solved by looking at all its vertices. */
+static double relax(double rows[][3], int count, double *share) {
+    double least = INFINITY, trial[3];
+#define TRY                                              \
+    do {                                                 \
+        double value = highest(rows, count, trial);      \
+        if (value < least) {                             \
+            least = value;                               \
+            memcpy(share, trial, sizeof trial);          \
+        }                                                \
+    } while (0)
+    for (int j = 0; j < 3; j++) {
+        for (int k = 0; k < 3; k++)
+            trial[k] = k == j;
+        TRY;
+    }
+    for (int a = 0; a < count; a++)
+        for (int b = a + 1; b < count; b++) {
+            double d[3];
+            for (int k = 0; k < 3; k++)
+                d[k] = rows[a][k] - rows[b][k];
+            for (int j = 0; j < 3; j++) {
+                int i = (j + 1) % 3;
+                if (d[i] * d[j] < 0.0) {
+                    trial[i] = d[j] / (d[j] - d[i]);
+                    trial[j] = 1.0 - trial[i];
+                    trial[3 - i - j] = 0.0;
+                    TRY;
+                }
+            }
+            for (int c = b + 1; c < count; c++) {
+                double e[3], sum;
+                for (int k = 0; k < 3; k++)
+                    e[k] = rows[a][k] - rows[c][k];
+                cross(d, e, trial);
+                sum = trial[0] + trial[1] + trial[2];
+                if (sum == 0.0)
+                    continue;
+                for (int k = 0; k < 3; k++)
+                    trial[k] /= sum;
+                if (trial[0] >= 0.0 && trial[1] >= 0.0 && trial[2] >= 0.0)
+                    TRY;
+            }
+        }
+#undef TRY
+    return least;
+}
+
+/* Keep the cuts that hold the bound up. */
+static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
+                      const double *share, double bound, double scale) {
+    cell->cuts = 0;
+    for (int k = 0; k < count; k++)
+        if (cell->cuts < PLANES && dot(rows[k], share) >= bound - 1e-12 * scale) {
+            memcpy(cell->cut[cell->cuts], cuts[k], sizeof cuts[k]);
+            memcpy(rows[cell->cuts++], rows[k], sizeof rows[k]);
+        }
+}
+
+/* Raise the bound of a cell with the cuts it has, and more at the points where they are least. */
+static void tighten(Sphere *s, Cell *cell, const double *scaled, double wanted, int tries) {
+    double cuts[PLANES + 1][3], rows[PLANES + 1][3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    double bound = -INFINITY;
+    for (int k = 0; k < cell->cuts; k++)
+        at_corners(scaled, cell->cut[k], rows[k]);
+    if (cell->cuts) {
+        bound = relax(rows, cell->cuts, share);
+        cell->bound = larger(cell->bound, bound);
+    }
+    for (int t = 0; t < tries && cell->bound < wanted; t++) {
+        double m[3] = {0.0}, value, before = bound;
+        int count = cell->cuts;
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                m[k] += share[j] * scaled[3 * j + k];
+        memcpy(cuts, cell->cut, sizeof cell->cut);
+        evaluate(s, m, 0.0, cuts[count]);
+        at_corners(scaled, cuts[count], rows[count]);
+        value = dot(rows[count], share);
+        if (value <= bound + s->tolerance)
+            break; /* the cuts meet h here */
+        bound = relax(rows, count + 1, share);
+        drop_idle(cell, cuts, rows, count + 1, share, bound, s->tree->weight);
+        cell->bound = larger(cell->bound, bound);
+        if (value - before < WORTH * (wanted - before))
+            break;
+    }
+}
+
+/* -- the end of a cell ------------------------------------------------------------------- */
+
+/* Tell whether a direction lies in a triangle; a little outside counts too. 1, or -1 for the
+ * opposite direction. */
+static int is_inside(const double *corner, const double *m) {
+    double side[3], edge = 0.0;
+    for (int j = 0; j < 3; j++) {
+        double across[3];
+        const double *a = corner + 3 * j, *b = corner + 3 * ((j + 1) % 3);
+        cross(a, b, across);
+        side[j] = dot(across, m);
+        edge = larger(edge, length(across));
+    }
+    double slack = INSIDE * edge * edge * length(m);
+    if (side[0] >= -slack && side[1] >= -slack && side[2] >= -slack)
+        return 1;
+    return side[0] <= slack && side[1] <= slack && side[2] <= slack ? -1 : 0;
+}
+
+/* Evaluate h at every vertex in a triangle that few generators cross: the triangle is done.
+ * Returns 0 if there are too many. */
+static int list_vertices(Sphere *s, const Cell *cell) {
+    double c[(LISTED + 1) * 3], g[3], ignored[3];
+    int count = tree_crossed(s->tree, cell->corner, LISTED, c, g);
+    if (count < 0)
+        return 0;
+    if (s->extra) /* crossed or not: one more costs little */
+        memcpy(c + 3 * count++, s->extra, 3 * sizeof *c);
+    for (int a = 0; a < count; a++)
+        for (int b = a + 1; b < count; b++) {
+            double m[3], *p = c + 3 * a, *q = c + 3 * b;
+            cross(p, q, m);
+            if (length(m) <= PARALLEL * length(p) * length(q))
+                continue;
+            int side = is_inside(cell->corner, m);
+            if (side == 0)
+                continue;
+            double turn = dot(m, p) / dot(p, p), value;
+            for (int k = 0; k < 3; k++)
+                m[k] = side * (m[k] - turn * p[k]);
+            value = dot(g, m);
+            for (int k = 0; k < count; k++)
+                value += k == a || k == b ? 0.0 : larger(0.0, dot(c + 3 * k, m));
+            if (value < s->best * size_of(s->tree, m))
+                evaluate(s, m, NOISE, ignored);
+        }
+    return 1;
+}
+
+/* Halve a triangle at the middle of its longest edge. */
+static void halve(const Cell *cell, Cell *one, Cell *two) {
+    double longest = -1.0, middle[3];
+    int at = 0;
+    for (int j = 0; j < 3; j++) {
+        double edge[3];
+        for (int k = 0; k < 3; k++)
+            edge[k] = cell->corner[3 * j + k] - cell->corner[3 * ((j + 1) % 3) + k];
+        if (dot(edge, edge) > longest) {
+            longest = dot(edge, edge);
+            at = j;
+        }
+    }
+    const double *p = cell->corner + 3 * at, *q = cell->corner + 3 * ((at + 1) % 3);
+    for (int k = 0; k < 3; k++)
+        middle[k] = p[k] + q[k];
+    double size = length(middle);
+    for (int k = 0; k < 3; k++)
+        middle[k] /= size;
+    *one = *two = *cell;
+    memcpy(one->corner + 3 * at, middle, sizeof middle);
+    memcpy(two->corner + 3 * ((at + 1) % 3), middle, sizeof middle);
+}
+
+/* Corners as multiples of which every unit normal of the cell is a sum with shares >= 1. */
+static void scale_corners(const Tree *tree, const Cell *cell, double *scaled) {
+    for (int j = 0; j < 3; j++) {
+        double size = size_of(tree, cell->corner + 3 * j);
+        for (int k = 0; k < 3; k++)
+            scaled[3 * j + k] = cell->corner[3 * j + k] / size;
+    }
+}
+
+static double extent(const Cell *cell) {
+    double edge[3], most = 0.0;
+    for (int j = 0; j < 3; j++) {
+        for (int k = 0; k < 3; k++)
+            edge[k] = cell->corner[3 * j + k] - cell->corner[3 * ((j + 1) % 3) + k];
+        most = larger(most, length(edge));
+    }
+    return most;
+}
+
+/* -- the search ---------------------------------------------------------------------------- */
+
+static int begin(Sphere *s, const Sphere *from, double margin) {
+    if (from) {
+        for (int k = 0; k < from->cells; k++) {
+            Cell cell = from->cell[k];
+            double scaled[9];
+            cell.bound = 0.0;
+            scale_corners(s->tree, &cell, scaled);
+            if (s->extra) { /* it adds m . extra or more */
+                double centre[3];
+                for (int j = 0; j < 3; j++)
+                    centre[j] = cell.corner[j] + cell.corner[3 + j] + cell.corner[6 + j];
+                if (dot(centre, s->extra) > 0.0)
+                    for (int i = 0; i < cell.cuts; i++)
+                        for (int j = 0; j < 3; j++)
+                            cell.cut[i][j] += s->extra[j];
+            }
+            tighten(s, &cell, scaled, s->best, 0);
+            if (cell.bound < s->best + margin && push(s, &cell))
+                return -1;
+        }
+        return 0;
+    }
+    for (int k = 0; k < 8; k++) {
+        Cell cell = {.bound = 0.0, .cuts = 0};
+        double x = k & 1 ? -1.0 : 1.0, y = k & 2 ? -1.0 : 1.0, z = k & 4 ? -1.0 : 1.0;
+        double corner[9] = {x, 0, 0, 0, y, 0, 0, 0, z};
+        if (x * y * z < 0.0) { /* counter-clockwise */
+            corner[0] = corner[4] = 0.0;
+            corner[1] = y;
+            corner[3] = x;
+        }
+        memcpy(cell.corner, corner, sizeof corner);
+        if (push(s, &cell))
+            return -1;
+    }
+    return 0;
+}
+
+int sphere_search(Sphere *s, const Tree *tree, const double *extra, const Sphere *from,
+                  double margin, double below, double zero, int (*interrupted)(void)) {
+    memset(s, 0, sizeof *s);
+    s->tree = tree;
+    s->extra = extra;
+    double weight = tree->weight;
+    if (extra)
+        weight += length(extra);
+    s->tolerance = ROUNDING * weight;
+    s->best = below;
+    Sphere kept = {0};
+    int status = begin(s, from, margin);
+    for (long round = 0; status == 0 && s->cells > 0; round++) {
+        double scaled[9];
+        Cell cell, halves[2];
+        double wanted = s->best - larger(1e-13 * s->best, s->tolerance);
+        if (s->cell[0].bound >= wanted || s->best <= zero)
+            break;
+        if (round % 1024 == 1023 && interrupted()) {
+            status = -2;
+            break;
+        }
+        pop(s, &cell);
+        scale_corners(tree, &cell, scaled);
+        if (list_vertices(s, &cell) || extent(&cell) <= SMALLEST) {
+            if (margin > 0.0)
+                status = push(&kept, &cell);
+            continue;
+        }
+        double edge = extent(&cell);
+        int tries = s->best - cell.bound < FUTILE * s->best * edge * edge ? 0 : TRIES;
+        tighten(s, &cell, scaled, s->best, tries);
+        if (cell.bound >= s->best) {
+            if (cell.bound < s->best + margin)
+                status = push(&kept, &cell);
+            continue;
+        }
+        halve(&cell, halves, halves + 1);
+        for (int k = 0; k < 2 && status == 0; k++) {
+            scale_corners(tree, halves + k, scaled);
+            tighten(s, halves + k, scaled, s->best, 0);
+            if (halves[k].bound < s->best + margin)
+                status = push(s, halves + k);
+        }
+    }
+    for (int k = 0; k < kept.cells && status == 0; k++)
+        status = push(s, kept.cell + k);
+    sphere_free(&kept);
+    return status;
+}
+
+double sphere_best(const Sphere *s, double *normal) {
+    tree_normal(s->tree, s->normal, normal);
+    double size = length(normal);
+    for (int k = 0; k < 3; k++)
+        normal[k] /= size;
+    return s->best;
+}
+
+void sphere_keep(Sphere *s, double most) {
+    int kept = 0;
+    for (int k = 0; k < s->cells; k++)
+        if (s->cell[k].bound < most)
+            s->cell[kept++] = s->cell[k];
+    s->cells = kept;
+}
+
+void sphere_free(Sphere *s) {
+    free(s->cell);
+    s->cell = NULL;
+    s->cells = s->room = 0;
+}

@@ -1,0 +1,47 @@
+/* The least of a support function over all directions, by branch and bound (T12). */
+#ifndef SWARMGRASP_SPHERE_H
+#define SWARMGRASP_SPHERE_H
+
+#include "tree.h"
+
+#define PLANES 3 /* cuts that a cell keeps */
+
+/* A triangle of directions and what bounds h on it, in whitened coordinates. */
+typedef struct {
+    double bound;           /* no unit normal in the triangle has a smaller h */
+    double corner[9];       /* unit in whitened coordinates */
+    double cut[PLANES][3];  /* gradients of h: each g . m <= h(m) everywhere */
+    int cuts;
+} Cell;
+
+/* The directions still open, and the best one so far. */
+typedef struct {
+    const Tree *tree;
+    const double *extra;    /* one more generator, whitened, or NULL */
+    double tolerance;       /* of h, that is rounding */
+    double best, normal[3]; /* least h so far, and the normal, whitened */
+    Cell *cell;             /* a heap, least bound first */
+    int cells, room;
+    long evaluations;
+} Sphere;
+
+/* Find the least h(n) over unit normals.
+ *
+ * `from` are cells of an earlier run to begin with, or NULL for all directions. `margin`: keep
+ * the cells in which h may be less than the least h + margin, for later runs; 0 keeps none.
+ * A value of `below` or more is not wanted, and `best` is then `below`; one of `zero` or
+ * less is as good as 0, and the first to be found.
+ *
+ * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, -2 if
+ * interrupted. */
+int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, const Sphere *from,
+                  double margin, double below, double zero, int (*interrupted)(void));
+/* Return the least h found, and write its unit normal. */
+double sphere_best(const Sphere *sphere, double *normal);
+
+/* Drop the cells on which h is at least `most`. */
+void sphere_keep(Sphere *sphere, double most);
+
+void sphere_free(Sphere *sphere);
+
+#endif

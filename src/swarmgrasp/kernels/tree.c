@@ -1,0 +1,352 @@
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "vectors.h"
+#include "tree.h"
+
+#define LEAF 8               /* generators in a leaf, at most, unless they point alike */
+#define GRID 1073741823.0    /* (u, v) as 30 bits each */
+#define FLATTEST 1e-16       /* of C's pivots, relative to its trace: what rounding leaves of it */
+#define EVEN 0.1             /* least share of the trace of C that is near enough to a third */
+#define STEPS 8              /* towards that, at most */
+#define PARALLEL 1e-15       /* difference of (u, v) that is rounding */
+#define SWOLLEN 4e-16        /* by which a rectangle is widened */
+#define ON_PLANE 1e-14       /* sine of the angle within which a generator counts as crossed */
+
+typedef struct {
+    uint64_t key;
+    uint32_t index;
+} Item;
+
+/* The two components beside the largest one. */
+static const int beside[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+
+void tree_whiten(const Tree *tree, const double *b, double *c) {
+    const double *w = tree->whiten;
+    c[0] = w[0] * b[0];
+    c[1] = w[1] * b[0] + w[2] * b[1];
+    c[2] = w[3] * b[0] + w[4] * b[1] + w[5] * b[2];
+}
+
+void tree_normal(const Tree *tree, const double *m, double *n) {
+    const double *w = tree->whiten;
+    n[0] = w[0] * m[0] + w[1] * m[1] + w[3] * m[2];
+    n[1] = w[2] * m[1] + w[4] * m[2];
+    n[2] = w[5] * m[2];
+}
+
+void tree_direction(const Tree *tree, const double *n, double *m) {
+    const double *w = tree->whiten;
+    m[2] = n[2] / w[5];
+    m[1] = (n[1] - w[4] * m[2]) / w[2];
+    m[0] = (n[0] - w[1] * m[1] - w[3] * m[2]) / w[0];
+}
+
+/* One step towards M: the inverse of the Cholesky factor of C = sum b b' / |M b|, with pivots
+ * that are not 0. Tells whether M was good before. */
+static int improve_whitening(double *w, const Tree *tree, const double *generators,
+                             ptrdiff_t count) {
+    double c[6] = {0.0}, d[3] = {0.0};
+    for (ptrdiff_t i = 0; i < count; i++) {
+        const double *b = generators + 3 * i;
+        double white[3], size;
+        tree_whiten(tree, b, white);
+        size = length(white);
+        if (size > 0.0) {
+            double x = b[0] / size, y = b[1] / size, z = b[2] / size;
+            c[0] += x * b[0];
+            c[1] += y * b[0];
+            c[2] += y * b[1];
+            c[3] += z * b[0];
+            c[4] += z * b[1];
+            c[5] += z * b[2];
+            for (int k = 0; k < 3; k++)
+                d[k] += white[k] / size * white[k];
+        }
+    }
+    double trace = d[0] + d[1] + d[2];
+    if (smaller(d[0], smaller(d[1], d[2])) >= EVEN * trace)
+        return 1;
+    double least = FLATTEST * (c[0] + c[2] + c[5]);
+    double l0 = sqrt(larger(c[0], least));
+    double l1 = c[1] / l0, l3 = c[3] / l0;
+    double l2 = sqrt(larger(c[2] - l1 * l1, least));
+    double l4 = (c[4] - l3 * l1) / l2;
+    double l5 = sqrt(larger(c[5] - l3 * l3 - l4 * l4, least));
+    w[0] = 1.0 / l0;
+    w[2] = 1.0 / l2;
+    w[5] = 1.0 / l5;
+    w[1] = -w[2] * l1 * w[0];
+    w[4] = -w[5] * l4 * w[2];
+    w[3] = -w[5] * (l3 * w[0] + l4 * w[1]);
+    return 0;
+}
+
+/* Spread 30 bits to every second place. */
+static uint64_t spread(uint64_t x) {
+    x = (x | x << 16) & 0x0000FFFF0000FFFFull;
+    x = (x | x << 8) & 0x00FF00FF00FF00FFull;
+    x = (x | x << 4) & 0x0F0F0F0F0F0F0F0Full;
+    x = (x | x << 2) & 0x3333333333333333ull;
+    return (x | x << 1) & 0x5555555555555555ull;
+}
+
+static int face_of(const double *c) {
+    double x = fabs(c[0]), y = fabs(c[1]), z = fabs(c[2]);
+    int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+    return 2 * axis + (c[axis] < 0.0);
+}
+
+/* Where a generator's direction meets the cube. */
+static void place_on(int face, const double *c, double *uv) {
+    for (int k = 0; k < 2; k++)
+        uv[k] = c[beside[face / 2][k]] / fabs(c[face / 2]);
+}
+
+static uint64_t key_of(const double *c) {
+    int face = face_of(c);
+    double uv[2];
+    place_on(face, c, uv);
+    uint64_t i = (uint64_t)((uv[0] + 1.0) * 0.5 * GRID), j = (uint64_t)((uv[1] + 1.0) * 0.5 * GRID);
+    return (uint64_t)face << 60 | spread(j) << 1 | spread(i);
+}
+
+static int highest_bit(uint64_t x) {
+    int bit = 0;
+    for (int step = 32; step > 0; step /= 2)
+        if (x >> step) {
+            x >>= step;
+            bit += step;
+        }
+    return bit;
+}
+
+/* Sort by key, 11 bits at a time; digits that all items share are passed over. */
+static void sort_items(Item **items, Item **spare, size_t n) {
+    for (int shift = 0; shift < 63; shift += 11) {
+        size_t start[2049] = {0};
+        for (size_t i = 0; i < n; i++)
+            start[((*items)[i].key >> shift & 2047) + 1]++;
+        if (start[((*items)[0].key >> shift & 2047) + 1] == n)
+            continue;
+        for (int d = 0; d < 2048; d++)
+            start[d + 1] += start[d];
+        for (size_t i = 0; i < n; i++)
+            (*spare)[start[(*items)[i].key >> shift & 2047]++] = (*items)[i];
+        Item *swap = *items;
+        *items = *spare;
+        *spare = swap;
+    }
+}
+
+/* Write the node of generators [first, last) and those below it; keys are in `items`. */
+static void grow(Tree *tree, const Item *items, int first, int last) {
+    int here = tree->nodes++;
+    Node *node = tree->node + here;
+    *node = (Node){.first = first, .face = face_of(tree->vectors + 3 * first)};
+    uint64_t differ = items[first].key ^ items[last - 1].key;
+    if (last - first <= LEAF || differ == 0) {
+        double low[2] = {2.0, 2.0}, high[2] = {-2.0, -2.0};
+        for (int i = first; i < last; i++) {
+            const double *c = tree->vectors + 3 * i;
+            double uv[2];
+            place_on(node->face, c, uv);
+            for (int k = 0; k < 2; k++) {
+                low[k] = smaller(low[k], uv[k]);
+                high[k] = larger(high[k], uv[k]);
+            }
+            for (int k = 0; k < 3; k++)
+                node->sum[k] += c[k];
+        }
+        for (int k = 0; k < 2; k++) {
+            node->middle[k] = 0.5 * (low[k] + high[k]);
+            node->half[k] = 0.5 * (high[k] - low[k]) + SWOLLEN;
+        }
+        node->count = last - first;
+        node->skip = tree->nodes;
+        return;
+    }
+    /* split where the highest bit that differs turns to 1 */
+    int bit = highest_bit(differ), low = first, high = last - 1;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (items[middle].key >> bit & 1)
+            high = middle;
+        else
+            low = middle;
+    }
+    int below[2] = {tree->nodes, 0};
+    grow(tree, items, first, high);
+    below[1] = tree->nodes;
+    grow(tree, items, high, last);
+    node = tree->node + here;
+    const Node *a = tree->node + below[0], *b = tree->node + below[1];
+    for (int k = 0; k < 3; k++)
+        node->sum[k] = a->sum[k] + b->sum[k];
+    for (int k = 0; k < 2; k++) {
+        double lo = smaller(a->middle[k] - a->half[k], b->middle[k] - b->half[k]);
+        double hi = larger(a->middle[k] + a->half[k], b->middle[k] + b->half[k]);
+        node->middle[k] = 0.5 * (lo + hi);
+        node->half[k] = 0.5 * (hi - lo) + SWOLLEN;
+    }
+    node->skip = tree->nodes;
+}
+
+static int is_parallel(const double *a, const double *b) {
+    int face = face_of(a);
+    double p[2], q[2];
+    if (face != face_of(b))
+        return 0;
+    place_on(face, a, p);
+    place_on(face, b, q);
+    return fabs(p[0] - q[0]) <= PARALLEL && fabs(p[1] - q[1]) <= PARALLEL;
+}
+
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count) {
+    memset(tree, 0, sizeof *tree);
+    tree->whiten[0] = tree->whiten[2] = tree->whiten[5] = 1.0;
+    for (int step = 0; step < STEPS; step++) {
+        double w[6];
+        if (improve_whitening(w, tree, generators, count))
+            break;
+        memcpy(tree->whiten, w, sizeof w);
+    }
+    size_t room = count > 0 ? (size_t)count : 1;
+    Item *items = malloc(room * sizeof *items), *spare = malloc(room * sizeof *spare);
+    tree->vectors = malloc(3 * room * sizeof *tree->vectors);
+    if (!items || !spare || !tree->vectors)
+        goto failed;
+    size_t n = 0;
+    for (ptrdiff_t i = 0; i < count; i++) {
+        double c[3];
+        tree_whiten(tree, generators + 3 * i, c);
+        if (c[face_of(c) / 2] == 0.0)
+            continue;
+        tree->weight += length(c);
+        items[n].key = key_of(c);
+        items[n++].index = (uint32_t)i;
+    }
+    if (n > 0)
+        sort_items(&items, &spare, n);
+    int size = 0;
+    for (size_t i = 0; i < n; i++) {
+        double *c = tree->vectors + 3 * size;
+        tree_whiten(tree, generators + 3 * (ptrdiff_t)items[i].index, c);
+        if (size > 0 && is_parallel(c - 3, c)) {
+            for (int k = 0; k < 3; k++)
+                c[k - 3] += c[k];
+            continue;
+        }
+        items[size++] = items[i];
+    }
+    tree->size = size;
+    free(spare);
+    spare = NULL;
+    if (size > 0) {
+        tree->node = malloc(2 * (size_t)size * sizeof *tree->node);
+        if (!tree->node)
+            goto failed;
+        for (int first = 0, last = 0; first < size; first = last) {
+            while (last < size && items[last].key >> 60 == items[first].key >> 60)
+                last++;
+            grow(tree, items, first, last); /* one for each square */
+        }
+    }
+    free(items);
+    return 0;
+failed:
+    free(items);
+    free(spare);
+    tree_free(tree);
+    return -1;
+}
+
+void tree_free(Tree *tree) {
+    free(tree->vectors);
+    free(tree->node);
+    memset(tree, 0, sizeof *tree);
+}
+
+/* The sign of a normal on all of a node's rectangle: 1, -1, or 0 if there are both. */
+static inline int sign_on(const Node *node, const double *m, double slack) {
+    int axis = node->face >> 1;
+    double p = m[beside[axis][0]], q = m[beside[axis][1]];
+    double at = (node->face & 1 ? -m[axis] : m[axis]) + p * node->middle[0] + q * node->middle[1];
+    double reach = fabs(p) * node->half[0] + fabs(q) * node->half[1] + slack;
+    return at > reach ? 1 : at < -reach ? -1 : 0;
+}
+
+void tree_gradient(const Tree *tree, const double *m, double rounding, double *g) {
+    double x = 0.0, y = 0.0, z = 0.0;
+    const Node *node = tree->node, *end = tree->node + tree->nodes;
+    while (node < end) {
+        int sign = sign_on(node, m, 0.0);
+        if (sign > 0) {
+            x += node->sum[0];
+            y += node->sum[1];
+            z += node->sum[2];
+        }
+        if (sign != 0) {
+            node = tree->node + node->skip;
+            continue;
+        }
+        const double *c = tree->vectors + 3 * node->first;
+        for (int i = 0; i < node->count; i++, c += 3) {
+            double a = m[0] * c[0], b = m[1] * c[1], d = m[2] * c[2];
+            if (a + b + d > rounding * (fabs(a) + fabs(b) + fabs(d))) {
+                x += c[0];
+                y += c[1];
+                z += c[2];
+            }
+        }
+        node++;
+    }
+    g[0] = x;
+    g[1] = y;
+    g[2] = z;
+}
+
+int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g) {
+    int found = 0;
+    double x = 0.0, y = 0.0, z = 0.0, slack[3];
+    const Node *node = tree->node, *end = tree->node + tree->nodes;
+    for (int j = 0; j < 3; j++) {
+        const double *m = corners + 3 * j;
+        slack[j] = ON_PLANE * (fabs(m[0]) + fabs(m[1]) + fabs(m[2]));
+    }
+    while (node < end) {
+        int sign = sign_on(node, corners, slack[0]);
+        for (int j = 1; j < 3 && sign != 0; j++)
+            if (sign_on(node, corners + 3 * j, slack[j]) != sign)
+                sign = 0;
+        if (sign > 0) {
+            x += node->sum[0];
+            y += node->sum[1];
+            z += node->sum[2];
+        }
+        if (sign != 0) {
+            node = tree->node + node->skip;
+            continue;
+        }
+        const double *c = tree->vectors + 3 * node->first;
+        for (int i = 0; i < node->count; i++, c += 3) {
+            double near = ON_PLANE * (fabs(c[0]) + fabs(c[1]) + fabs(c[2]));
+            double a = dot(corners, c), b = dot(corners + 3, c), d = dot(corners + 6, c);
+            if (a > near && b > near && d > near) {
+                x += c[0];
+                y += c[1];
+                z += c[2];
+            } else if (!(a < -near && b < -near && d < -near)) {
+                if (found == room)
+                    return -1;
+                memcpy(listed + 3 * found++, c, 3 * sizeof *c);
+            }
+        }
+        node++;
+    }
+    g[0] = x;
+    g[1] = y;
+    g[2] = z;
+    return found;
+}

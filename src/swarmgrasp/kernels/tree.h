@@ -1,0 +1,53 @@
+/* Generators grouped by direction, so that whole groups count at once (T12).
+ *
+ * A generator's direction is a point (u, v) of one of the six faces of a cube, squares
+ * [-1, 1]^2. A node holds a rectangle of such points and the sum of its generators: where a
+ * normal has one sign on the rectangle's corners, the node counts as that one vector, or not
+ * at all.
+ *
+ * Everything happens in whitened coordinates c_i = M b_i, with M such that sum c c' / |c| is
+ * near the identity: needles, flat sets and one giant among dwarfs then look like any other
+ * set. A normal m there is the normal n = M' m here, and m . c_i = n . b_i.
+ */
+#ifndef SWARMGRASP_TREE_H
+#define SWARMGRASP_TREE_H
+
+#include <stddef.h>
+
+typedef struct {
+    double sum[3];     /* of the generators below */
+    double middle[2];  /* of the rectangle */
+    double half[2];    /* its half width, a little more against rounding */
+    int face;          /* twice the largest component, and 1 more if that is negative */
+    int skip;          /* the next node that is not below this one */
+    int first, count;  /* generators; count is 0 for a node with nodes below */
+} Node;
+
+typedef struct {
+    int size;             /* generators that are left: not zero, parallel neighbours added up */
+    double *vectors;      /* (size, 3) whitened, sorted */
+    int nodes;
+    Node *node;           /* (nodes,) each before those below it */
+    double whiten[6];     /* M: m00, m10, m11, m20, m21, m22 */
+    double weight;        /* sum |c_i| */
+} Tree;
+
+/* Build the tree of `count` generators (count, 3). Returns 0, or -1 without memory. */
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count);
+void tree_free(Tree *tree);
+
+/* Turn a generator to whitened coordinates; a whitened normal back; and a normal there. */
+void tree_whiten(const Tree *tree, const double *b, double *c);
+void tree_normal(const Tree *tree, const double *m, double *n);
+void tree_direction(const Tree *tree, const double *n, double *m);
+
+/* Write the gradient of h at m, the sum of the c_i with m . c_i > 0, to g. Of generators in
+ * crossed leaves those count as 0 that are so but for `rounding`, relative to their terms. */
+void tree_gradient(const Tree *tree, const double *m, double rounding, double *g);
+
+/* List the generators that change sign over the triangle with corners (3, 3), at most `room` of
+ * them, and add up in g those that are positive on it. Returns how many were listed, or
+ * -1 if there are more. */
+int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g);
+
+#endif

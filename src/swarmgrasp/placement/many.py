@@ -1,0 +1,113 @@
+"""The qualities that many newcomers would bring, in one call."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.crew import NAMELESS, check_contacts, checked_crew
+from swarmgrasp.placement.optimum import Search
+from swarmgrasp.placement.pieces import pieces_of
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.robot import Newcomer
+from swarmgrasp.swarm import Swarm, wrenches
+
+
+def qualities_with(
+    swarm: Swarm, contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike = 1.0
+) -> NDArray[np.float64]:
+    """Compute the exact quality of a swarm with each of many newcomers, one at a time.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    contacts : (k, 2) [m, m]
+        On the boundary, in the frame of the outline's vertices.
+    directions : (k,) [rad]
+    limits : float or (k,) [N]
+
+    Returns
+    -------
+    (k,) [N]
+
+    Raises
+    ------
+    RobotInvalid, RobotOffBoundary
+        As for `Swarm.from_arrays`.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from swarmgrasp import Outline, Robot
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2)]
+    >>> three = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> qualities_with(three, [(0.4, -1), (0.4, 1)], [-pi / 2, pi / 2]).round(6).tolist()
+    [0.696311, 0.0]
+    """
+    crew = checked_crew(contacts, directions, limits, False)
+    check_contacts(swarm.outline, crew, NAMELESS)
+    if not len(crew.limits):
+        return np.zeros(0)
+    limit = float(crew.limits.max())
+    rows = pieces_of(swarm.outline, Newcomer(limit)).rows
+    search = Search(swarm.scaled_generators, swarm.scale * limit, rows)
+    arms = crew.contacts - swarm.outline.origin
+    return search.qualities_with(wrenches(arms, crew.directions, crew.limits / limit))
+
+
+def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.float64]:
+    """Compute the quality with the newcomer in every cell of contacts and directions.
+
+    Parameters
+    ----------
+    problem : Problem
+    resolution : tuple of int
+        Columns (arc lengths within [0, perimeter]) and rows (directions within
+        [-pi, pi]).
+
+    Returns
+    -------
+    (columns, rows) [N]
+        nan where nothing is allowed.
+    """
+    outline = problem.swarm.outline
+    columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
+    rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
+    grid = np.full(resolution, np.nan)
+    pieces, swarm = problem.pieces(), problem.swarm
+    weights = swarm.scale * problem.newcomer.limit
+    search = Search(swarm.scaled_generators, weights, pieces.rows)
+    for piece in pieces.each:
+        base = float(outline.corner_arc_lengths[piece.edge])
+        where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
+        p, q = outline.edge_ends(piece.edge)
+        shares = (arc_lengths - base)[:, None] / outline.lengths[piece.edge]
+        contacts = p + shares * (q - p)
+        low = (piece.lo + math.pi) % math.tau - math.pi
+        width = piece.hi - piece.lo
+        parts = [_samples(rows, low - t, low - t + width) for t in (0.0, math.tau)]
+        which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
+        robots = wrenches((contacts - outline.origin)[:, None], directions, 1.0)
+        cells = np.ix_(where, which)
+        grid[cells] = np.fmax(grid[cells], search.qualities_with(robots))
+    return grid
+
+
+def _samples(
+    bounds: NDArray[np.float64], low: float, high: float
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Return the cells an interval reaches and the value in it nearest to each middle.
+
+    A single value, such as a bollard's place, takes its neighbours too: one cell alone
+    is too narrow to see.
+    """
+    step = float(bounds[1] - bounds[0])
+    last = len(bounds) - 2
+    if high - low <= 1e-9 * step:
+        middle = min(int((low - bounds[0]) // step), last) if bounds[0] <= low else -2
+        cells = np.arange(max(middle - 1, 0), min(middle + 1, last) + 1)
+    else:
+        reached = np.minimum(bounds[1:], high) - np.maximum(bounds[:-1], low)
+        cells = np.flatnonzero(reached > 1e-9 * step)
+    return cells, np.clip(0.5 * (bounds[cells] + bounds[cells + 1]), low, high)

@@ -1,0 +1,85 @@
+"""The weakest facet of a wrench set: its exact quality and where it is attained."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.kernels import core
+
+MARGINAL = 1e-12
+"""Quality relative to sum |b_i| at and below which it counts as zero."""
+
+
+class Weakest(NamedTuple):
+    """The least support function over all unit normals (T2).
+
+    Attributes
+    ----------
+    quality : float [N]
+        That least h; 0 up to `MARGINAL` is exactly 0.
+    normal : tuple of float
+        The unit normal that attains it, in the metric's coordinates.
+    """
+
+    quality: float
+    normal: tuple[float, float, float]
+
+
+def weakest_of(generators: NDArray[np.float64]) -> Weakest:
+    """Find the weakest facet, exactly: by sweeping all planes, or by branch and bound (T11, T12).
+
+    A set that spans no plane is weakest across it.
+
+    Parameters
+    ----------
+    generators : (n, 3) [N]
+        In the metric's coordinates.
+
+    Examples
+    --------
+    Four robots to the corners of a tetrahedron: sqrt(6)/3 for unit ones.
+
+    >>> corners = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)], dtype=float)
+    >>> round(weakest_of(corners / 3**0.5).quality, 6)
+    0.816497
+    """
+    return Weakest(*core.weakest(np.ascontiguousarray(generators, dtype=float)))
+
+
+def qualities(generators: ArrayLike) -> NDArray[np.float64]:
+    """Compute the exact qualities of many swarms of one size.
+
+    Parameters
+    ----------
+    generators : (m, n, 3) [N]
+        Of m swarms of n robots, in the metric's coordinates: see `wrenches`, and multiply by
+        a swarm's `scale`.
+
+    Returns
+    -------
+    (m,) [N]
+
+    Raises
+    ------
+    WrenchInvalid
+        If the generators are no such array, or not finite.
+
+    Examples
+    --------
+    The tetrahedron, and the same twice as strong:
+
+    >>> corners = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)], dtype=float)
+    >>> qualities([corners, 2.0 * corners]).round(6).tolist()
+    [1.414214, 2.828427]
+    """
+    rows = np.ascontiguousarray(generators, dtype=float)
+    if rows.ndim != 3 or rows.shape[2] != 3:
+        raise WrenchInvalid(f"the generators have shape {rows.shape}; it should be (m, n, 3)")
+    lost = np.flatnonzero(~np.isfinite(rows).all(axis=(1, 2)))
+    if len(lost):
+        raise WrenchInvalid(f"swarm {i} has generators that are not finite" for i in lost[:10])
+    if rows.size == 0:
+        return np.zeros(len(rows))
+    return np.frombuffer(core.qualities(rows, rows.shape[1]))
