@@ -97,6 +97,18 @@ static int is_fault(int status) {
     return status == NO_MEMORY || status == INTERRUPTED;
 }
 
+/* Get rows of pieces, one at least. */
+static int get_pieces(PyObject *object, Py_buffer *view) {
+    if (get_doubles(object, view, PIECE))
+        return -1;
+    if (view->len == 0) {
+        PyErr_SetString(PyExc_ValueError, "there are no pieces");
+        PyBuffer_Release(view);
+        return -1;
+    }
+    return 0;
+}
+
 static void search_dealloc(PyObject *object) {
     SearchObject *self = (SearchObject *)object;
     PyTypeObject *type = Py_TYPE(object);
@@ -122,13 +134,9 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
     SearchObject *self = (SearchObject *)make(type, 0);
     if (!self)
         return NULL;
-    if (get_doubles(generators, &self->generators, 3) || get_doubles(pieces, &self->pieces, PIECE))
+    if (get_doubles(generators, &self->generators, 3) || get_pieces(pieces, &self->pieces))
         goto failed;
     int many = rows_of(&self->pieces, PIECE);
-    if (many == 0) {
-        PyErr_SetString(PyExc_ValueError, "there are no pieces");
-        goto failed;
-    }
     self->proofs = PyMem_Calloc((size_t)many, sizeof *self->proofs);
     if (!self->proofs) {
         PyErr_NoMemory();
@@ -206,6 +214,29 @@ static PyObject *search_break_tie_method(PyObject *object, PyObject *args) {
         && is_fault(search_break_tie(&self->search, self->proofs, target, &best)))
         return NULL;
     return best_tuple(&best);
+}
+
+/* join(c, s, torque, pieces): the robot belongs to the swarm from now on */
+static PyObject *search_join_method(PyObject *object, PyObject *args) {
+    SearchObject *self = (SearchObject *)object;
+    PyObject *pieces;
+    Py_buffer view;
+    double wrench[3];
+    if (!PyArg_ParseTuple(args, "dddO:join", wrench, wrench + 1, wrench + 2, &pieces)
+        || get_pieces(pieces, &view))
+        return NULL;
+    int many = rows_of(&view, PIECE);
+    Proof *proofs = PyMem_Realloc(self->proofs, (size_t)many * sizeof *proofs);
+    if (!proofs) {
+        PyBuffer_Release(&view);
+        return PyErr_NoMemory();
+    }
+    PyBuffer_Release(&self->pieces);
+    self->pieces = view;
+    self->proofs = proofs;
+    if (is_fault(search_join(&self->search, wrench, view.buf, many)))
+        return NULL;
+    return Py_NewRef(Py_None);
 }
 
 /* quality_with(c, s, torque) -> (quality, normal) */
@@ -287,6 +318,7 @@ static PyObject *search_size_get(PyObject *object, void *ignored) {
 static PyMethodDef search_methods[] = {
     {"solve", search_solve_method, METH_VARARGS, NULL},
     {"break_tie", search_break_tie_method, METH_VARARGS, NULL},
+    {"join", search_join_method, METH_VARARGS, NULL},
     {"quality_with", search_quality_method, METH_VARARGS, NULL},
     {"qualities_with", search_qualities_method, METH_O, NULL},
     {"height", search_height_method, METH_VARARGS, NULL},

@@ -57,6 +57,9 @@ class Search:
         After `solve`; returns the same robot if no other can be as good.
         """
 
+    def join(self, c: float, s: float, torque: float, pieces: Array, /) -> None:
+        """Let a robot join the base swarm, and go on with these pieces; what is known is kept."""
+
     def quality_with(self, c: float, s: float, torque: float, /) -> tuple[float, Normal]:
         """Return the exact quality with one robot more, and the unit normal that attains it."""
 

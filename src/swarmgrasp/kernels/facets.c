@@ -5,96 +5,114 @@
 #include "vectors.h"
 
 #define PARALLEL 1e-14 /* sine of the angle below which two generators count as parallel */
-#define LAST 4.0       /* sorts behind all angles */
 #define NOISE 1e-15    /* of a product n . b: what is left of 0 where b lies in the facet */
 #define ROUNDING 1e-15 /* of sum |b_i|: the error of the running sums */
 #define COARSE 1e-12   /* of the quality: the error that calls for a direct sum instead */
 
 int sweep_room(Sweep *sweep, ptrdiff_t n) {
     size_t room = n > 0 ? (size_t)n : 1;
-    sweep->flat = malloc(room * (4 + 6 + 2) * sizeof *sweep->flat);
-    sweep->order = malloc(room * sizeof *sweep->order);
-    if (!sweep->flat || !sweep->order) {
+    *sweep = (Sweep){0};
+    sweep->normals = malloc(9 * room * sizeof *sweep->normals);
+    sweep->ray = malloc(2 * room * sizeof *sweep->ray);
+    sweep->rank = malloc(room * sizeof *sweep->rank);
+    if (!sweep->normals || !sweep->ray || !sweep->rank) {
         sweep_free(sweep);
         return -1;
     }
-    sweep->normals = sweep->flat + 4 * room;
     sweep->heights = sweep->normals + 6 * room;
+    sweep->angle = sweep->heights + 2 * room;
+    sweep->sorted = sweep->ray + room;
     return 0;
 }
 
 void sweep_free(Sweep *sweep) {
-    free(sweep->flat);
-    free(sweep->order);
-    memset(sweep, 0, sizeof *sweep);
+    free(sweep->ray);
+    free(sweep->rank);
+    free(sweep->normals);
+    *sweep = (Sweep){0};
 }
 
-/* Sort indices by the last of each one's four numbers, by Shell's method. */
-static void sort_order(const double *flat, int *order, int n) {
-    int gap = 1;
-    while (9 * gap < 4 * n)
-        gap = (9 * gap + 4) / 4;
-    for (int i = 0; i < n; i++)
-        order[i] = i;
-    for (; gap > 0; gap = gap > 1 ? (4 * gap / 9 > 1 ? 4 * gap / 9 : 1) : 0)
-        for (int i = gap; i < n; i++) {
-            int moved = order[i], j = i;
-            double key = flat[4 * moved + 3];
-            for (; j >= gap && flat[4 * order[j - gap] + 3] > key; j -= gap)
-                order[j] = order[j - gap];
-            order[j] = moved;
+/* Sort rays by angle: each goes behind as many as there are before it. Quadratic, but without a
+ * branch that could be guessed wrongly, and several comparisons at a time. */
+static void sort_rays(Sweep *sweep, int n) {
+    const double *angle = sweep->angle;
+    int64_t *rank = sweep->rank;
+    for (int i = 0; i < n; i++) {
+        int64_t before = 0;
+        for (int j = 0; j < i; j++) {
+            int64_t is_before = angle[j] <= angle[i];
+            before += is_before;
+            rank[j] += 1 - is_before;
         }
+        rank[i] = before;
+    }
+    for (int i = 0; i < n; i++)
+        sweep->sorted[rank[i]] = sweep->ray[i];
 }
 
-int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first) {
-    /* an orthonormal basis (e, f) of the plane, without branches (Duff et al. 2017) */
+/* An orthonormal basis (e, f) of a plane, and sums over the generators in it. */
+typedef struct {
+    double e[3], f[3];
+    double sum_u, sum_v;   /* of all */
+    double fold_u, fold_v; /* of all, turned to the upper half */
+    int rays;              /* those not along the axis */
+} Plane;
+
+/* Project the generators to the plane across an axis, and sort them by angle. */
+static Plane lay_rays(Sweep *sweep, const double *generators, int n, const double *axis) {
+    /* a basis without branches (Duff et al. 2017) */
     double size = length(axis), x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
     double sign = copysign(1.0, z), a = -1.0 / (sign + z), b = x * y * a;
-    double e[3] = {1.0 + sign * x * x * a, sign * b, -sign * x};
-    double f[3] = {b, sign + y * y * a, -y};
-    double sum_u = 0.0, sum_v = 0.0, fold_u = 0.0, fold_v = 0.0;
+    Plane plane = {
+        .e = {1.0 + sign * x * x * a, sign * b, -sign * x},
+        .f = {b, sign + y * y * a, -y},
+    };
     for (int i = 0; i < n; i++) {
         const double *g = generators + 3 * i;
-        double u = dot(g, e), v = dot(g, f), *row = sweep->flat + 4 * i;
-        sum_u += u;
-        sum_v += v;
+        double u = dot(g, plane.e), v = dot(g, plane.f);
+        plane.sum_u += u;
+        plane.sum_v += v;
         /* flip first, then take the angle: folding an angle modulo pi misorders axis-aligned input */
         if (v < 0.0 || (v == 0.0 && u < 0.0)) {
             u = -u;
             v = -v;
         }
-        fold_u += u;
-        fold_v += v;
-        row[0] = u;
-        row[1] = v;
-        row[2] = sqrt(u * u + v * v);
-        if (row[2] <= PARALLEL * (fabs(g[0]) + fabs(g[1]) + fabs(g[2])))
-            row[3] = LAST;
-        else
-            row[3] = -u / (u >= 0.0 ? u + v : v - u);
+        plane.fold_u += u;
+        plane.fold_v += v;
+        double across = fabs(u) + v;
+        if (across > PARALLEL * (fabs(g[0]) + fabs(g[1]) + fabs(g[2]))) {
+            sweep->angle[plane.rays] = -u / across;
+            sweep->ray[plane.rays++] = (Ray){u, v, i};
+        }
     }
-    sort_order(sweep->flat, sweep->order, n);
+    sort_rays(sweep, plane.rays);
+    return plane;
+}
+
+/* The unit normal across a ray. */
+static void normal_across(const Plane *plane, const Ray *ray, double sign, double *normal) {
+    double scale = sign / sqrt(ray->u * ray->u + ray->v * ray->v);
+    for (int c = 0; c < 3; c++)
+        normal[c] = (ray->u * plane->f[c] - ray->v * plane->e[c]) * scale;
+}
+
+int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first) {
+    Plane plane = lay_rays(sweep, generators, n, axis);
+    double fold_u = plane.fold_u, fold_v = plane.fold_v;
     int found = 0;
-    for (int i = 0; i < n; i++) {
-        int k = sweep->order[i];
-        const double *row = sweep->flat + 4 * k;
-        if (row[3] == LAST)
-            break;
-        double u = row[0], v = row[1];
-        if (k >= first) {
-            double width = (u * fold_v - v * fold_u) / row[2];
-            double skew = (u * sum_v - v * sum_u) / row[2];
-            double *normal = sweep->normals + 3 * found;
-            for (int c = 0; c < 3; c++) {
-                normal[c] = (u * f[c] - v * e[c]) / row[2];
-                normal[c + 3] = -normal[c];
-            }
-            sweep->heights[found] = larger(0.0, 0.5 * (width + skew));
-            sweep->heights[found + 1] = larger(0.0, 0.5 * (width - skew));
+    for (const Ray *ray = sweep->sorted; ray < sweep->sorted + plane.rays; ray++) {
+        if (ray->index >= first) {
+            double scale = 0.5 / sqrt(ray->u * ray->u + ray->v * ray->v);
+            double width = (ray->u * fold_v - ray->v * fold_u) * scale;
+            double skew = (ray->u * plane.sum_v - ray->v * plane.sum_u) * scale;
+            normal_across(&plane, ray, 1.0, sweep->normals + 3 * found);
+            normal_across(&plane, ray, -1.0, sweep->normals + 3 * found + 3);
+            sweep->heights[found] = larger(0.0, width + skew);
+            sweep->heights[found + 1] = larger(0.0, width - skew);
             found += 2;
         }
-        fold_u -= 2.0 * u;
-        fold_v -= 2.0 * v;
+        fold_u -= 2.0 * ray->u;
+        fold_v -= 2.0 * ray->v;
     }
     return found;
 }
@@ -111,36 +129,62 @@ static double direct_height(const double *generators, int n, const double *norma
     return h;
 }
 
-double sweep_facets(Sweep *sweep, const double *generators, int n, double *weakest,
-                    double *normals, double *heights, ptrdiff_t *count) {
-    double quality = INFINITY, error = 0.0;
-    ptrdiff_t total = 0;
-    for (int i = 0; i < n; i++)
-        error += ROUNDING * length(generators + 3 * i);
-    weakest[0] = weakest[1] = weakest[2] = 0.0;
-    for (int j = 0; j < n; j++) {
-        const double *b = generators + 3 * j;
-        if (b[0] == 0.0 && b[1] == 0.0 && b[2] == 0.0)
-            continue;
-        int found = sweep_plane(sweep, generators, n, b, j + 1);
-        for (int k = 0; k < found; k++) {
-            const double *normal = sweep->normals + 3 * k;
-            if (sweep->heights[k] < quality + error && error > COARSE * quality)
-                sweep->heights[k] = direct_height(generators, n, normal);
-            if (sweep->heights[k] < quality) {
-                quality = sweep->heights[k];
-                memcpy(weakest, normal, 3 * sizeof *weakest);
+double sweep_least(Sweep *sweep, const double *generators, int n, const double *axis, int first,
+                   double least, double error, double *normal) {
+    Plane plane = lay_rays(sweep, generators, n, axis);
+    double fold_u = plane.fold_u, fold_v = plane.fold_v;
+    for (const Ray *ray = sweep->sorted; ray < sweep->sorted + plane.rays; ray++) {
+        double width = ray->u * fold_v - ray->v * fold_u;
+        double skew = ray->u * plane.sum_v - ray->v * plane.sum_u;
+        double twice = width - fabs(skew), limit = 2.0 * (least + error);
+        /* |u| + v is not less than the ray's length: hardly ever is there a root to take */
+        if (ray->index >= first && twice < limit * (fabs(ray->u) + ray->v)) {
+            double height = 0.5 * twice / sqrt(ray->u * ray->u + ray->v * ray->v), trial[3];
+            normal_across(&plane, ray, skew > 0.0 ? -1.0 : 1.0, trial);
+            if (error > COARSE * least)
+                height = direct_height(generators, n, trial);
+            if (height < least) {
+                least = larger(0.0, height);
+                for (int c = 0; c < 3; c++)
+                    normal[c] = trial[c];
             }
         }
-        if (normals) {
-            memcpy(normals + 3 * total, sweep->normals, 3 * (size_t)found * sizeof *normals);
-            memcpy(heights + total, sweep->heights, (size_t)found * sizeof *heights);
-            total += found;
-        }
+        fold_u -= 2.0 * ray->u;
+        fold_v -= 2.0 * ray->v;
     }
-    if (count)
-        *count = total;
+    return least;
+}
+
+double sweep_error(const double *generators, int n) {
+    double size = 0.0;
+    for (int i = 0; i < n; i++)
+        size += length(generators + 3 * i);
+    return ROUNDING * size;
+}
+
+static int is_zero(const double *b) { return b[0] == 0.0 && b[1] == 0.0 && b[2] == 0.0; }
+
+double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest) {
+    double quality = INFINITY, error = sweep_error(generators, n);
+    weakest[0] = weakest[1] = weakest[2] = 0.0;
+    for (int j = 0; j < n; j++)
+        if (!is_zero(generators + 3 * j))
+            quality = sweep_least(sweep, generators, n, generators + 3 * j, j + 1, quality, error,
+                                  weakest);
     return quality;
+}
+
+ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *normals,
+                       double *heights) {
+    ptrdiff_t total = 0;
+    for (int j = 0; j < n; j++)
+        if (!is_zero(generators + 3 * j)) {
+            size_t found = (size_t)sweep_plane(sweep, generators, n, generators + 3 * j, j + 1);
+            memcpy(normals + 3 * total, sweep->normals, 3 * found * sizeof *normals);
+            memcpy(heights + total, sweep->heights, found * sizeof *heights);
+            total += (ptrdiff_t)found;
+        }
+    return total;
 }
 
 double support(const double *generators, ptrdiff_t n, const double *normal) {

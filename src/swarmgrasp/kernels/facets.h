@@ -3,13 +3,22 @@
 #define SWARMGRASP_FACETS_H
 
 #include <stddef.h>
+#include <stdint.h>
+
+/* A generator in the plane, turned to the upper half. */
+typedef struct {
+    double u, v;
+    int index;
+} Ray;
 
 /* Room for one sweep over n generators. */
 typedef struct {
-    double *flat;    /* (n, 4) */
+    Ray *ray;        /* (n,) */
+    Ray *sorted;     /* (n,) by angle */
+    double *angle;   /* (n,) what grows with it, from -1 to 1 */
+    int64_t *rank;   /* (n,) */
     double *normals; /* (2 n, 3) found, each followed by its negative */
     double *heights; /* (2 n,) h at them */
-    int *order;      /* (n,) */
 } Sweep;
 
 int sweep_room(Sweep *sweep, ptrdiff_t n);
@@ -20,11 +29,20 @@ void sweep_free(Sweep *sweep);
  * generators parallel to the axis give none. */
 int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first);
 
-/* Find the least h over all facet normals, INFINITY if no two generators span a plane; write its
- * normal to `weakest`. If `normals` and `heights` are given, with room for n (n - 1), write all
- * facets there and their number to `count`. */
-double sweep_facets(Sweep *sweep, const double *generators, int n, double *weakest,
-                    double *normals, double *heights, ptrdiff_t *count);
+/* Find the least h at these normals and its normal, if it is below `least`; return the lower of
+ * the two. `error` is that of a sum over the generators, see `sweep_error`: where it matters, h
+ * is added up directly. */
+double sweep_least(Sweep *sweep, const double *generators, int n, const double *axis, int first,
+                   double least, double error, double *normal);
+double sweep_error(const double *generators, int n);
+
+/* Find the least h over all facet normals, INFINITY if no two generators span a plane. */
+double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest);
+
+/* List all facet normals, at most n (n - 1), each followed by its negative, and h at them. Returns
+ * how many there are. */
+ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *normals,
+                       double *heights);
 
 /* The support function h(n) = sum max(0, n . b_i). */
 double support(const double *generators, ptrdiff_t n, const double *normal);

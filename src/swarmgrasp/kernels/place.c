@@ -7,7 +7,7 @@
 #include "vectors.h"
 
 #define PI 3.14159265358979323846
-#define SMALL 100           /* robots up to which all facets are listed */
+#define SMALL 60
 #define TORQUE_FREE 1e-13   /* torque part of a normal, relative to its force part, that is none */
 #define ARC_END 1e-14       /* width [rad] at which an interval of directions is empty */
 #define PROBE 0.1           /* where between the best and its bound a rival piece is probed: low */
@@ -16,6 +16,7 @@
 #define TILTS 8             /* steps of the search for the deepest cut */
 #define ROUNDING 1e-14      /* of sum |b_i|: a level missed by less is reached */
 #define FLOOR 1e-13         /* of sum |b_i|: a gap not worth closing */
+#define AHEAD 8.0           /* robots still to join that the directions kept should do for */
 #define MARGIN 1e-9         /* of a bound, against rounding */
 
 typedef struct {
@@ -51,7 +52,7 @@ double search_height(const Search *s, const double *normal) {
     double m[3], g[3];
     tree_direction(&s->tree, normal, m);
     tree_gradient(&s->tree, m, 0.0, g);
-    return larger(0.0, dot(g, m));
+    return larger(0.0, dot(g, m)) + support(s->extra, s->n - s->in_tree, m);
 }
 
 /* -- what a level demands ------------------------------------------------------------------ */
@@ -225,21 +226,9 @@ static double least_in_pool(const Search *s, const double *wrench, int *at) {
     return least;
 }
 
-/* The least h at normals across a newcomer, INFINITY if there is none. */
-static double across(Search *s, const double *generator, const double **normal) {
-    double least = INFINITY;
-    int found = sweep_plane(&s->sweep, s->generators, s->n, generator, 0);
-    for (int k = 0; k < found; k++)
-        if (s->sweep.heights[k] < least) {
-            least = s->sweep.heights[k];
-            *normal = s->sweep.normals + 3 * k;
-        }
-    return least;
-}
-
 int search_quality(Search *s, const double *wrench, double enough, double *quality,
                    double *normal) {
-    double generator[3], extra[3];
+    double generator[3];
     int at;
     *quality = least_in_pool(s, wrench, &at);
     for (int k = 0; k < 3; k++) {
@@ -249,18 +238,15 @@ int search_quality(Search *s, const double *wrench, double enough, double *quali
     if (*quality < enough)
         return SOLVED;
     if (s->is_small) {
-        const double *found = NULL;
-        double least = across(s, generator, &found);
-        if (least < *quality) {
-            *quality = least;
-            memcpy(normal, found, 3 * sizeof *normal);
-        }
+        *quality = sweep_least(&s->sweep, s->generators, s->n, generator, 0, *quality, s->error,
+                               normal);
         return SOLVED;
     }
     Sphere sphere;
-    tree_whiten(&s->tree, generator, extra);
-    int status = sphere_search(&sphere, &s->tree, extra, &s->base, 0.0, *quality, ZERO * s->size,
-                               s->interrupted);
+    int extras = s->n - s->in_tree + 1;
+    tree_whiten(&s->tree, generator, s->extra + 3 * (extras - 1));
+    int status = sphere_search(&sphere, &s->tree, s->extra, extras, &s->open, 0.0, *quality,
+                               ZERO * s->size, s->interrupted);
     if (sphere.best < *quality)
         *quality = sphere_best(&sphere, normal);
     sphere_free(&sphere);
@@ -299,12 +285,10 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
     if (s->is_small) { /* all facets hold: only normals across the robot can fail */
-        const double *found = NULL;
         int at;
-        value = across(s, generator, &found);
+        value = sweep_least(&s->sweep, s->generators, s->n, generator, 0, INFINITY, s->error,
+                            normal);
         quality = smaller(value, least_in_pool(s, wrench, &at));
-        if (found)
-            memcpy(normal, found, sizeof normal);
         height = value;
     } else {
         int status = search_quality(s, wrench, -INFINITY, &quality, normal);
@@ -461,73 +445,146 @@ static double begin_pool(Search *s, const double *both) {
     return larger(most, s->quality) + MARGIN * s->size;
 }
 
-/* List all facets, and keep those that a newcomer can matter to. */
-static int begin_small(Search *s) {
-    size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
-    double *normals = malloc(4 * room * sizeof *normals), *heights = normals + 3 * room;
-    ptrdiff_t count;
-    if (!normals)
-        return NO_MEMORY;
-    s->quality = sweep_facets(&s->sweep, s->generators, s->n, s->weakest, normals, heights,
-                              &count);
-    round_quality(s->generators, s->n, &s->quality, s->weakest);
+/* Find the weakest of all facets listed, and keep in the pool those that a newcomer can matter to. */
+static int pool_from_facets(Search *s) {
     const double *both = s->weakest;
     double least = INFINITY;
-    for (ptrdiff_t k = 0; k < count; k += 2)
-        if (larger(heights[k], heights[k + 1]) < least) {
-            least = larger(heights[k], heights[k + 1]);
-            both = normals + 3 * k;
+    s->quality = INFINITY;
+    for (ptrdiff_t k = 0; k < s->facets; k++)
+        if (s->heights[k] < s->quality) {
+            s->quality = s->heights[k];
+            memcpy(s->weakest, s->normals + 3 * k, sizeof s->weakest);
+        }
+    round_quality(s->generators, s->n, &s->quality, s->weakest);
+    for (ptrdiff_t k = 0; k < s->facets; k += 2)
+        if (larger(s->heights[k], s->heights[k + 1]) < least) {
+            least = larger(s->heights[k], s->heights[k + 1]);
+            both = s->normals + 3 * k;
         }
     double most = begin_pool(s, both);
     int status = most < 0.0 ? NO_MEMORY : SOLVED;
-    for (ptrdiff_t k = 0; k < count && status == SOLVED; k++)
-        if (heights[k] < most)
-            status = add_row(s, normals + 3 * k, heights[k]);
-    free(normals);
+    for (ptrdiff_t k = 0; k < s->facets && status == SOLVED; k++)
+        if (s->heights[k] < most)
+            status = add_row(s, s->normals + 3 * k, s->heights[k]);
     return status;
 }
 
-/* Find the weakest normal, and keep the directions that a newcomer can matter to. */
-static int begin_large(Search *s, double reach) {
-    if (tree_build(&s->tree, s->generators, s->n))
-        return NO_MEMORY;
-    int status = sphere_search(&s->base, &s->tree, NULL, NULL, reach, INFINITY,
+/* Find the weakest normal, and the directions that a newcomer can matter to. `from` are those of
+ * the swarm before its last robot joined, or NULL. */
+static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
+    Sphere found;
+    int extras = s->n - s->in_tree;
+    int status = sphere_search(&found, &s->tree, s->extra, extras, from, margin, INFINITY,
                                ZERO * s->size, s->interrupted);
+    sphere_free(&s->base);
+    s->base = found;
     if (status != 0)
         return status == -1 ? NO_MEMORY : INTERRUPTED;
-    s->quality = sphere_best(&s->base, s->weakest);
+    s->covered = smaller(from ? s->covered : INFINITY, found.best + margin);
+    s->quality = sphere_best(&found, s->weakest);
     round_quality(s->generators, s->n, &s->quality, s->weakest);
+    s->count = LIMITS;
     double most = begin_pool(s, s->weakest);
     if (most < 0.0)
         return NO_MEMORY;
-    sphere_keep(&s->base, most);
-    return SOLVED;
+    if (most > s->covered && from)
+        return pool_from_sphere(s, NULL, AHEAD * s->reach);
+    return sphere_keep(&s->open, &s->base, most) ? NO_MEMORY : SOLVED;
+}
+
+/* List the facets of the base swarm, or build its tree. */
+static int start(Search *s) {
+    tree_free(&s->tree);
+    s->count = LIMITS;
+    s->in_tree = s->n;
+    s->is_small = s->n <= SMALL;
+    if (!s->is_small)
+        return tree_build(&s->tree, s->generators, s->n) ? NO_MEMORY : pool_from_sphere(s, NULL, s->reach);
+    size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
+    free(s->normals);
+    s->normals = malloc(4 * room * sizeof *s->normals);
+    if (!s->normals)
+        return NO_MEMORY;
+    s->heights = s->normals + 3 * room;
+    s->facets = sweep_facets(&s->sweep, s->generators, s->n, s->normals, s->heights);
+    return pool_from_facets(s);
+}
+
+/* Note where a newcomer may attach, and how strong it can be. */
+static void take_pieces(Search *s, const double *pieces, int many) {
+    double arm = 0.0;
+    s->pieces = pieces;
+    s->many = many;
+    for (int k = 0; k < many; k++)
+        for (int j = 0; j < 4; j += 2)
+            arm = larger(arm, hypot(pieces[PIECE * k + j], pieces[PIECE * k + j + 1]));
+    s->reach = hypot(larger(s->weights[0], s->weights[1]), arm * s->weights[2]) * (1.0 + MARGIN);
+    s->size = total_size(s->generators, s->n) + s->reach;
+    s->error = sweep_error(s->generators, s->n);
 }
 
 int search_begin(Search *s, const double *generators, int n, const double *weights,
                  const double *pieces, int many, int (*interrupted)(void)) {
-    *s = (Search){.generators = generators, .n = n, .pieces = pieces, .many = many};
-    s->is_small = n <= SMALL;
-    s->interrupted = interrupted;
+    *s = (Search){.generators = generators, .n = n, .interrupted = interrupted};
     memcpy(s->weights, weights, sizeof s->weights);
-    double arm = 0.0, reach;
-    for (int k = 0; k < many; k++)
-        for (int j = 0; j < 4; j += 2)
-            arm = larger(arm, hypot(pieces[PIECE * k + j], pieces[PIECE * k + j + 1]));
-    reach = hypot(larger(weights[0], weights[1]), arm * weights[2]) * (1.0 + MARGIN);
-    s->size = total_size(generators, n) + reach;
+    take_pieces(s, pieces, many);
     s->room = 256;
-    s->count = LIMITS;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
-    if (!s->pool || sweep_room(&s->sweep, s->is_small ? n : 0))
+    if (!s->pool || sweep_room(&s->sweep, n <= SMALL ? SMALL : 0))
         return NO_MEMORY;
-    return s->is_small ? begin_small(s) : begin_large(s, reach);
+    return start(s);
+}
+
+/* The facets of a small swarm with one robot more: the old ones, lifted, and those across it. */
+static int join_facets(Search *s, const double *generator) {
+    int found = sweep_plane(&s->sweep, s->generators, s->n - 1, generator, 0);
+    size_t room = (size_t)(s->facets + found) + 1;
+    double *normals = malloc(4 * room * sizeof *normals), *heights = normals + 3 * room;
+    if (!normals)
+        return NO_MEMORY;
+    memcpy(normals, s->normals, 3 * (size_t)s->facets * sizeof *normals);
+    for (ptrdiff_t k = 0; k < s->facets; k++)
+        heights[k] = s->heights[k] + larger(0.0, dot(normals + 3 * k, generator));
+    memcpy(normals + 3 * s->facets, s->sweep.normals, 3 * (size_t)found * sizeof *normals);
+    memcpy(heights + s->facets, s->sweep.heights, (size_t)found * sizeof *heights);
+    free(s->normals);
+    s->normals = normals;
+    s->heights = heights;
+    s->facets += found;
+    s->count = LIMITS;
+    return pool_from_facets(s);
+}
+
+int search_join(Search *s, const double *wrench, const double *pieces, int many) {
+    size_t size = 3 * ((size_t)s->n + 1) * sizeof *s->own;
+    double *own = realloc(s->own, size), *generator;
+    if (!own)
+        return NO_MEMORY;
+    if (!s->own)
+        memcpy(own, s->generators, size - 3 * sizeof *own);
+    s->generators = s->own = own;
+    generator = own + 3 * s->n++;
+    for (int k = 0; k < 3; k++)
+        generator[k] = wrench[k] * s->weights[k];
+    take_pieces(s, pieces, many);
+    if (s->is_small && s->n <= SMALL)
+        return join_facets(s, generator);
+    if (s->is_small || s->n - s->in_tree > EXTRAS)
+        return start(s);
+    tree_whiten(&s->tree, generator, s->extra + 3 * (s->n - s->in_tree - 1));
+    Sphere before = s->base;
+    s->base = (Sphere){0};
+    int status = pool_from_sphere(s, &before, INFINITY);
+    sphere_free(&before);
+    return status;
 }
 
 void search_end(Search *s) {
+    free(s->own);
     free(s->pool);
+    free(s->normals);
     sweep_free(&s->sweep);
     sphere_free(&s->base);
+    sphere_free(&s->open);
     tree_free(&s->tree);
-    s->pool = NULL;
 }

@@ -12,7 +12,8 @@
 #include "facets.h"
 #include "sphere.h"
 
-#define LIMITS 2 /* pool rows kept for the piece at hand */
+#define LIMITS 2  /* pool rows kept for the piece at hand */
+#define EXTRAS 32 /* robots that may join before a tree is built anew */
 
 enum { SOLVED, REACHED, REFUTED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
 
@@ -32,16 +33,24 @@ typedef struct {
 
 typedef struct {
     const double *generators;   /* (n, 3) [N] of the base swarm, in the metric's coordinates */
+    double *own;                /* the same, once a robot has joined */
     int n;
     const double *pieces;       /* (many, PIECE) where the newcomer may attach */
     int many;
     double weights[3];          /* turn its unit wrench [1, 1, m] into the metric's coordinates */
-    double size;                /* sum |b_i|, and the newcomer's [N] */
+    double reach;               /* its largest wrench [N] */
+    double size;                /* sum |b_i|, and that [N] */
+    double error;               /* of a sum over the generators [N] */
     double quality, weakest[3]; /* of the base swarm */
-    int is_small;               /* whether the pool has all facets that matter; otherwise: */
-    Tree tree;                  /* of the base swarm */
-    Sphere base;                /* and the directions that may matter */
+    int is_small;               /* whether all facets are listed, and the pool has what matters */
+    double *normals, *heights;  /* (facets, 3), (facets,): all of them */
+    ptrdiff_t facets;
     Sweep sweep;
+    Tree tree;                  /* otherwise: of the first robots */
+    int in_tree;
+    double extra[3 * (EXTRAS + 1)]; /* the others, and one to try, in the tree's coordinates */
+    Sphere base, open;          /* the directions on which h may be less than `covered`, and */
+    double covered;             /* those that the next newcomer can matter to */
     Row *pool;
     int count, room, most;
     int (*interrupted)(void);
@@ -57,6 +66,9 @@ typedef struct {
 int search_begin(Search *search, const double *generators, int n, const double *weights,
                  const double *pieces, int many, int (*interrupted)(void));
 void search_end(Search *search);
+
+/* Let a robot (c, s, torque) join the base swarm, and ask for the next; what is known is kept. */
+int search_join(Search *search, const double *wrench, const double *pieces, int many);
 
 /* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds
  * the best by more than `gap` of it, or `budget` normals were met on the way; writes a proof per

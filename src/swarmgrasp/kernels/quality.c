@@ -41,13 +41,13 @@ int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupt
                   double *quality, double *weakest) {
     int status = 0;
     if (n <= SWEPT) {
-        *quality = sweep_facets(sweep, generators, n, weakest, NULL, NULL, NULL);
+        *quality = sweep_all(sweep, generators, n, weakest);
     } else {
         Tree tree;
         Sphere sphere;
         if (tree_build(&tree, generators, n))
             return -1;
-        status = sphere_search(&sphere, &tree, NULL, NULL, 0.0, INFINITY,
+        status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY,
                                ZERO * total_size(generators, n), interrupted);
         *quality = sphere.best;
         if (*quality < INFINITY)

@@ -5,8 +5,8 @@
 #include "facets.h"
 #include "sphere.h"
 
-#define SWEPT 80    /* generators up to which sweeping all planes is faster than a search */
-#define ZERO 1e-12  /* of sum |b_i|: a quality that counts as none */
+#define SWEPT 48   /* generators up to which sweeping all planes is faster than a search */
+#define ZERO 1e-12 /* of sum |b_i|: a quality that counts as none */
 
 /* Find the least h over unit normals, and where; ZERO sum |b_i| and less is 0. A set that spans
  * no plane has a normal across it, and 0. `sweep` has room for n generators if n <= SWEPT.

@@ -4,22 +4,14 @@
 #include "sphere.h"
 #include "vectors.h"
 
-#ifndef LISTED
-#define LISTED 12
-#endif
-          /* generators a triangle may be crossed by for its vertices to be listed */
-#ifndef TRIES
-#define TRIES 2
-#endif
-            /* cuts made in a cell before it is split */
-#ifndef WORTH
-#define WORTH 0.4
-#endif
-          /* share of the gap that a cut should close for another to be tried */
+#define LISTED 12         /* generators a triangle may be crossed by for its vertices to be listed */
+#define TRIES 2           /* cuts made in a cell before it is split */
+#define WORTH 0.4         /* share of the gap that a cut should close for another to be tried */
 #define ROUNDING 4e-15     /* of sum |c_i|: what evaluations may differ by */
 #define PARALLEL 1e-12      /* sine of the angle between generators that have no vertex */
 #define NOISE 1e-15         /* of a product m . c: what is left of 0 at a vertex */
 #define FUTILE 0.1        /* gap, relative to h and the edge squared, that only splitting closes */
+#define IDLE 100.0         /* times that: below the bound by more, a cut holds nothing up */
 #define SMALLEST 1e-13     /* edge of a triangle that is a point */
 #define INSIDE 1e-6        /* of a triangle's edge: by how much a vertex may lie outside */
 
@@ -73,9 +65,9 @@ static void pop(Sphere *s, Cell *cell) {
 /* Evaluate h at m, write its gradient there, and keep the best h / |n|. */
 static double evaluate(Sphere *s, const double *m, double rounding, double *g) {
     tree_gradient(s->tree, m, rounding, g);
-    if (s->extra && dot(m, s->extra) > 0.0)
-        for (int k = 0; k < 3; k++)
-            g[k] += s->extra[k];
+    for (const double *b = s->extra; b < s->extra + 3 * s->extras; b += 3)
+        if (dot(m, b) > 0.0)
+            add(g, b);
     double value = larger(0.0, dot(g, m)), ratio = value / size_of(s->tree, m);
     s->evaluations++;
     if (ratio < s->best) {
@@ -151,10 +143,10 @@ static double relax(double rows[][3], int count, double *share) {
 
 /* Keep the cuts that hold the bound up. */
 static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
-                      const double *share, double bound, double scale) {
+                      const double *share, double bound, double tolerance) {
     cell->cuts = 0;
     for (int k = 0; k < count; k++)
-        if (cell->cuts < PLANES && dot(rows[k], share) >= bound - 1e-12 * scale) {
+        if (cell->cuts < PLANES && dot(rows[k], share) >= bound - IDLE * tolerance) {
             memcpy(cell->cut[cell->cuts], cuts[k], sizeof cuts[k]);
             memcpy(rows[cell->cuts++], rows[k], sizeof rows[k]);
         }
@@ -183,7 +175,7 @@ static void tighten(Sphere *s, Cell *cell, const double *scaled, double wanted, 
         if (value <= bound + s->tolerance)
             break; /* the cuts meet h here */
         bound = relax(rows, count + 1, share);
-        drop_idle(cell, cuts, rows, count + 1, share, bound, s->tree->weight);
+        drop_idle(cell, cuts, rows, count + 1, share, bound, s->tolerance);
         cell->bound = larger(cell->bound, bound);
         if (value - before < WORTH * (wanted - before))
             break;
@@ -212,12 +204,22 @@ static int is_inside(const double *corner, const double *m) {
 /* Evaluate h at every vertex in a triangle that few generators cross: the triangle is done.
  * Returns 0 if there are too many. */
 static int list_vertices(Sphere *s, const Cell *cell) {
-    double c[(LISTED + 1) * 3], g[3], ignored[3];
+    double c[LISTED * 3], g[3], ignored[3];
     int count = tree_crossed(s->tree, cell->corner, LISTED, c, g);
     if (count < 0)
         return 0;
-    if (s->extra) /* crossed or not: one more costs little */
-        memcpy(c + 3 * count++, s->extra, 3 * sizeof *c);
+    for (const double *b = s->extra; b < s->extra + 3 * s->extras; b += 3) {
+        const double *v = cell->corner;
+        double first = dot(v, b), second = dot(v + 3, b), third = dot(v + 6, b);
+        double near = NOISE * length(b);
+        if (first > near && second > near && third > near) {
+            add(g, b);
+        } else if (!(first < -near && second < -near && third < -near)) {
+            if (count == LISTED)
+                return 0;
+            memcpy(c + 3 * count++, b, 3 * sizeof *c);
+        }
+    }
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++) {
             double m[3], *p = c + 3 * a, *q = c + 3 * b;
@@ -284,22 +286,24 @@ static double extent(const Cell *cell) {
 
 /* -- the search ---------------------------------------------------------------------------- */
 
+static void centre_of(const Cell *cell, double *centre) {
+    for (int k = 0; k < 3; k++)
+        centre[k] = cell->corner[k] + cell->corner[3 + k] + cell->corner[6 + k];
+}
+
+/* Fill the heap with all directions, or with those of an earlier run. */
 static int begin(Sphere *s, const Sphere *from, double margin) {
     if (from) {
         for (int k = 0; k < from->cells; k++) {
             Cell cell = from->cell[k];
-            double scaled[9];
+            double scaled[9], centre[3];
             cell.bound = 0.0;
             scale_corners(s->tree, &cell, scaled);
-            if (s->extra) { /* it adds m . extra or more */
-                double centre[3];
-                for (int j = 0; j < 3; j++)
-                    centre[j] = cell.corner[j] + cell.corner[3 + j] + cell.corner[6 + j];
-                if (dot(centre, s->extra) > 0.0)
+            centre_of(&cell, centre);
+            for (int j = from->extras; j < s->extras; j++) /* each adds m . b or more */
+                if (dot(centre, s->extra + 3 * j) > 0.0)
                     for (int i = 0; i < cell.cuts; i++)
-                        for (int j = 0; j < 3; j++)
-                            cell.cut[i][j] += s->extra[j];
-            }
+                        add(cell.cut[i], s->extra + 3 * j);
             tighten(s, &cell, scaled, s->best, 0);
             if (cell.bound < s->best + margin && push(s, &cell))
                 return -1;
@@ -322,14 +326,15 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
     return 0;
 }
 
-int sphere_search(Sphere *s, const Tree *tree, const double *extra, const Sphere *from,
-                  double margin, double below, double zero, int (*interrupted)(void)) {
+int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
+                  const Sphere *from, double margin, double below, double zero, int (*interrupted)(void)) {
     memset(s, 0, sizeof *s);
     s->tree = tree;
     s->extra = extra;
+    s->extras = extras;
     double weight = tree->weight;
-    if (extra)
-        weight += length(extra);
+    for (int k = 0; k < extras; k++)
+        weight += length(extra + 3 * k);
     s->tolerance = ROUNDING * weight;
     s->best = below;
     Sphere kept = {0};
@@ -381,12 +386,13 @@ double sphere_best(const Sphere *s, double *normal) {
     return s->best;
 }
 
-void sphere_keep(Sphere *s, double most) {
-    int kept = 0;
+int sphere_keep(Sphere *kept, const Sphere *s, double most) {
+    sphere_free(kept);
+    kept->extras = s->extras;
     for (int k = 0; k < s->cells; k++)
-        if (s->cell[k].bound < most)
-            s->cell[kept++] = s->cell[k];
-    s->cells = kept;
+        if (s->cell[k].bound < most && push(kept, s->cell + k))
+            return -1;
+    return 0;
 }
 
 void sphere_free(Sphere *s) {

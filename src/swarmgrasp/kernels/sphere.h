@@ -17,7 +17,8 @@ typedef struct {
 /* The directions still open, and the best one so far. */
 typedef struct {
     const Tree *tree;
-    const double *extra;    /* one more generator, whitened, or NULL */
+    const double *extra;    /* (extras, 3) more generators, whitened */
+    int extras;
     double tolerance;       /* of h, that is rounding */
     double best, normal[3]; /* least h so far, and the normal, whitened */
     Cell *cell;             /* a heap, least bound first */
@@ -25,22 +26,23 @@ typedef struct {
     long evaluations;
 } Sphere;
 
-/* Find the least h(n) over unit normals.
+/* Find the least h(n) over unit normals, of a tree and a few generators more.
  *
- * `from` are cells of an earlier run to begin with, or NULL for all directions. `margin`: keep
+ * `from` are cells of an earlier run to begin with, which had the first of these only, or NULL for
+ * all directions. `margin`: keep
  * the cells in which h may be less than the least h + margin, for later runs; 0 keeps none.
  * A value of `below` or more is not wanted, and `best` is then `below`; one of `zero` or
  * less is as good as 0, and the first to be found.
  *
  * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, -2 if
  * interrupted. */
-int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, const Sphere *from,
-                  double margin, double below, double zero, int (*interrupted)(void));
+int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, int extras,
+                  const Sphere *from, double margin, double below, double zero, int (*interrupted)(void));
 /* Return the least h found, and write its unit normal. */
 double sphere_best(const Sphere *sphere, double *normal);
 
-/* Drop the cells on which h is at least `most`. */
-void sphere_keep(Sphere *sphere, double most);
+/* Copy the cells on which h may be less than `most`. Returns 0, or -1 without memory. */
+int sphere_keep(Sphere *kept, const Sphere *sphere, double most);
 
 void sphere_free(Sphere *sphere);
 

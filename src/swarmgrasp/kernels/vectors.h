@@ -15,6 +15,12 @@ static inline void cross(const double *a, const double *b, double *out) {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+static inline void add(double *a, const double *b) {
+    a[0] += b[0];
+    a[1] += b[1];
+    a[2] += b[2];
+}
+
 static inline double length(const double *a) { return sqrt(dot(a, a)); }
 
 static inline double larger(double a, double b) { return a > b ? a : b; }

@@ -56,10 +56,10 @@ class Optimum:
     solved: bool
     best: Best
     upper_bound: float
-    _search: core.Search
     _bounds: bytes
     _rows: bytes
     _shares: bytes
+    _normals: bytes
 
     @property
     def bounds(self) -> Array:
@@ -69,7 +69,7 @@ class Optimum:
     @cached_property
     def certificate(self) -> Certificate:
         """The proofs of all bounds, each distinct one once."""
-        normals = np.frombuffer(self._search.normals()).reshape(-1, 3)
+        normals = np.frombuffer(self._normals).reshape(-1, 3)
         rows = np.frombuffer(self._rows, dtype=np.intc).reshape(-1, 4)
         shares = np.frombuffer(self._shares).reshape(-1, 4)
         proofs = {}
@@ -106,6 +106,10 @@ class Search:
     def __init__(self, generators: Array, weights: Array, rows: Array) -> None:
         x, y, turn = weights.tolist()
         self._core = core.Search(generators, (x, y, turn), rows)
+        self._note(rows)
+
+    def _note(self, rows: Array) -> None:
+        """Read what is known before any search."""
         self.base = Weakest(self._core.quality, self._core.weakest)
         self.opposite = self._core.height(*(-n for n in self.base.normal))
         self.floor, self.zero = FLOOR * self._core.size, MARGINAL * self._core.size
@@ -124,7 +128,8 @@ class Search:
         if chosen is not None:
             mask = bytes(k in set(chosen) for k in range(self._many))
         solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask, MOST_NORMALS)
-        return Optimum(solved, Best(*best), bound, self._core, bounds, rows, shares)
+        normals = self._core.normals()  # kept: joining robots change them
+        return Optimum(solved, Best(*best), bound, bounds, rows, shares, normals)
 
     def break_tie(self, found: Optimum, target: float) -> Best:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.
@@ -135,6 +140,15 @@ class Search:
         this one could not help (T17).
         """
         return Best(*self._core.break_tie(found.best, target))
+
+    def join(self, c: float, s: float, torque: float, rows: Array) -> None:
+        """Let a robot join the base swarm, a unit wrench, and go on with these pieces.
+
+        What is known is kept: the facets of a small swarm are lifted and those across the new
+        robot added; the tree of a large one stays, and the directions worth looking at.
+        """
+        self._core.join(c, s, torque, rows)
+        self._note(rows)
 
     def quality_with(self, c: float, s: float, torque: float) -> Weakest:
         """Compute the exact quality with one robot more, a unit wrench [1, 1, m]."""

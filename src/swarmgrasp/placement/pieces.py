@@ -139,13 +139,17 @@ def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
             "no boundary point is left to the newcomer: widen the zones or their directions, "
             "shorten the no-go stretches or lessen the spacing"
         )
+    numbers = np.array([piece[:6] for piece in pieces])
+    edges = numbers[:, 0].astype(int)
+    corners = outline.vertices - outline.origin
+    p = corners[edges]
+    along = (np.roll(corners, -1, axis=0)[edges] - p) / outline.lengths[edges][:, None]
+    inward = numbers[:, 5:6] != 0.0
     rows = np.empty((len(pieces), 10))
-    for row, piece in zip(rows, pieces, strict=True):
-        first, last = (np.array(_point_on(outline, piece, s)) - outline.origin for s in (0.0, 1.0))
-        row[0:2], row[2:4] = (first, last) if piece.inward else (last, first)
-        row[4:6] = piece.lo, piece.hi
-    rows[:, 6], rows[:, 7] = np.cos(rows[:, 4]), np.sin(rows[:, 4])
-    rows[:, 8], rows[:, 9] = np.cos(rows[:, 5]), np.sin(rows[:, 5])
+    rows[:, 0:2] = p + along * np.where(inward, numbers[:, 1:2], numbers[:, 2:3])
+    rows[:, 2:4] = p + along * np.where(inward, numbers[:, 2:3], numbers[:, 1:2])
+    rows[:, 4:6] = numbers[:, 3:5]
+    rows[:, 6::2], rows[:, 7::2] = np.cos(numbers[:, 3:5]), np.sin(numbers[:, 3:5])
     rows.setflags(write=False)
     return Pieces(outline, tuple(pieces), rows)
 

@@ -124,19 +124,16 @@ def place_sequence(
     if count < 1:
         raise SwarmGraspError(f"the number of robots is {count}; it should be at least 1")
     _check_fractions(gap, runners_up)
-    answers: list[Placement] = []
-    for index in range(1, count + 1):
+    placing = _Placing(problem, gap)
+    answers = [placing.placement(runners_up, 1 if count > 1 else None)]
+    for index in range(2, count + 1):
         try:
-            placing = _Placing(problem, gap)
+            placing.join(answers[-1])
         except NowhereToAttach as fault:
-            if count == 1:
-                raise
             raise NowhereToAttach(
                 f"only {index - 1} of {count} robots find a place: {fault}"
             ) from None
-        answer = placing.placement(runners_up, index if count > 1 else None)
-        answers.append(answer)
-        problem = problem.with_swarm(answer.swarm_after)
+        answers.append(placing.placement(runners_up, index))
     return tuple(answers)
 
 
@@ -185,13 +182,29 @@ class _Placing:
             _found=found,
         )
 
+    def join(self, answer: Placement) -> None:
+        """Go on with the swarm that an answer leaves.
+
+        Raises
+        ------
+        NowhereToAttach
+            If spacing leaves no place to another newcomer.
+        """
+        self.problem = self.problem.with_swarm(answer.swarm_after)
+        self.pieces = self.problem.pieces()
+        self.search.join(*self.wrench(answer.robot), self.pieces.rows)
+
+    def wrench(self, robot: Robot) -> tuple[float, float, float]:
+        """Return the unit wrench [1, 1, m] of a robot in contact."""
+        x0, y0 = self.problem.swarm.outline.origin.tolist()
+        (x, y), c, s = robot.contact, math.cos(robot.direction), math.sin(robot.direction)
+        return c, s, (x - x0) * s - (y - y0) * c
+
     def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn a wrench on a piece into a robot in contact, with its exact quality."""
         contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
         robot = Robot(contact, angle, self.problem.newcomer.limit, name)
-        x0, y0 = self.problem.swarm.outline.origin.tolist()
-        c, s = math.cos(angle), math.sin(angle)
-        after = self.search.quality_with(c, s, (contact[0] - x0) * s - (contact[1] - y0) * c)
+        after = self.search.quality_with(*self.wrench(robot))
         return RunnerUp(robot, after.quality, self.pieces.each[best.piece].place), after
 
     def others(

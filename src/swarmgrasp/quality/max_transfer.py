@@ -1,7 +1,8 @@
 """Max-Transfer quality: the largest ball of wrenches a swarm can make (T1, T2)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,42 +36,68 @@ class Quality:
         Radius of the largest ball in the wrench set, in the metric.
     direction : (3,)
         Unit normal of the weakest facet, in the metric's coordinates.
-    weakest_wrench : (3,) [N, N, N m]
-        The smallest wrench on the boundary: where the ball touches the facet.
-    facet_robots : tuple of int
-        Indices of the robots whose generators span that facet.
-    force_closure : ForceClosure
-    ceiling : float [N]
-        Sum of the limits / pi, weighted by the metric: no robots with these limits and
-        directions exceed it, wherever they are (T3).
-    metric : str
-        The metric in words.
     """
 
     value: float
     direction: NDArray[np.float64]
-    weakest_wrench: NDArray[np.float64]
-    facet_robots: tuple[int, ...]
-    force_closure: ForceClosure
-    ceiling: float
-    metric: str
+    _swarm: Swarm = field(repr=False)
+
+    @property
+    def weakest_wrench(self) -> NDArray[np.float64]:
+        """(3,) [N, N, N m]: the smallest wrench on the boundary, where the ball touches it."""
+        return self.value * self.direction / self._swarm.scale
+
+    @cached_property
+    def facet_robots(self) -> tuple[int, ...]:
+        """Indices of the robots whose generators span that facet."""
+        generators, sizes = self._swarm.scaled_generators, self._sizes
+        facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
+        return tuple(np.flatnonzero(facet).tolist())
+
+    @cached_property
+    def force_closure(self) -> ForceClosure:
+        """Whether the swarm can resist a disturbance in every direction."""
+        if self.value > 0.0:
+            return ForceClosure.YES
+        return _without_closure(self._swarm.scaled_generators, self._sizes)
 
     @property
     def is_force_closure(self) -> bool:
         """Whether force closure is certain."""
         return self.force_closure is ForceClosure.YES
 
+    @cached_property
+    def ceiling(self) -> float:
+        """Sum of the limits / pi [N], weighted by the metric.
+
+        No robots with these limits and directions exceed it, wherever they are (T3).
+        """
+        forces = self._swarm.scaled_generators[:, :2]
+        return float(np.hypot(forces[:, 0], forces[:, 1]).sum() / np.pi)
+
     @property
     def efficiency(self) -> float:
         """Quality as a share of its ceiling, within [0, 1]."""
         return self.value / self.ceiling if self.ceiling > 0.0 else 0.0
 
+    @property
+    def metric(self) -> str:
+        """The metric in words."""
+        return self._swarm.metric_sentence
+
+    @property
+    def _sizes(self) -> NDArray[np.float64]:
+        """(n,) [N]: |b_i|."""
+        generators = self._swarm.scaled_generators
+        return np.asarray(np.sqrt(np.einsum("ij,ij->i", generators, generators)))
+
 
 def quality(swarm: Swarm) -> Quality:
     """Compute the Max-Transfer quality of a swarm, exactly.
 
-    The least support function over all facet normals +-(b_j x b_k) (T2): in O(n^2 log n) by
-    sweeping for up to 80 robots, then by branch and bound, at the cost of reading them (T12).
+    The least support function over all facet normals +-(b_j x b_k) (T2): by sweeping all
+    planes across a robot for up to 48 robots (T11), then by branch and bound on the sphere of
+    directions, at about the cost of sorting the robots by direction (T12).
 
     Parameters
     ----------
@@ -96,23 +123,10 @@ def quality(swarm: Swarm) -> Quality:
     >>> quality(Swarm(square, grasp.robots[:3])).value
     0.0
     """
-    generators = swarm.scaled_generators
-    sizes = np.linalg.norm(generators, axis=1)
-    value, weakest = weakest_of(generators)
+    value, weakest = weakest_of(swarm.scaled_generators)
     normal = np.array(weakest)
     normal.setflags(write=False)
-    wrench = value * normal / swarm.scale
-    wrench.setflags(write=False)
-    facet = np.flatnonzero((sizes > 0.0) & (np.abs(generators @ normal) <= ON_FACET * sizes))
-    return Quality(
-        value=value,
-        direction=normal,
-        weakest_wrench=wrench,
-        facet_robots=tuple(int(i) for i in facet),
-        force_closure=ForceClosure.YES if value > 0.0 else _without_closure(generators, sizes),
-        ceiling=float(np.linalg.norm(generators[:, :2], axis=1).sum() / np.pi),
-        metric=swarm.metric_sentence,
-    )
+    return Quality(value, normal, swarm)
 
 
 def _without_closure(generators: NDArray[np.float64], sizes: NDArray[np.float64]) -> ForceClosure:
