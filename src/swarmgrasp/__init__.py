@@ -15,6 +15,7 @@ from swarmgrasp.placement import (
 )
 from swarmgrasp.quality import ForceClosure, Quality, qualities, quality, wrench_words
 from swarmgrasp.robot import Newcomer, Robot, Zone
+from swarmgrasp.summary import Summary
 from swarmgrasp.swarm import Swarm, wrenches
 from swarmgrasp.wrench_set import WrenchSet
 
@@ -28,6 +29,7 @@ __all__ = [
     "Quality",
     "Robot",
     "Stretch",
+    "Summary",
     "Swarm",
     "SwarmGraspError",
     "WrenchSet",

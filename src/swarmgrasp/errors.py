@@ -67,3 +67,7 @@ class AnswerInvalid(SwarmGraspError):
 
 class LinearProgramFailed(SwarmGraspError):
     """A linear program that has a solution was not solved, by rounding."""
+
+
+class SummaryInvalid(SwarmGraspError):
+    """A summary's bytes are damaged, or two summaries do not go together."""

@@ -1,0 +1,44 @@
+"""The plain data of a summary."""
+
+from dataclasses import dataclass, field
+
+from swarmgrasp.summary.cells import Array
+from swarmgrasp.summary.moments import Moments
+
+
+@dataclass(frozen=True, eq=False)
+class Content:
+    """What a summary holds, and a message carries.
+
+    Attributes
+    ----------
+    count : int
+        Number of robots.
+    side : int
+        Cells along an edge of each of the three faces; there are 3 side^2 bins.
+    force_weights : tuple of float
+        The metric's a1 and a2.
+    characteristic_length : float [m]
+        The metric's L.
+    origin : tuple of float [m, m]
+        The point that moments are taken about, in the frame of the outline's vertices.
+    total : (3,) [N]
+        Sum of all generators, in the metric's coordinates.
+    rounding : float [N]
+        By how much rounding may have moved that sum, and the bins' sums together.
+    moments : Moments
+        Weight, mean position and spread of each occupied bin.
+    """
+
+    count: int
+    side: int
+    force_weights: tuple[float, float]
+    characteristic_length: float
+    origin: tuple[float, float]
+    total: Array = field(repr=False)
+    rounding: float = field(repr=False)
+    moments: Moments = field(repr=False)
+
+    def __post_init__(self) -> None:
+        """Make the total read-only."""
+        self.total.setflags(write=False)

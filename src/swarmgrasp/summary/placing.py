@@ -1,0 +1,99 @@
+"""Placement from a summary: a robot, and what it and any other can reach (T8-T10, T13)."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from swarmgrasp.outline import Stretch
+from swarmgrasp.placement.optimum import Search
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.robot import Newcomer, Robot, Zone
+from swarmgrasp.summary.bounds import least_near, turn_of
+from swarmgrasp.summary.ceiling import best_possible
+from swarmgrasp.summary.cells import Array
+from swarmgrasp.summary.heights import EVALUATION, Heights
+from swarmgrasp.summary.inner import Inner
+from swarmgrasp.swarm import Swarm
+
+GAP = 1e-4
+"""Gap of the search over the bins' sums, far below what a summary leaves open."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlacementBounds:
+    """Where the newcomer goes, and what is certain about it.
+
+    Attributes
+    ----------
+    robot : Robot
+        The newcomer in contact, at its full limit.
+    place : str
+        The zone's name, or the edge's.
+    lower, upper : float [N]
+        The quality with this robot lies between them, for every swarm with this summary.
+    best_possible : float [N]
+        What no allowed robot exceeds.
+    direction : (3,)
+        Unit normal, in the metric's coordinates, at which `upper` is attained.
+    """
+
+    robot: Robot
+    place: str
+    lower: float
+    upper: float
+    best_possible: float
+    direction: Array
+
+    @property
+    def is_force_closure(self) -> bool:
+        """Whether force closure with this robot is certain."""
+        return self.lower > 0.0
+
+    @property
+    def regret(self) -> float:
+        """By how much another robot might be better, at most [N]."""
+        return self.best_possible - self.lower
+
+
+def place_from(
+    heights: Heights,
+    inner: Inner,
+    side: int,
+    bare: Swarm,
+    newcomer: Newcomer,
+    zones: Iterable[Zone] | None,
+    no_go: Iterable[Stretch],
+) -> PlacementBounds:
+    """Place a newcomer; see `Summary.place`.
+
+    Parameters
+    ----------
+    bare : Swarm
+        The outline and the metric, without robots.
+    """
+    problem = Problem(bare, newcomer, None if zones is None else tuple(zones), tuple(no_go))
+    pieces = problem.pieces()
+    weights = bare.scale * newcomer.limit
+    search = Search(inner.generators, weights, pieces.rows)
+    found = search.solve(GAP)
+    best = search.break_tie(found, found.best.quality / (1.0 + GAP) - search.floor)
+    contact, angle = pieces.robot_at(best.piece, best.c, best.s, best.torque)
+    robot = Robot(contact, angle, newcomer.limit, newcomer.name or "newcomer")
+    together = search.quality_with(best.c, best.s, best.torque)
+    wrench = weights * (best.c, best.s, best.torque)
+    reach = max(1.0, float(np.abs(pieces.rows[:, :4]).max()))
+    spare = EVALUATION * float(weights.sum()) * reach
+
+    def with_robot(normals: Array) -> Array:
+        """Bound h from above with the robot in place."""
+        return np.asarray(heights.upper(normals) + np.maximum(normals @ wrench, 0.0))
+
+    lower = max(together.quality - inner.margin - spare, 0.0)
+    upper, direction = least_near(with_robot, np.array(together.normal), turn_of(side))
+    direction.setflags(write=False)
+    upper = max(upper + spare, lower)
+    proofs = found.certificate.proofs
+    most = best_possible(heights, pieces.rows, weights, proofs, direction) + spare
+    place = pieces.each[best.piece].place
+    return PlacementBounds(robot, place, lower, upper, max(most, lower), direction)

@@ -1,0 +1,320 @@
+"""A swarm of any size in a message of fixed size (T13)."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from swarmgrasp.errors import SummaryInvalid, WrenchInvalid
+from swarmgrasp.outline import Outline, Stretch
+from swarmgrasp.robot import Newcomer, Zone
+from swarmgrasp.summary.bounds import Bounds, quality_bounds
+from swarmgrasp.summary.cells import Array, side_of
+from swarmgrasp.summary.content import Content
+from swarmgrasp.summary.encoding import decode, encode
+from swarmgrasp.summary.heights import Heights
+from swarmgrasp.summary.inner import Inner, inner_of
+from swarmgrasp.summary.moments import merged, moments_of, rounding_of
+from swarmgrasp.summary.placing import PlacementBounds, place_from
+from swarmgrasp.swarm import Swarm, check_metric
+
+SMALLEST, LARGEST = 1e-120, 1e120
+"""Range of a generator's largest component [N] whose squares and cubes are still numbers."""
+BINS = 1024
+"""Bins asked for unless told otherwise."""
+
+
+@dataclass(frozen=True, eq=False)
+class Summary(Content):
+    """What a swarm can do, in bins of directions.
+
+    Made by `of`, `from_generators`, `empty` or `from_bytes`; added up by ``+`` or `merge`.
+
+    Its data are those of `Content`: `count`, `side`, `force_weights`, `characteristic_length`,
+    `origin`, `total`, `rounding` and `moments`.
+
+    Examples
+    --------
+    Two groups each tell what they can do, and anyone can add that up.
+
+    >>> rng = np.random.default_rng(1)
+    >>> north, south = (Summary.from_generators(rng.normal(size=(5000, 3))) for _ in range(2))
+    >>> both = north + south
+    >>> both.count, both.bins, len(both.to_bytes())
+    (10000, 972, 17600)
+    >>> bounds = both.quality()
+    >>> bounds.is_force_closure, bool(bounds.gap < 0.01 * bounds.lower)
+    (True, True)
+    """
+
+    # -- making one -------------------------------------------------------------------
+
+    @classmethod
+    def of(cls, swarm: Swarm, bins: int = BINS) -> "Summary":
+        """Summarise a swarm.
+
+        Parameters
+        ----------
+        swarm : Swarm
+        bins : int
+            At most so many: the summary has 12 k^2 of them, 12 <= bins <= 3 145 728.
+
+        Raises
+        ------
+        SummaryInvalid
+            If the number of bins is out of range.
+        """
+        return cls.from_generators(
+            swarm.scaled_generators,
+            bins,
+            force_weights=swarm.force_weights,
+            characteristic_length=swarm.characteristic_length,
+            origin=tuple(swarm.outline.origin.tolist()),
+        )
+
+    @classmethod
+    def empty(cls, outline: Outline, bins: int = BINS) -> "Summary":
+        """Summarise no robots on an outline, in its default metric.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> Summary.empty(square).quality().upper
+        0.0
+        """
+        return cls.of(Swarm(outline, ()), bins)
+
+    @classmethod
+    def from_generators(
+        cls,
+        generators: ArrayLike,
+        bins: int = BINS,
+        *,
+        force_weights: tuple[float, float] = (1.0, 1.0),
+        characteristic_length: float = 1.0,
+        origin: tuple[float, float] = (0.0, 0.0),
+    ) -> "Summary":
+        """Summarise robots given by their generators.
+
+        Parameters
+        ----------
+        generators : (n, 3) [N, N, N]
+            In the coordinates of the metric: (a1^(1/2) f_x, a2^(1/2) f_y, torque / L) at the
+            robot's limit.
+        bins : int
+            As for `of`.
+        force_weights, characteristic_length, origin
+            The metric those coordinates are in, and the point the torque is taken about.
+
+        Raises
+        ------
+        WrenchInvalid
+            If they are not rows of three finite numbers, of which the largest in size is
+            zero or within 1e-120 to 1e120 N.
+        MetricInvalid
+            If a weight or the length is not positive.
+        SummaryInvalid
+            If the number of bins is out of range.
+        """
+        side = side_of(bins)
+        check_metric(characteristic_length, force_weights)
+        if not all(map(math.isfinite, origin)):
+            raise SummaryInvalid(f"the origin is {origin!r}; it should be two finite numbers [m]")
+        rows = np.asarray(generators, dtype=float)
+        rows = rows.reshape(0, 3) if rows.size == 0 else rows
+        _check_generators(rows)
+        moments, total, rounding = moments_of(rows, side)
+        return cls(
+            count=len(rows),
+            side=side,
+            force_weights=(float(force_weights[0]), float(force_weights[1])),
+            characteristic_length=float(characteristic_length),
+            origin=(float(origin[0]), float(origin[1])),
+            total=total,
+            rounding=rounding,
+            moments=moments,
+        )
+
+    # -- adding up --------------------------------------------------------------------
+
+    def __add__(self, other: "Summary") -> "Summary":
+        """Return the summary of both swarms together; the order does not matter."""
+        return Summary.merge((self, other)) if isinstance(other, Summary) else NotImplemented
+
+    @classmethod
+    def merge(cls, summaries: "Iterable[Summary]") -> "Summary":
+        """Return the summary of several swarms together.
+
+        Of two, in either order, it is the same to the last bit; of more, up to rounding, which
+        the bounds allow for. Empty ones change nothing.
+
+        Raises
+        ------
+        SummaryInvalid
+            If there are none, or they differ in metric, origin or bins.
+        """
+        given = list(summaries)
+        if not given:
+            raise SummaryInvalid("there are no summaries to merge; give at least one")
+        first = given[0]
+        for other in given[1:]:
+            first._check_like(other)
+        crowds = [summary for summary in given if summary.count]
+        if len(crowds) < 2:
+            return crowds[0] if crowds else first
+        moments = merged([summary.moments for summary in crowds], first.side)
+        moved = rounding_of(len(crowds), sum(s.moments.size for s in crowds))
+        return cls(
+            count=sum(summary.count for summary in crowds),
+            side=first.side,
+            force_weights=first.force_weights,
+            characteristic_length=first.characteristic_length,
+            origin=first.origin,
+            total=np.asarray(sum(summary.total for summary in crowds)),
+            rounding=sum(summary.rounding for summary in crowds) + moved,
+            moments=moments,
+        )
+
+    def _check_like(self, other: "Summary") -> None:
+        """Raise unless another summary speaks of the same things."""
+        named = (
+            ("bins", self.bins, other.bins),
+            ("force weights", self.force_weights, other.force_weights),
+            ("characteristic lengths [m]", self.characteristic_length, other.characteristic_length),
+            ("origins of moments [m]", self.origin, other.origin),
+        )
+        faults = [
+            f"the {what} of two summaries differ: {mine!r} and {theirs!r}; "
+            "summarise both swarms with the same"
+            for what, mine, theirs in named
+            if mine != theirs
+        ]
+        if faults:
+            raise SummaryInvalid(faults)
+
+    # -- as bytes ---------------------------------------------------------------------
+
+    def to_bytes(self) -> bytes:
+        """Write the summary as 104 bytes and 18 for each occupied bin.
+
+        What is read back bounds the same swarm, with the rounding of the numbers allowed for.
+        """
+        return encode(self)
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> "Summary":
+        """Read a summary.
+
+        Raises
+        ------
+        SummaryInvalid
+            If the bytes are damaged, cut short or too many, of another version, or say what
+            no summary says.
+        """
+        return cls(**vars(decode(data)))
+
+    # -- what is certain --------------------------------------------------------------
+
+    def __len__(self) -> int:
+        """Return the number of robots."""
+        return self.count
+
+    @property
+    def bins(self) -> int:
+        """Number of bins, occupied or not."""
+        return 3 * self.side**2
+
+    @property
+    def metric_sentence(self) -> str:
+        """The metric in words."""
+        a1, a2 = self.force_weights
+        length = self.characteristic_length
+        return f"force weights {a1:g} and {a2:g}, characteristic length {length:.6g} m"
+
+    @property
+    def scale(self) -> Array:
+        """(3,) [1, 1, 1/m]: A^(1/2), which makes the metric Euclidean."""
+        a1, a2 = self.force_weights
+        return np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length])
+
+    @cached_property
+    def heights(self) -> Heights:
+        """Bounds on the support function at any direction."""
+        return Heights(self.moments, self.side, self.total, self.rounding)
+
+    @cached_property
+    def _inner(self) -> Inner:
+        """A swarm whose wrench set lies inside this one's."""
+        return inner_of(self.heights)
+
+    @cached_property
+    def _bounds(self) -> Bounds:
+        """What `quality` returns."""
+        lower, upper, direction = quality_bounds(self.heights, self._inner, self.side)
+        direction.setflags(write=False)
+        return Bounds(lower, upper, direction, self.metric_sentence)
+
+    def quality(self) -> Bounds:
+        """Bound the Max-Transfer quality (T1) of every swarm with this summary.
+
+        From below it is the exact quality of the bins' sums, whose wrench set lies inside the
+        swarm's; from above the least upper bound on the support function that a walk downhill
+        from there finds.
+        """
+        return self._bounds
+
+    def place(
+        self,
+        outline: Outline,
+        newcomer: Newcomer,
+        zones: Iterable[Zone] | None = None,
+        no_go: Iterable[Stretch] = (),
+    ) -> PlacementBounds:
+        """Find where a newcomer should attach, and bound what that and the best place give.
+
+        A summary does not say where its robots are: to keep a distance from them, make no-go
+        stretches.
+
+        Parameters
+        ----------
+        outline : Outline
+            Of the object, with the summary's origin.
+        newcomer : Newcomer
+        zones : iterable of Zone, optional
+            Where it may attach; the whole boundary when left out.
+        no_go : iterable of Stretch
+            Where it may not.
+
+        Raises
+        ------
+        SummaryInvalid
+            If the outline's origin is not the summary's.
+        ZoneInvalid, NowhereToAttach
+            If a zone leaves the boundary, or no allowed point is left.
+        """
+        origin = tuple(outline.origin.tolist())
+        if origin != self.origin:
+            raise SummaryInvalid(
+                f"the outline's origin is {origin!r}, the summary's {self.origin!r} [m]; moments "
+                "should be taken about the same point"
+            )
+        # on this outline, without the robots: only their wrenches are known
+        bare = Swarm(outline, (), self.characteristic_length, self.force_weights)
+        return place_from(self.heights, self._inner, self.side, bare, newcomer, zones, no_go)
+
+
+def _check_generators(rows: Array) -> None:
+    """Raise `WrenchInvalid` unless all rows are three numbers in range."""
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        raise WrenchInvalid(f"the generators have the shape {rows.shape}; it should be (n, 3) [N]")
+    largest = np.abs(rows).max(axis=1, initial=0.0)
+    good = (largest == 0.0) | ((largest >= SMALLEST) & (largest <= LARGEST))
+    if not good.all():
+        index = int(np.flatnonzero(~good)[0])
+        raise WrenchInvalid(
+            f"generator {index} is {rows[index].tolist()}; its largest component should be 0 or "
+            f"{SMALLEST:g} <= size <= {LARGEST:g} [N]"
+        )
