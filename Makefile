@@ -26,8 +26,8 @@ lint: $(VENV)/developing
 docs: $(VENV)/documenting
 	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build
 
-bench: $(VENV)/developing
-	$(BIN)/python benchmarks/placement.py
+bench: $(VENV)/benchmarking
+	$(BIN)/python benchmarks/run.py
 
 $(VENV)/locked: requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -37,11 +37,15 @@ $(VENV)/locked: requirements.lock
 # The package itself goes in last, from this folder, without fetching anything.
 $(VENV)/installed: $(VENV)/locked pyproject.toml $(KERNELS)
 	@command -v cc >/dev/null || { echo "a C compiler is needed, such as Debian's gcc and libc6-dev" >&2; exit 1; }
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
 $(VENV)/developing: $(VENV)/locked requirements-dev.lock | $(VENV)/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
+	touch $@
+
+$(VENV)/benchmarking: $(VENV)/developing requirements-bench.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-bench.lock
 	touch $@
 
 $(VENV)/documenting: $(VENV)/developing requirements-docs.lock
@@ -55,6 +59,7 @@ lock:
 	$(LOCK) --extra build -o requirements.lock
 	$(LOCK) --extra build --extra dev -o requirements-dev.lock
 	$(LOCK) --extra build --extra dev --extra docs -o requirements-docs.lock
+	$(LOCK) --extra build --extra dev --extra bench -o requirements-bench.lock
 
 clean:
 	rm -rf $(VENV) demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache
