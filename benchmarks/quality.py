@@ -23,11 +23,10 @@ HEADS = ("method", "robots", "directions", "its time", "ours", "times ours", "la
 TEXT = """## One quality
 
 The exact Max-Transfer quality of robots on random rectangles, in force closure, by
-`quality(swarm)`, which also says which robots set the weakest facet. pycapacity's method lists the
+`quality(swarm)`. pycapacity's method lists the
 faces of a wrench polytope one pair of robots at a time; the hull of the Minkowski sum grows by one
 robot at a time; all pairs is the paper's formula (IV.1) with one matrix product for many normals.
-The difference is that of the two qualities, relative to ours. A rival that fills the caches slows
-our next call: hence our different times for the same number of robots.
+A turn repeats short calls for 5 ms. The difference is that of the two qualities, relative to ours.
 """
 
 

@@ -6,6 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+SPAN = 5e-3
+"""Time [s] that a turn should take at least, by repeating short calls."""
+
 
 def clock(work: Callable[[], Any]) -> float:
     """Return the seconds that a call takes."""
@@ -33,18 +36,27 @@ class Clocked:
         """Median time [s]."""
         return statistics.median(self.seconds)
 
-    def run(self, work: Callable[[], Any]) -> Any:
-        """Call, clock and return."""
+    def run(self, work: Callable[[], Any], calls: int = 1) -> Any:
+        """Clock some calls in a row as one time, that of one of them; return its value."""
         start = time.perf_counter()
-        self.value = work()
-        self.seconds.append(time.perf_counter() - start)
+        for _ in range(calls):
+            self.value = work()
+        self.seconds.append((time.perf_counter() - start) / calls)
         return self.value
+
+
+def calls_in(work: Callable[[], Any], span: float = SPAN) -> int:
+    """Return how many calls fill a span of time [s], one at least; the first is not counted."""
+    work()
+    return max(1, round(span / max(clock(work), 1e-7)))
 
 
 def in_turn(
     ours: Callable[[], Any], theirs: Callable[[], Any], rounds: int, patience: float = 2.0
 ) -> tuple[Clocked, Clocked]:
     """Clock two calls in turn: ours, theirs, ours, theirs, ... and ours once more.
+
+    Short calls are repeated in each turn.
 
     Parameters
     ----------
@@ -57,10 +69,13 @@ def in_turn(
     """
     mine, other = Clocked(), Clocked()
     end = time.perf_counter() + patience
+    calls = calls_in(ours)
+    other.run(theirs)
+    other_calls = max(1, round(SPAN / other.seconds.pop()))
     for turn in range(rounds):
         if turn and time.perf_counter() > end:
             break
-        mine.run(ours)
-        other.run(theirs)
-    mine.run(ours)
+        mine.run(ours, calls)
+        other.run(theirs, other_calls)
+    mine.run(ours, calls)
     return mine, other
