@@ -111,12 +111,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def run() -> NoReturn:
-    """Run the process's command and end it at once: to take LLVM down would cost 0.4 s."""
-    status = main()
-    for stream in (sys.stdout, sys.stderr):
-        if stream is not None:  # closed by `>&-`
-            stream.flush()
-    os._exit(status)
+    """Run the process's command."""
+    sys.exit(main())
 
 
 def _has_streams() -> bool:

@@ -123,13 +123,17 @@ def solve(
             f"{source}: {', '.join(taken)} is there already, and --robots {robots} gives that name "
             "to a newcomer; names should differ"
         )
+    from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import Problem, place_sequence
 
     try:
         problem = Problem(
             scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
         )
-        return place_sequence(problem, robots, gap=gap, runners_up=runners_up)
+        with shown_progress(robots) as progress:
+            return place_sequence(
+                problem, robots, gap=gap, runners_up=runners_up, progress=progress
+            )
     except SwarmGraspError as error:
         raise UsageFault(f"{source}: {fault}" for fault in error.faults) from error
 

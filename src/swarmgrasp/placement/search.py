@@ -1,7 +1,7 @@
 """The globally best place for one newcomer, or for several one after the other (T8, T9)."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
@@ -80,7 +80,12 @@ def place(
 
 
 def place_sequence(
-    problem: Problem, count: int, *, gap: float = 1e-6, runners_up: float | None = None
+    problem: Problem,
+    count: int,
+    *,
+    gap: float = 1e-6,
+    runners_up: float | None = None,
+    progress: Callable[[int], object] | None = None,
 ) -> tuple[Placement, ...]:
     """Place several newcomers of one kind, one after the other.
 
@@ -94,6 +99,8 @@ def place_sequence(
         How many to place, at least 1.
     gap, runners_up
         As for `place`.
+    progress : callable, optional
+        Called with the number placed so far, after each.
 
     Returns
     -------
@@ -125,15 +132,18 @@ def place_sequence(
         raise SwarmGraspError(f"the number of robots is {count}; it should be at least 1")
     _check_fractions(gap, runners_up)
     placing = _Placing(problem, gap)
-    answers = [placing.placement(runners_up, 1 if count > 1 else None)]
-    for index in range(2, count + 1):
+    answers: list[Placement] = []
+    for index in range(1, count + 1):
         try:
-            placing.join(answers[-1])
+            if answers:
+                placing.join(answers[-1])
         except NowhereToAttach as fault:
             raise NowhereToAttach(
                 f"only {index - 1} of {count} robots find a place: {fault}"
             ) from None
-        answers.append(placing.placement(runners_up, index))
+        answers.append(placing.placement(runners_up, index if count > 1 else None))
+        if progress is not None:
+            progress(index)
     return tuple(answers)
 
 
