@@ -13,7 +13,22 @@
 #define FUTILE 0.1        /* gap, relative to h and the edge squared, that only splitting closes */
 #define IDLE 100.0         /* times that: below the bound by more, a cut holds nothing up */
 #define SMALLEST 1e-13     /* edge of a triangle that is a point */
+#define DEPTH 100          /* of halvings until then, and more */
+#define LOCAL 256          /* generators that matter on a cell for it to be searched on its own, */
+#define FEW 32             /* or while the search is young: */
+#define LONG 1000          /* looks that see too many cost less than a long search saves */
+#define ON_PLANE 1e-14     /* sine of the angle within which a generator counts as crossed */
+#define CLOSE 1e-13        /* of h: how near a bound may be to the best */
+#define ROUNDS 256         /* cells between two looks at the keyboard */
 #define INSIDE 1e-6        /* of a triangle's edge: by how much a vertex may lie outside */
+
+/* What matters on a cell: the generators that change sign on it, and the sum of those that are
+ * positive on all of it. */
+typedef struct {
+    double *vectors; /* (count, 3) */
+    int count;
+    double sum[3];
+} Local;
 
 /* |M' m|: the length of the normal that m stands for. */
 static double size_of(const Tree *tree, const double *m) {
@@ -62,10 +77,20 @@ static void pop(Sphere *s, Cell *cell) {
 
 /* -- values ------------------------------------------------------------------------------ */
 
-/* Evaluate h at m, write its gradient there, and keep the best h / |n|. */
-static double evaluate(Sphere *s, const double *m, double rounding, double *g) {
-    tree_gradient(s->tree, m, rounding, g);
-    for (const double *b = s->extra; b < s->extra + 3 * s->extras; b += 3)
+/* Evaluate h at m, write its gradient there, and keep the best h / |n|. In a cell where that is
+ * known, `local` says what matters there; otherwise it is NULL. */
+static double evaluate(Sphere *s, const Local *local, const double *m, double rounding, double *g) {
+    const double *b, *end;
+    if (local) {
+        memcpy(g, local->sum, sizeof local->sum);
+        b = local->vectors;
+        end = b + 3 * local->count;
+    } else {
+        tree_gradient(s->tree, m, rounding, g);
+        b = s->extra;
+        end = b + 3 * s->extras;
+    }
+    for (; b < end; b += 3)
         if (dot(m, b) > 0.0)
             add(g, b);
     double value = larger(0.0, dot(g, m)), ratio = value / size_of(s->tree, m);
@@ -153,7 +178,8 @@ static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
 }
 
 /* Raise the bound of a cell with the cuts it has, and more at the points where they are least. */
-static void tighten(Sphere *s, Cell *cell, const double *scaled, double wanted, int tries) {
+static void tighten(Sphere *s, Cell *cell, const Local *local, const double *scaled,
+                    double wanted, int tries) {
     double cuts[PLANES + 1][3], rows[PLANES + 1][3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
     double bound = -INFINITY;
     for (int k = 0; k < cell->cuts; k++)
@@ -169,7 +195,7 @@ static void tighten(Sphere *s, Cell *cell, const double *scaled, double wanted, 
             for (int k = 0; k < 3; k++)
                 m[k] += share[j] * scaled[3 * j + k];
         memcpy(cuts, cell->cut, sizeof cell->cut);
-        evaluate(s, m, 0.0, cuts[count]);
+        evaluate(s, local, m, 0.0, cuts[count]);
         at_corners(scaled, cuts[count], rows[count]);
         value = dot(rows[count], share);
         if (value <= bound + s->tolerance)
@@ -201,28 +227,39 @@ static int is_inside(const double *corner, const double *m) {
     return side[0] <= slack && side[1] <= slack && side[2] <= slack ? -1 : 0;
 }
 
-/* Evaluate h at every vertex in a triangle that few generators cross: the triangle is done.
- * Returns 0 if there are too many. */
-static int list_vertices(Sphere *s, const Cell *cell) {
-    double c[LISTED * 3], g[3], ignored[3];
-    int count = tree_crossed(s->tree, cell->corner, LISTED, c, g);
-    if (count < 0)
-        return 0;
-    for (const double *b = s->extra; b < s->extra + 3 * s->extras; b += 3) {
-        const double *v = cell->corner;
+/* Of some generators, keep those that change sign on a cell, `most` of them, and add up those that
+ * are positive on it. Returns 0 if there are more. */
+static int sift(const Cell *cell, const double *from, int count, int most, Local *local) {
+    const double *v = cell->corner;
+    for (const double *b = from; b < from + 3 * count; b += 3) {
         double first = dot(v, b), second = dot(v + 3, b), third = dot(v + 6, b);
-        double near = NOISE * length(b);
+        double near = ON_PLANE * (fabs(b[0]) + fabs(b[1]) + fabs(b[2]));
         if (first > near && second > near && third > near) {
-            add(g, b);
+            add(local->sum, b);
         } else if (!(first < -near && second < -near && third < -near)) {
-            if (count == LISTED)
+            if (local->count == most)
                 return 0;
-            memcpy(c + 3 * count++, b, 3 * sizeof *c);
+            memcpy(local->vectors + 3 * local->count++, b, 3 * sizeof *b);
         }
     }
+    return 1;
+}
+
+/* Find what matters on a cell. Returns 0 if more than `most` generators do. */
+static int look_closer(const Sphere *s, const Cell *cell, int most, Local *local) {
+    local->count = tree_crossed(s->tree, cell->corner, most, local->vectors, local->sum);
+    return local->count >= 0 && sift(cell, s->extra, s->extras, most, local);
+}
+
+/* Evaluate h at every vertex in a triangle that few generators cross: the triangle is done. */
+static void list_vertices(Sphere *s, const Cell *cell, const Local *local) {
+    const double *c = local->vectors;
+    double ignored[3];
+    int count = local->count;
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++) {
-            double m[3], *p = c + 3 * a, *q = c + 3 * b;
+            double m[3];
+            const double *p = c + 3 * a, *q = c + 3 * b;
             cross(p, q, m);
             if (length(m) <= PARALLEL * length(p) * length(q))
                 continue;
@@ -232,13 +269,12 @@ static int list_vertices(Sphere *s, const Cell *cell) {
             double turn = dot(m, p) / dot(p, p), value;
             for (int k = 0; k < 3; k++)
                 m[k] = side * (m[k] - turn * p[k]);
-            value = dot(g, m);
+            value = dot(local->sum, m);
             for (int k = 0; k < count; k++)
                 value += k == a || k == b ? 0.0 : larger(0.0, dot(c + 3 * k, m));
             if (value < s->best * size_of(s->tree, m))
-                evaluate(s, m, NOISE, ignored);
+                evaluate(s, NULL, m, NOISE, ignored);
         }
-    return 1;
 }
 
 /* Halve a triangle at the middle of its longest edge. */
@@ -284,6 +320,44 @@ static double extent(const Cell *cell) {
     return most;
 }
 
+/* The tries that a cell is worth: none if only splitting can close the gap. */
+static int tries_for(const Sphere *s, const Cell *cell) {
+    double edge = extent(cell);
+    return s->best - cell->bound < FUTILE * s->best * edge * edge ? 0 : TRIES;
+}
+
+/* The bound at which a cell is done. */
+static double enough(const Sphere *s) {
+    return s->best - larger(CLOSE * s->best, s->tolerance);
+}
+
+/* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts. */
+static void finish(Sphere *s, const Cell *cell, const Local *local, double *room) {
+    Cell own = *cell, halves[2];
+    double scaled[9];
+    if (local->count <= LISTED) {
+        list_vertices(s, cell, local);
+        return;
+    }
+    scale_corners(s->tree, cell, scaled);
+    tighten(s, &own, local, scaled, s->best, tries_for(s, cell));
+    if (own.bound >= enough(s) || extent(cell) <= SMALLEST)
+        return;
+    halve(&own, halves, halves + 1);
+    for (int k = 0; k < 2; k++) {
+        scale_corners(s->tree, halves + k, scaled);
+        tighten(s, halves + k, NULL, scaled, s->best, 0);
+    }
+    int first = halves[1].bound < halves[0].bound;
+    for (int k = 0; k < 2; k++) {
+        const Cell *half = halves + (k ? 1 - first : first);
+        Local part = {.vectors = room};
+        memcpy(part.sum, local->sum, sizeof part.sum);
+        if (half->bound < enough(s) && sift(half, local->vectors, local->count, LOCAL, &part))
+            finish(s, half, &part, room + 3 * part.count);
+    }
+}
+
 /* -- the search ---------------------------------------------------------------------------- */
 
 static void centre_of(const Cell *cell, double *centre) {
@@ -304,7 +378,7 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
                 if (dot(centre, s->extra + 3 * j) > 0.0)
                     for (int i = 0; i < cell.cuts; i++)
                         add(cell.cut[i], s->extra + 3 * j);
-            tighten(s, &cell, scaled, s->best, 0);
+            tighten(s, &cell, NULL, scaled, s->best, 0);
             if (cell.bound < s->best + margin && push(s, &cell))
                 return -1;
         }
@@ -327,7 +401,8 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
 }
 
 int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
-                  const Sphere *from, double margin, double below, double zero, int (*interrupted)(void)) {
+                  const Sphere *from, double margin, double below, double zero,
+                  int (*interrupted)(void)) {
     memset(s, 0, sizeof *s);
     s->tree = tree;
     s->extra = extra;
@@ -338,28 +413,28 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
     s->tolerance = ROUNDING * weight;
     s->best = below;
     Sphere kept = {0};
-    int status = begin(s, from, margin);
-    for (long round = 0; status == 0 && s->cells > 0; round++) {
+    double *room = malloc(3 * LOCAL * (DEPTH + 1) * sizeof *room);
+    int status = room ? begin(s, from, margin) : -1;
+    for (long round = 1; status == 0 && s->cells > 0; round++) {
         double scaled[9];
         Cell cell, halves[2];
-        double wanted = s->best - larger(1e-13 * s->best, s->tolerance);
-        if (s->cell[0].bound >= wanted || s->best <= zero)
+        Local local = {.vectors = room};
+        if (s->cell[0].bound >= enough(s) || s->best <= zero)
             break;
-        if (round % 1024 == 1023 && interrupted()) {
+        if (round % ROUNDS == 0 && interrupted()) {
             status = -2;
             break;
         }
         pop(s, &cell);
-        scale_corners(tree, &cell, scaled);
-        if (list_vertices(s, &cell) || extent(&cell) <= SMALLEST) {
+        if (look_closer(s, &cell, round < LONG ? FEW : LOCAL, &local)) {
+            finish(s, &cell, &local, room + 3 * local.count);
             if (margin > 0.0)
                 status = push(&kept, &cell);
             continue;
         }
-        double edge = extent(&cell);
-        int tries = s->best - cell.bound < FUTILE * s->best * edge * edge ? 0 : TRIES;
-        tighten(s, &cell, scaled, s->best, tries);
-        if (cell.bound >= s->best) {
+        scale_corners(tree, &cell, scaled);
+        tighten(s, &cell, NULL, scaled, s->best, tries_for(s, &cell));
+        if (cell.bound >= s->best || extent(&cell) <= SMALLEST) {
             if (cell.bound < s->best + margin)
                 status = push(&kept, &cell);
             continue;
@@ -367,7 +442,7 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
         halve(&cell, halves, halves + 1);
         for (int k = 0; k < 2 && status == 0; k++) {
             scale_corners(tree, halves + k, scaled);
-            tighten(s, halves + k, scaled, s->best, 0);
+            tighten(s, halves + k, NULL, scaled, s->best, 0);
             if (halves[k].bound < s->best + margin)
                 status = push(s, halves + k);
         }
@@ -375,6 +450,7 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
     for (int k = 0; k < kept.cells && status == 0; k++)
         status = push(s, kept.cell + k);
     sphere_free(&kept);
+    free(room);
     return status;
 }
 

@@ -1,0 +1,32 @@
+"""Ctrl-C stops a long run at once."""
+
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+RING = """
+import numpy as np
+from swarmgrasp.quality.weakest import weakest_of
+turn = np.arange(400_000) * (np.pi / 200_000)
+ring = np.column_stack([np.cos(turn), np.sin(turn), 0.3 * (-1.0) ** np.arange(len(turn))])
+print("begins", flush=True)
+try:
+    weakest_of(ring)
+except KeyboardInterrupt:
+    print("stopped")
+"""
+"""Every facet of a perfectly regular ring is the weakest: nothing takes longer."""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals differ")
+def test_a_search_is_interrupted_from_the_keyboard():
+    """The kernel returns within a second, as KeyboardInterrupt."""
+    with subprocess.Popen([sys.executable, "-c", RING], stdout=subprocess.PIPE, text=True) as run:
+        assert run.stdout.readline() == "begins\n"
+        time.sleep(0.7)
+        run.send_signal(signal.SIGINT)
+        said, _ = run.communicate(timeout=1.0)
+    assert said == "stopped\n"
