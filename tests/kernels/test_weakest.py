@@ -130,6 +130,21 @@ def test_limits_from_1e_minus_12_to_1e12():
         check(B)
 
 
+@pytest.mark.parametrize("n", [3, 12, 48, 49, 100])
+@pytest.mark.parametrize("kind", ["random", "grid", "half coplanar", "clustered", "one-sided"])
+def test_beside_a_wrench_that_is_always_there(kind, n):
+    """It adds n . load to the support function; where that falls below 0, so does the quality."""
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        B, load = draw(kind, seed, n), 0.05 * n * rng.normal(size=3)
+        normals = np.vstack([reference.normals_across(b, B) for b in B if b.any()])
+        truth = max((normals @ load + reference.support(B, normals)).min(), 0.0)
+        value, normal = weakest_of(B, tuple(load))
+        assert value == pytest.approx(truth, rel=1e-11, abs=2e-12 * size(B))
+        own = load @ normal + reference.support(B, np.array(normal))[0]
+        assert max(own, 0.0) == pytest.approx(value, abs=2e-12 * size(B))
+
+
 # -- many at once --------------------------------------------------------------------------
 
 

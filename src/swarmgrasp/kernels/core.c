@@ -29,15 +29,17 @@ static int rows_of(const Py_buffer *view, int width) {
 
 /* -- qualities --------------------------------------------------------------------------------- */
 
-static PyObject *core_weakest(PyObject *module, PyObject *object) {
+static PyObject *core_weakest(PyObject *module, PyObject *args) {
+    PyObject *object;
     Py_buffer view;
     Sweep sweep = {0};
-    double quality, n[3];
+    double quality, n[3], load[3] = {0.0};
     (void)module;
-    if (get_doubles(object, &view, 3))
+    if (!PyArg_ParseTuple(args, "O|(ddd):weakest", &object, load, load + 1, load + 2)
+        || get_doubles(object, &view, 3))
         return NULL;
     int count = rows_of(&view, 3);
-    int status = sweep_room(&sweep, count <= SWEPT ? count : 0);
+    int status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
     if (status == 0)
         status = exact_quality(&sweep, view.buf, count, interrupted, &quality, n);
     sweep_free(&sweep);
@@ -51,6 +53,7 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
     PyObject *object, *result = NULL;
     Py_buffer view;
     Sweep sweep = {0};
+    const double load[3] = {0.0};
     int n, status = 0;
     (void)module;
     if (!PyArg_ParseTuple(args, "Oi:qualities", &object, &n))
@@ -59,7 +62,7 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
         return NULL;
     int count = rows_of(&view, 3 * (n > 0 ? n : 1));
     result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
-    if (result && sweep_room(&sweep, n <= SWEPT ? n : 0) == 0) {
+    if (result && sweep_room(&sweep, n <= SWEPT ? n : 0, load) == 0) {
         double *values = (double *)PyBytes_AsString(result), weakest[3];
         const double *generators = view.buf;
         for (int k = 0; k < count && status == 0; k++) {
@@ -125,10 +128,10 @@ static void search_dealloc(PyObject *object) {
 
 static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
     PyObject *generators, *pieces;
-    double weights[3];
+    double weights[3], load[3] = {0.0};
     (void)kwargs;
-    if (!PyArg_ParseTuple(args, "O(ddd)O:Search", &generators, weights, weights + 1, weights + 2,
-                          &pieces))
+    if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd):Search", &generators, weights, weights + 1,
+                          weights + 2, &pieces, load, load + 1, load + 2))
         return NULL;
     allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
     SearchObject *self = (SearchObject *)make(type, 0);
@@ -143,7 +146,7 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
         goto failed;
     }
     if (is_fault(search_begin(&self->search, self->generators.buf, rows_of(&self->generators, 3),
-                              weights, self->pieces.buf, many, interrupted)))
+                              load, weights, self->pieces.buf, many, interrupted)))
         goto failed;
     return (PyObject *)self;
 failed:
@@ -349,7 +352,7 @@ static PyType_Spec search_spec = {
 /* -- the module ------------------------------------------------------------------------------------ */
 
 static PyMethodDef methods[] = {
-    {"weakest", core_weakest, METH_O, NULL},
+    {"weakest", core_weakest, METH_VARARGS, NULL},
     {"qualities", core_qualities, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };

@@ -12,8 +12,11 @@ Normal = tuple[float, float, float]
 Best = tuple[float, float, float, float, int]
 """Quality [N] and (cos, sin, torque) [1, 1, m] of a robot, and its piece; -1 if there is none."""
 
-def weakest(generators: Array, /) -> tuple[float, Normal]:
-    """Return the exact quality of generators (n, 3) [N], and the unit normal that attains it."""
+def weakest(generators: Array, load: Normal = ..., /) -> tuple[float, Normal]:
+    """Return the exact quality of generators (n, 3) [N], and the unit normal that attains it.
+
+    A load (3,) [N] is a wrench that is always there.
+    """
 
 def qualities(generators: Array, n: int, /) -> bytes:
     """Return the exact qualities (m,) [N] of m swarms of n generators each, (m, n, 3) [N]."""
@@ -29,6 +32,8 @@ class Search:
         Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
     pieces : (k, 10)
         See `sector.h`.
+    load : (3,) [N], optional
+        A wrench that is always there.
     """
 
     quality: float
@@ -38,7 +43,9 @@ class Search:
     size: float
     """The sum of |b_i| and the newcomer's largest wrench [N]: what rounding is relative to."""
 
-    def __new__(cls, generators: Array, weights: Normal, pieces: Array, /) -> Search: ...
+    def __new__(
+        cls, generators: Array, weights: Normal, pieces: Array, load: Normal = ..., /
+    ) -> Search: ...
     def solve(
         self, gap: float, chosen: bytes | None, budget: int, /
     ) -> tuple[bool, Best, float, bytes, bytes, bytes]:

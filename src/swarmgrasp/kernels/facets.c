@@ -9,9 +9,9 @@
 #define ROUNDING 1e-15 /* of sum |b_i|: the error of the running sums */
 #define COARSE 1e-12   /* of the quality: the error that calls for a direct sum instead */
 
-int sweep_room(Sweep *sweep, ptrdiff_t n) {
+int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
     size_t room = n > 0 ? (size_t)n : 1;
-    *sweep = (Sweep){0};
+    *sweep = (Sweep){.load = {load[0], load[1], load[2]}};
     sweep->normals = malloc(9 * room * sizeof *sweep->normals);
     sweep->ray = malloc(2 * room * sizeof *sweep->ray);
     sweep->rank = malloc(room * sizeof *sweep->rank);
@@ -67,6 +67,9 @@ static Plane lay_rays(Sweep *sweep, const double *generators, int n, const doubl
         .e = {1.0 + sign * x * x * a, sign * b, -sign * x},
         .f = {b, sign + y * y * a, -y},
     };
+    /* a load adds as much along n as it takes away along -n: twice its part of the sum does so */
+    plane.sum_u = 2.0 * dot(sweep->load, plane.e);
+    plane.sum_v = 2.0 * dot(sweep->load, plane.f);
     for (int i = 0; i < n; i++) {
         const double *g = generators + 3 * i;
         double u = dot(g, plane.e), v = dot(g, plane.f);
@@ -107,8 +110,8 @@ int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axi
             double skew = (ray->u * plane.sum_v - ray->v * plane.sum_u) * scale;
             normal_across(&plane, ray, 1.0, sweep->normals + 3 * found);
             normal_across(&plane, ray, -1.0, sweep->normals + 3 * found + 3);
-            sweep->heights[found] = larger(0.0, width + skew);
-            sweep->heights[found + 1] = larger(0.0, width - skew);
+            sweep->heights[found] = width + skew;
+            sweep->heights[found + 1] = width - skew;
             found += 2;
         }
         fold_u -= 2.0 * ray->u;
@@ -118,8 +121,9 @@ int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axi
 }
 
 /* h(n) term by term: one giant among dwarfs leaves running sums with its own rounding only. */
-static double direct_height(const double *generators, int n, const double *normal) {
-    double h = 0.0;
+static double direct_height(const Sweep *sweep, const double *generators, int n,
+                            const double *normal) {
+    double h = dot(sweep->load, normal);
     for (int i = 0; i < n; i++) {
         const double *b = generators + 3 * i;
         double x = normal[0] * b[0], y = normal[1] * b[1], z = normal[2] * b[2];
@@ -142,9 +146,9 @@ double sweep_least(Sweep *sweep, const double *generators, int n, const double *
             double height = 0.5 * twice / sqrt(ray->u * ray->u + ray->v * ray->v), trial[3];
             normal_across(&plane, ray, skew > 0.0 ? -1.0 : 1.0, trial);
             if (error > COARSE * least)
-                height = direct_height(generators, n, trial);
+                height = direct_height(sweep, generators, n, trial);
             if (height < least) {
-                least = larger(0.0, height);
+                least = height;
                 for (int c = 0; c < 3; c++)
                     normal[c] = trial[c];
             }

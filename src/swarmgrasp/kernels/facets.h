@@ -11,8 +11,10 @@ typedef struct {
     int index;
 } Ray;
 
-/* Room for one sweep over n generators. */
+/* Room for one sweep over n generators, and the steady wrench beside them:
+ * h(n) = n . load + sum max(0, n . b_i). */
 typedef struct {
+    double load[3];
     Ray *ray;        /* (n,) */
     Ray *sorted;     /* (n,) by angle */
     double *angle;   /* (n,) what grows with it, from -1 to 1 */
@@ -21,7 +23,7 @@ typedef struct {
     double *heights; /* (2 n,) h at them */
 } Sweep;
 
-int sweep_room(Sweep *sweep, ptrdiff_t n);
+int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load);
 void sweep_free(Sweep *sweep);
 
 /* Find h at the unit normals orthogonal to `axis` and to one of the generators (n, 3) each, from
@@ -31,7 +33,7 @@ int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axi
 
 /* Find the least h at these normals and its normal, if it is below `least`; return the lower of
  * the two. `error` is that of a sum over the generators, see `sweep_error`: where it matters, h
- * is added up directly. */
+ * is added up directly. Below 0, where a load is not held, any value will do. */
 double sweep_least(Sweep *sweep, const double *generators, int n, const double *axis, int first,
                    double least, double error, double *normal);
 double sweep_error(const double *generators, int n);
@@ -44,7 +46,7 @@ double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest)
 ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *normals,
                        double *heights);
 
-/* The support function h(n) = sum max(0, n . b_i). */
+/* The sum of max(0, n . b_i). */
 double support(const double *generators, ptrdiff_t n, const double *normal);
 
 #endif

@@ -10,7 +10,7 @@
 #define SMALL 60
 #define TORQUE_FREE 1e-13   /* torque part of a normal, relative to its force part, that is none */
 #define ARC_END 1e-14       /* width [rad] at which an interval of directions is empty */
-#define PROBE 0.1           /* where between the best and its bound a rival piece is probed: low */
+#define PROBE 1e-3          /* where between the best and its bound a rival piece is probed: low */
 #define TANGENTS 60         /* steps of the search for the best mixture of two arcs, at most */
 #define TIGHT 0.01          /* of the gap between level and best: how far a proof may be off */
 #define TILTS 8             /* steps of the search for the deepest cut */
@@ -48,11 +48,11 @@ static int add_row(Search *s, const double *normal, double height) {
 /* h of the base swarm at a normal. */
 double search_height(const Search *s, const double *normal) {
     if (s->is_small)
-        return support(s->generators, s->n, normal);
+        return dot(s->sweep.load, normal) + support(s->generators, s->n, normal);
     double m[3], g[3];
     tree_direction(&s->tree, normal, m);
     tree_gradient(&s->tree, m, 0.0, g);
-    return larger(0.0, dot(g, m)) + support(s->extra, s->n - s->in_tree, m);
+    return dot(g, m) + support(s->extra, s->n - s->in_tree, m);
 }
 
 /* -- what a level demands ------------------------------------------------------------------ */
@@ -435,7 +435,7 @@ static double begin_pool(Search *s, const double *both) {
         return -NO_MEMORY;
     for (int k = 0; k < 2; k++) {
         double opposite[3] = {-normals[k][0], -normals[k][1], -normals[k][2]};
-        add_row(s, normals[k], k == 0 ? s->quality : search_height(s, normals[k]));
+        add_row(s, normals[k], search_height(s, normals[k]));
         add_row(s, opposite, search_height(s, opposite));
     }
     first_proofs(s, proofs);
@@ -499,7 +499,7 @@ static int start(Search *s) {
     s->in_tree = s->n;
     s->is_small = s->n <= SMALL;
     if (!s->is_small)
-        return tree_build(&s->tree, s->generators, s->n) ? NO_MEMORY : pool_from_sphere(s, NULL, s->reach);
+        return tree_build(&s->tree, s->generators, s->n, s->sweep.load) ? NO_MEMORY : pool_from_sphere(s, NULL, s->reach);
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
     free(s->normals);
     s->normals = malloc(4 * room * sizeof *s->normals);
@@ -523,14 +523,14 @@ static void take_pieces(Search *s, const double *pieces, int many) {
     s->error = sweep_error(s->generators, s->n);
 }
 
-int search_begin(Search *s, const double *generators, int n, const double *weights,
-                 const double *pieces, int many, int (*interrupted)(void)) {
+int search_begin(Search *s, const double *generators, int n, const double *load,
+                 const double *weights, const double *pieces, int many, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .interrupted = interrupted};
     memcpy(s->weights, weights, sizeof s->weights);
     take_pieces(s, pieces, many);
     s->room = 256;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
-    if (!s->pool || sweep_room(&s->sweep, n <= SMALL ? SMALL : 0))
+    if (!s->pool || sweep_room(&s->sweep, n <= SMALL ? SMALL : 0, load))
         return NO_MEMORY;
     return start(s);
 }

@@ -62,9 +62,9 @@ typedef struct {
     int piece;
 } Best;
 
-/* Prepare a search. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any case. */
-int search_begin(Search *search, const double *generators, int n, const double *weights,
-                 const double *pieces, int many, int (*interrupted)(void));
+/* Prepare a search beside a load (3,) [N]. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any case. */
+int search_begin(Search *search, const double *generators, int n, const double *load,
+                 const double *weights, const double *pieces, int many, int (*interrupted)(void));
 void search_end(Search *search);
 
 /* Let a robot (c, s, torque) join the base swarm, and ask for the next; what is known is kept. */

@@ -45,7 +45,7 @@ int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupt
     } else {
         Tree tree;
         Sphere sphere;
-        if (tree_build(&tree, generators, n))
+        if (tree_build(&tree, generators, n, sweep->load))
             return -1;
         status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY,
                                ZERO * total_size(generators, n), interrupted);

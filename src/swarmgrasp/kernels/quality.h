@@ -8,8 +8,8 @@
 #define SWEPT 48   /* generators up to which sweeping all planes is faster than a search */
 #define ZERO 1e-12 /* of sum |b_i|: a quality that counts as none */
 
-/* Find the least h over unit normals, and where; ZERO sum |b_i| and less is 0. A set that spans
- * no plane has a normal across it, and 0. `sweep` has room for n generators if n <= SWEPT.
+/* Find the least h over unit normals, and where, with the load of `sweep`; ZERO sum |b_i| and less
+ * is 0. A set that spans no plane has a normal across it, and 0. `sweep` has room for n generators if n <= SWEPT.
  * Returns 0, -1 without memory, -2 if interrupted. */
 int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
                   double *quality, double *weakest);

@@ -203,7 +203,7 @@ static int is_parallel(const double *a, const double *b) {
     return fabs(p[0] - q[0]) <= PARALLEL && fabs(p[1] - q[1]) <= PARALLEL;
 }
 
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count) {
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load) {
     memset(tree, 0, sizeof *tree);
     tree->whiten[0] = tree->whiten[2] = tree->whiten[5] = 1.0;
     for (int step = 0; step < STEPS; step++) {
@@ -212,6 +212,7 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count) {
             break;
         memcpy(tree->whiten, w, sizeof w);
     }
+    tree_whiten(tree, load, tree->load);
     size_t room = count > 0 ? (size_t)count : 1;
     Item *items = malloc(room * sizeof *items), *spare = malloc(room * sizeof *spare);
     tree->vectors = malloc(3 * room * sizeof *tree->vectors);
@@ -278,7 +279,7 @@ static inline int sign_on(const Node *node, const double *m, double slack) {
 }
 
 void tree_gradient(const Tree *tree, const double *m, double rounding, double *g) {
-    double x = 0.0, y = 0.0, z = 0.0;
+    double x = tree->load[0], y = tree->load[1], z = tree->load[2];
     const Node *node = tree->node, *end = tree->node + tree->nodes;
     while (node < end) {
         int sign = sign_on(node, m, 0.0);
@@ -309,7 +310,7 @@ void tree_gradient(const Tree *tree, const double *m, double rounding, double *g
 
 int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g) {
     int found = 0;
-    double x = 0.0, y = 0.0, z = 0.0, slack[3];
+    double x = tree->load[0], y = tree->load[1], z = tree->load[2], slack[3];
     const Node *node = tree->node, *end = tree->node + tree->nodes;
     for (int j = 0; j < 3; j++) {
         const double *m = corners + 3 * j;

@@ -29,11 +29,13 @@ typedef struct {
     int nodes;
     Node *node;           /* (nodes,) each before those below it */
     double whiten[6];     /* M: m00, m10, m11, m20, m21, m22 */
+    double load[3];       /* a steady wrench, whitened: h(n) = n . load + sum max(0, n . b_i) */
     double weight;        /* sum |c_i| */
 } Tree;
 
-/* Build the tree of `count` generators (count, 3). Returns 0, or -1 without memory. */
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count);
+/* Build the tree of `count` generators (count, 3) and a load (3,). Returns 0, or -1 without
+ * memory. */
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load);
 void tree_free(Tree *tree);
 
 /* Turn a generator to whitened coordinates; a whitened normal back; and a normal there. */
@@ -41,12 +43,12 @@ void tree_whiten(const Tree *tree, const double *b, double *c);
 void tree_normal(const Tree *tree, const double *m, double *n);
 void tree_direction(const Tree *tree, const double *n, double *m);
 
-/* Write the gradient of h at m, the sum of the c_i with m . c_i > 0, to g. Of generators in
+/* Write the gradient of h at m, the load and the sum of the c_i with m . c_i > 0, to g. Of generators in
  * crossed leaves those count as 0 that are so but for `rounding`, relative to their terms. */
 void tree_gradient(const Tree *tree, const double *m, double rounding, double *g);
 
 /* List the generators that change sign over the triangle with corners (3, 3), at most `room` of
- * them, and add up in g those that are positive on it. Returns how many were listed, or
+ * them, and add up in g the load and those that are positive on it. Returns how many were listed, or
  * -1 if there are more. */
 int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g);
 

@@ -92,6 +92,8 @@ class Search:
         Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
     rows : (k, 10)
         The pieces; see `Pieces`.
+    load : (3,) [N]
+        A wrench that is always there, in the metric's coordinates.
 
     Attributes
     ----------
@@ -103,9 +105,15 @@ class Search:
         A difference not worth closing, and a quality that counts as 0.
     """
 
-    def __init__(self, generators: Array, weights: Array, rows: Array) -> None:
+    def __init__(
+        self,
+        generators: Array,
+        weights: Array,
+        rows: Array,
+        load: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    ) -> None:
         x, y, turn = weights.tolist()
-        self._core = core.Search(generators, (x, y, turn), rows)
+        self._core = core.Search(generators, (x, y, turn), rows, load)
         self._note(rows)
 
     def _note(self, rows: Array) -> None:

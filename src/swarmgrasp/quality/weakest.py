@@ -27,7 +27,9 @@ class Weakest(NamedTuple):
     normal: tuple[float, float, float]
 
 
-def weakest_of(generators: NDArray[np.float64]) -> Weakest:
+def weakest_of(
+    generators: NDArray[np.float64], load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> Weakest:
     """Find the weakest facet, exactly: by sweeping all planes, or by branch and bound (T11, T12).
 
     A set that spans no plane is weakest across it.
@@ -36,6 +38,8 @@ def weakest_of(generators: NDArray[np.float64]) -> Weakest:
     ----------
     generators : (n, 3) [N]
         In the metric's coordinates.
+    load : (3,) [N]
+        A wrench that is always there: h(n) = n . load + sum max(0, n . b_i).
 
     Examples
     --------
@@ -45,7 +49,7 @@ def weakest_of(generators: NDArray[np.float64]) -> Weakest:
     >>> round(weakest_of(corners / 3**0.5).quality, 6)
     0.816497
     """
-    return Weakest(*core.weakest(np.ascontiguousarray(generators, dtype=float)))
+    return Weakest(*core.weakest(np.ascontiguousarray(generators, dtype=float), load))
 
 
 def qualities(generators: ArrayLike) -> NDArray[np.float64]:

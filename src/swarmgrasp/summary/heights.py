@@ -33,6 +33,9 @@ class Heights:
     ----------
     sums : (g, 3) [N]
         The sum of each bin's turned generators.
+    load : tuple of float [N]
+        (s - the sum of those) / 2: with it, as robots they have the lower bound as support
+        function.
     margin : float [N]
         What certified bounds allow for rounding.
     """
@@ -51,6 +54,8 @@ class Heights:
         axes = cells // side**2
         self._covariances[np.arange(len(cells)), axes] = uv
         self.margin = rounding + EVALUATION * moments.size
+        x, y, turn = (0.5 * (total - self.sums.sum(axis=0))).tolist()
+        self.load = (x, y, turn)
 
     def lower(self, normals: Array) -> Array:
         """Bound h from below at unit normals (k, 3): returns (k,) [N]."""

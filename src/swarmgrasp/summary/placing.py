@@ -13,7 +13,6 @@ from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.heights import EVALUATION, Heights
-from swarmgrasp.summary.inner import Inner
 from swarmgrasp.swarm import Swarm
 
 GAP = 1e-4
@@ -58,7 +57,6 @@ class PlacementBounds:
 
 def place_from(
     heights: Heights,
-    inner: Inner,
     side: int,
     bare: Swarm,
     newcomer: Newcomer,
@@ -75,7 +73,7 @@ def place_from(
     problem = Problem(bare, newcomer, None if zones is None else tuple(zones), tuple(no_go))
     pieces = problem.pieces()
     weights = bare.scale * newcomer.limit
-    search = Search(inner.generators, weights, pieces.rows)
+    search = Search(heights.sums, weights, pieces.rows, heights.load)
     found = search.solve(GAP)
     best = search.break_tie(found, found.best.quality / (1.0 + GAP) - search.floor)
     contact, angle = pieces.robot_at(best.piece, best.c, best.s, best.torque)
@@ -89,7 +87,7 @@ def place_from(
         """Bound h from above with the robot in place."""
         return np.asarray(heights.upper(normals) + np.maximum(normals @ wrench, 0.0))
 
-    lower = max(together.quality - inner.margin - spare, 0.0)
+    lower = max(together.quality - heights.margin - spare, 0.0)
     upper, direction = least_near(with_robot, np.array(together.normal), turn_of(side))
     direction.setflags(write=False)
     upper = max(upper + spare, lower)

@@ -16,7 +16,6 @@ from swarmgrasp.summary.cells import Array, side_of
 from swarmgrasp.summary.content import Content
 from swarmgrasp.summary.encoding import decode, encode
 from swarmgrasp.summary.heights import Heights
-from swarmgrasp.summary.inner import Inner, inner_of
 from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
 from swarmgrasp.swarm import Swarm, check_metric
@@ -246,14 +245,9 @@ class Summary(Content):
         return Heights(self.moments, self.side, self.total, self.rounding)
 
     @cached_property
-    def _inner(self) -> Inner:
-        """A swarm whose wrench set lies inside this one's."""
-        return inner_of(self.heights)
-
-    @cached_property
     def _bounds(self) -> Bounds:
         """What `quality` returns."""
-        lower, upper, direction = quality_bounds(self.heights, self._inner, self.side)
+        lower, upper, direction = quality_bounds(self.heights, self.side)
         direction.setflags(write=False)
         return Bounds(lower, upper, direction, self.metric_sentence)
 
@@ -303,7 +297,7 @@ class Summary(Content):
             )
         # on this outline, without the robots: only their wrenches are known
         bare = Swarm(outline, (), self.characteristic_length, self.force_weights)
-        return place_from(self.heights, self._inner, self.side, bare, newcomer, zones, no_go)
+        return place_from(self.heights, self.side, bare, newcomer, zones, no_go)
 
 
 def _check_generators(rows: Array) -> None:
