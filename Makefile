@@ -62,5 +62,6 @@ lock:
 	$(LOCK) --extra build --extra dev --extra bench -o requirements-bench.lock
 
 clean:
-	rm -rf $(VENV) demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache
+	rm -rf $(VENV) build demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
+	rm -f src/swarmgrasp/kernels/*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

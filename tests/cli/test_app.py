@@ -7,9 +7,6 @@ import pytest
 COMMANDS = ["place", "quality", "verify", "plot", "examples", "schema"]
 
 
-"""Said on standard error by the first run after installation only."""
-
-
 def shell(line):
     """Run a shell line with `swarmgrasp` in it, its output piped."""
     program = f"{sys.executable} -m swarmgrasp"

@@ -1,5 +1,8 @@
 """Exact qualities with a newcomer, and bounds that hold whatever happens to the search."""
 
+import signal
+import time
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -8,6 +11,7 @@ from hypothesis import strategies as st
 import reference
 from strategies import FAMILIES, problem_of, seeds, swarm_of
 from swarmgrasp import Newcomer, place_sequence
+from swarmgrasp.kernels import core
 from swarmgrasp.placement import Problem, optimum
 from swarmgrasp.placement.optimum import Search
 
@@ -21,15 +25,15 @@ def robots_at(rows, rng):
     return np.column_stack([c, s, x * s - y * c])
 
 
-@given(st.sampled_from(FAMILIES), seeds, st.one_of(st.integers(0, 30), st.integers(101, 110)))
-@settings(max_examples=100)
+@given(st.sampled_from(FAMILIES), seeds, st.one_of(st.integers(0, 30), st.integers(59, 63)))
+@settings(max_examples=60)
 def test_the_quality_with_one_robot_more(family, seed, n):
     """As by summing anew over all facets of the larger swarm, wherever the robot is."""
     swarm = swarm_of(family, seed, n)
     rows = Problem(swarm, Newcomer()).pieces().rows
     search = Search(swarm.scaled_generators, swarm.scale, rows)
     rng = np.random.default_rng(seed)
-    robots = robots_at(rows[rng.integers(len(rows), size=20)], rng)
+    robots = robots_at(rows[rng.integers(len(rows), size=6)], rng)
     for value, robot in zip(search.qualities_with(robots), robots, strict=True):
         more = np.vstack([swarm.scaled_generators, robot * swarm.scale])
         total = np.linalg.norm(more, axis=1).sum()
@@ -51,3 +55,71 @@ def test_bounds_hold_when_the_search_runs_out_of_budget(family, budget, n, monke
         assert coarse.quality <= fine.upper_bound * (1.0 + 1e-9) + slack
         assert coarse.upper_bound >= fine.quality * (1.0 - 1e-9) - slack
         assert coarse.verify()
+
+
+def search_of(problem):
+    """Return the kernels' search for a problem."""
+    rows, swarm = problem.pieces().rows, problem.swarm
+    weights = swarm.scale * problem.newcomer.limit
+    return core.Search(swarm.scaled_generators, tuple(weights.tolist()), rows), rows
+
+
+@pytest.mark.parametrize("n", [0, 4, 57, 61])
+def test_robots_that_join_are_as_if_there_from_the_start(n):
+    """Across the sizes at which a list of facets gives way to a tree, and that is built anew."""
+    problem = problem_of("free", 3, n)
+    newcomers = 40 if n == 61 else 6
+    for answer in place_sequence(Problem(problem.swarm, Newcomer(2.0)), newcomers):
+        (alone,) = place_sequence(answer.problem, 1)
+        size = np.linalg.norm(answer.swarm_after.scaled_generators, axis=1).sum()
+        assert answer.quality_before == pytest.approx(alone.quality_before, abs=1e-11 * size)
+        assert answer.quality == pytest.approx(alone.quality, rel=2.1e-6, abs=1e-11 * size)
+        assert answer.upper_bound >= alone.quality - 1e-11 * size
+
+
+def test_what_the_kernels_refuse():
+    """Numbers that are none, arrays of other shapes, and pieces that are not there."""
+    search, rows = search_of(problem_of("free", 1, 5))
+    weights = (1.0, 1.0, 1.0)
+    for call in (
+        lambda: core.weakest(np.full((4, 3), np.nan)),
+        lambda: core.weakest(np.ones((4, 3)), (0.0, np.inf, 0.0)),
+        lambda: core.weakest(np.ones(4)),
+        lambda: core.weakest(np.ones((4, 3), dtype=np.float32)),
+        lambda: core.qualities(np.ones((4, 3)), -1),
+        lambda: core.qualities(np.ones((4, 3)), 3),
+        lambda: core.Search(np.ones((4, 3)), weights, np.empty((0, 10))),
+        lambda: core.Search(np.ones((4, 3)), (1.0, np.nan, 1.0), rows),
+        lambda: search.quality_with(np.nan, 0.0, 0.0),
+        lambda: search.join(np.inf, 0.0, 0.0, rows),
+        lambda: search.solve(1e-6, b"1", 10),
+    ):
+        with pytest.raises(ValueError, match=r"wanted|there are"):
+            call()
+    assert search.solve(1e-6, None, 1000)[0]
+
+
+def test_a_search_in_use_is_not_used_twice():
+    """A signal's handler that calls it gets an error, and the search goes on to its end."""
+    turn = np.arange(20_000) * (np.pi / 10_000)
+    ring = np.column_stack([np.cos(turn), np.sin(turn), 0.3 * (-1.0) ** np.arange(len(turn))])
+    rows = search_of(problem_of("free", 1, 5))[1]
+    search = core.Search(np.vstack([ring, 0.01 * ring]), (1.0, 1.0, 1.0), rows)
+    met = []
+
+    def call(*_):
+        try:
+            search.quality_with(1.0, 0.0, 0.0)
+        except RuntimeError as fault:
+            met.append(str(fault))
+
+    before = signal.signal(signal.SIGALRM, call)
+    signal.setitimer(signal.ITIMER_REAL, 0.02, 0.02)
+    try:
+        end = time.monotonic() + 10.0
+        while not met and time.monotonic() < end:
+            search.solve(1e-9, None, 1000)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    assert met[0] == "the search is in use"

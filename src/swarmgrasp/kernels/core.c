@@ -1,4 +1,5 @@
-/* The kernels as a Python module: arrays in, numbers and bytes out, nothing checked but sizes. */
+/* The kernels as a Python module: arrays in, numbers and bytes out. Checked are sizes, and that
+ * numbers are finite. */
 #define PY_SSIZE_T_CLEAN
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
@@ -20,6 +21,23 @@ static int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
         PyBuffer_Release(view);
         return -1;
     }
+    const double *values = view->buf;
+    double sum = 0.0; /* of zeros, as long as all are finite */
+    for (Py_ssize_t k = 0; k < view->len / (Py_ssize_t)sizeof(double); k++)
+        sum += 0.0 * values[k];
+    if (sum != 0.0) {
+        PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
+        PyBuffer_Release(view);
+        return -1;
+    }
+    return 0;
+}
+
+/* Tell whether three numbers are finite; if not, set an exception. */
+static int are_finite(const double *v) {
+    if (isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]))
+        return 1;
+    PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
     return 0;
 }
 
@@ -36,7 +54,7 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
     double quality, n[3], load[3] = {0.0};
     (void)module;
     if (!PyArg_ParseTuple(args, "O|(ddd):weakest", &object, load, load + 1, load + 2)
-        || get_doubles(object, &view, 3))
+        || !are_finite(load) || get_doubles(object, &view, 3))
         return NULL;
     int count = rows_of(&view, 3);
     int status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
@@ -58,9 +76,13 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
     (void)module;
     if (!PyArg_ParseTuple(args, "Oi:qualities", &object, &n))
         return NULL;
-    if (get_doubles(object, &view, 3 * (n > 0 ? n : 1)))
+    if (n < 1 || n > INT_MAX / 3) {
+        PyErr_SetString(PyExc_ValueError, "one generator or more is wanted");
         return NULL;
-    int count = rows_of(&view, 3 * (n > 0 ? n : 1));
+    }
+    if (get_doubles(object, &view, 3 * n))
+        return NULL;
+    int count = rows_of(&view, 3 * n);
     result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
     if (result && sweep_room(&sweep, n <= SWEPT ? n : 0, load) == 0) {
         double *values = (double *)PyBytes_AsString(result), weakest[3];
@@ -91,7 +113,24 @@ typedef struct {
     Search search;
     Py_buffer generators, pieces;
     Proof *proofs;
+    const char *state; /* why it cannot be used, or NULL */
 } SearchObject;
+
+static const char BUSY[] = "the search is in use";
+static const char BROKEN[] = "the search was stopped while a robot joined";
+
+/* Take a search into use: a signal's handler, or another thread, may call while it runs. */
+static Search *take(PyObject *object) {
+    SearchObject *self = (SearchObject *)object;
+    if (self->state) {
+        PyErr_SetString(PyExc_RuntimeError, self->state);
+        return NULL;
+    }
+    self->state = BUSY;
+    return &self->search;
+}
+
+static void give_back(PyObject *object) { ((SearchObject *)object)->state = NULL; }
 
 /* Turn a status into an exception; OUT_OF_BUDGET is none. */
 static int is_fault(int status) {
@@ -129,9 +168,13 @@ static void search_dealloc(PyObject *object) {
 static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
     PyObject *generators, *pieces;
     double weights[3], load[3] = {0.0};
-    (void)kwargs;
+    if (kwargs && PyDict_Size(kwargs) > 0) {
+        PyErr_SetString(PyExc_TypeError, "Search takes no keyword arguments");
+        return NULL;
+    }
     if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd):Search", &generators, weights, weights + 1,
-                          weights + 2, &pieces, load, load + 1, load + 2))
+                          weights + 2, &pieces, load, load + 1, load + 2)
+        || !are_finite(weights) || !are_finite(load))
         return NULL;
     allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
     SearchObject *self = (SearchObject *)make(type, 0);
@@ -162,19 +205,22 @@ static PyObject *best_tuple(const Best *best) {
 /* solve(gap, chosen, budget) -> (solved, best, top, bounds, rows, shares) */
 static PyObject *search_solve_method(PyObject *object, PyObject *args) {
     SearchObject *self = (SearchObject *)object;
-    Search *s = &self->search;
     const char *chosen = NULL;
-    Py_ssize_t chosen_size = s->many;
+    Py_ssize_t chosen_size = self->search.many;
     double gap;
     int budget;
     Best best;
     if (!PyArg_ParseTuple(args, "dz#i:solve", &gap, &chosen, &chosen_size, &budget))
         return NULL;
-    if (chosen && chosen_size != s->many) {
-        PyErr_Format(PyExc_ValueError, "there are %d pieces", s->many);
+    if (chosen && chosen_size != self->search.many) {
+        PyErr_Format(PyExc_ValueError, "there are %d pieces", self->search.many);
         return NULL;
     }
+    Search *s = take(object);
+    if (!s)
+        return NULL;
     int status = search_solve(s, chosen, gap, budget, &best, self->proofs);
+    give_back(object);
     if (is_fault(status))
         return NULL;
     PyObject *bounds = PyBytes_FromStringAndSize(NULL, s->many * (Py_ssize_t)sizeof(double));
@@ -213,64 +259,82 @@ static PyObject *search_break_tie_method(PyObject *object, PyObject *args) {
     if (!PyArg_ParseTuple(args, "(ddddi)d:break_tie", &best.quality, w, w + 1, w + 2, &best.piece,
                           &target))
         return NULL;
-    if (search_is_tied(&self->search, &best, self->proofs, target)
-        && is_fault(search_break_tie(&self->search, self->proofs, target, &best)))
+    Search *s = take(object);
+    if (!s)
         return NULL;
-    return best_tuple(&best);
+    int status = SOLVED;
+    if (search_is_tied(s, &best, self->proofs, target))
+        status = search_break_tie(s, self->proofs, target, &best);
+    give_back(object);
+    return is_fault(status) ? NULL : best_tuple(&best);
 }
 
 /* join(c, s, torque, pieces): the robot belongs to the swarm from now on */
 static PyObject *search_join_method(PyObject *object, PyObject *args) {
     SearchObject *self = (SearchObject *)object;
     PyObject *pieces;
-    Py_buffer view;
+    Py_buffer view, before = self->pieces;
     double wrench[3];
     if (!PyArg_ParseTuple(args, "dddO:join", wrench, wrench + 1, wrench + 2, &pieces)
-        || get_pieces(pieces, &view))
+        || !are_finite(wrench) || get_pieces(pieces, &view))
         return NULL;
     int many = rows_of(&view, PIECE);
-    Proof *proofs = PyMem_Realloc(self->proofs, (size_t)many * sizeof *proofs);
-    if (!proofs) {
+    Proof *proofs = PyMem_Calloc((size_t)many, sizeof *proofs);
+    Search *s = proofs ? take(object) : NULL;
+    if (!s) {
+        PyMem_Free(proofs);
         PyBuffer_Release(&view);
-        return PyErr_NoMemory();
+        return proofs ? NULL : PyErr_NoMemory();
     }
-    PyBuffer_Release(&self->pieces);
-    self->pieces = view;
+    PyMem_Free(self->proofs);
     self->proofs = proofs;
-    if (is_fault(search_join(&self->search, wrench, view.buf, many)))
+    self->pieces = view;
+    int status = search_join(s, wrench, view.buf, many);
+    PyBuffer_Release(&before);
+    give_back(object);
+    if (is_fault(status)) {
+        self->state = BROKEN;
         return NULL;
+    }
     return Py_NewRef(Py_None);
 }
 
 /* quality_with(c, s, torque) -> (quality, normal) */
 static PyObject *search_quality_method(PyObject *object, PyObject *args) {
-    SearchObject *self = (SearchObject *)object;
     double wrench[3], quality, n[3];
-    if (!PyArg_ParseTuple(args, "ddd:quality_with", wrench, wrench + 1, wrench + 2))
+    if (!PyArg_ParseTuple(args, "ddd:quality_with", wrench, wrench + 1, wrench + 2)
+        || !are_finite(wrench))
         return NULL;
-    if (is_fault(search_quality(&self->search, wrench, -INFINITY, &quality, n)))
+    Search *s = take(object);
+    if (!s)
+        return NULL;
+    int status = search_quality(s, wrench, -INFINITY, &quality, n);
+    give_back(object);
+    if (is_fault(status))
         return NULL;
     return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
 }
 
 /* qualities_with(robots) -> bytes */
 static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
-    SearchObject *self = (SearchObject *)object;
     Py_buffer view;
     if (get_doubles(robots, &view, 3))
         return NULL;
     int count = rows_of(&view, 3), status = SOLVED;
     PyObject *result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
-    double *values = result ? (double *)PyBytes_AsString(result) : NULL;
-    for (int k = 0; values && k < count && status == SOLVED; k++) {
-        double normal[3];
-        status = search_quality(&self->search, (const double *)view.buf + 3 * k, -INFINITY,
-                                values + k, normal);
-        if (status == SOLVED && k % 1024 == 1023 && interrupted())
-            status = INTERRUPTED;
+    Search *s = result ? take(object) : NULL;
+    if (s) {
+        double *values = (double *)PyBytes_AsString(result), normal[3];
+        for (int k = 0; k < count && status == SOLVED; k++) {
+            status = search_quality(s, (const double *)view.buf + 3 * (Py_ssize_t)k, -INFINITY,
+                                    values + k, normal);
+            if (status == SOLVED && (!s->is_small || k % 1024 == 1023) && interrupted())
+                status = INTERRUPTED;
+        }
+        give_back(object);
     }
     PyBuffer_Release(&view);
-    if (is_fault(status))
+    if (!s || is_fault(status))
         Py_CLEAR(result);
     return result;
 }
@@ -280,15 +344,23 @@ static PyObject *search_height_method(PyObject *object, PyObject *args) {
     double n[3];
     if (!PyArg_ParseTuple(args, "ddd:height", n, n + 1, n + 2))
         return NULL;
-    return PyFloat_FromDouble(search_height(&((SearchObject *)object)->search, n));
+    const Search *s = take(object);
+    if (!s)
+        return NULL;
+    double height = search_height(s, n);
+    give_back(object);
+    return PyFloat_FromDouble(height);
 }
 
 /* normals() -> bytes: the pool's unit normals */
 static PyObject *search_normals_method(PyObject *object, PyObject *ignored) {
-    const Search *s = &((SearchObject *)object)->search;
+    const Search *s = take(object);
+    (void)ignored;
+    if (!s)
+        return NULL;
+    give_back(object); /* nothing below lets others run */
     int count = s->count - LIMITS;
     PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
-    (void)ignored;
     if (!result)
         return NULL;
     double *normals = (double *)PyBytes_AsString(result);
@@ -357,11 +429,18 @@ static PyMethodDef methods[] = {
     {NULL, NULL, 0, NULL},
 };
 
+static int add_number(PyObject *module, const char *name, double value) {
+    PyObject *number = PyFloat_FromDouble(value);
+    int status = number ? PyModule_AddObjectRef(module, name, number) : -1;
+    Py_XDECREF(number);
+    return status;
+}
+
 static int fill(PyObject *module) {
     PyObject *type = PyType_FromSpec(&search_spec);
     int status = type ? PyModule_AddObjectRef(module, "Search", type) : -1;
     Py_XDECREF(type);
-    return status;
+    return status || add_number(module, "MARGINAL", ZERO) || add_number(module, "FLOOR", FLOOR);
 }
 
 static PyModuleDef_Slot slots[] = {{Py_mod_exec, fill}, {0, NULL}};

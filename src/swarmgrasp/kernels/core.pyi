@@ -1,7 +1,9 @@
 """What the compiled kernels offer; the headers beside this file say how they work.
 
-Arrays are C-contiguous float64 of the sizes given; anything else raises `ValueError`. Values are
-not checked. All functions can be interrupted from the keyboard.
+Arrays are C-contiguous float64 of the sizes given and finite; anything else raises `ValueError`.
+What takes long looks at the keyboard in between, and raises `KeyboardInterrupt`; other threads
+wait meanwhile. A search that is called while it runs, as by a signal's handler, raises
+`RuntimeError`.
 """
 
 import numpy as np
@@ -11,6 +13,11 @@ Array = NDArray[np.float64]
 Normal = tuple[float, float, float]
 Best = tuple[float, float, float, float, int]
 """Quality [N] and (cos, sin, torque) [1, 1, m] of a robot, and its piece; -1 if there is none."""
+
+MARGINAL: float
+"""Quality relative to sum |b_i| at and below which it counts as zero."""
+FLOOR: float
+"""Gap between bound and best, relative to `Search.size`, that is not worth closing."""
 
 def weakest(generators: Array, load: Normal = ..., /) -> tuple[float, Normal]:
     """Return the exact quality of generators (n, 3) [N], and the unit normal that attains it.

@@ -4,10 +4,9 @@
 #include "facets.h"
 #include "vectors.h"
 
-#define PARALLEL 1e-14 /* sine of the angle below which two generators count as parallel */
-#define NOISE 1e-15    /* of a product n . b: what is left of 0 where b lies in the facet */
-#define ROUNDING 1e-15 /* of sum |b_i|: the error of the running sums */
-#define COARSE 1e-12   /* of the quality: the error that calls for a direct sum instead */
+#define PARALLEL 1e-14  /* sine of the angle below which two generators count as parallel */
+#define SUM_ERROR 1e-15 /* of sum |b_i|: the error of the running sums */
+#define COARSE 1e-12    /* of h: the error that calls for a direct sum instead */
 
 int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
     size_t room = n > 0 ? (size_t)n : 1;
@@ -99,7 +98,21 @@ static void normal_across(const Plane *plane, const Ray *ray, double sign, doubl
         normal[c] = (ray->u * plane->f[c] - ray->v * plane->e[c]) * scale;
 }
 
-int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first) {
+/* h(n) term by term: one giant among dwarfs leaves running sums with its own rounding only. */
+static double direct_height(const Sweep *sweep, const double *generators, int n,
+                            const double *normal) {
+    double h = dot(sweep->load, normal);
+    for (int i = 0; i < n; i++) {
+        const double *b = generators + 3 * i;
+        double x = normal[0] * b[0], y = normal[1] * b[1], z = normal[2] * b[2];
+        if (x + y + z > NOISE * (fabs(x) + fabs(y) + fabs(z)))
+            h += x + y + z;
+    }
+    return h;
+}
+
+int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first,
+                double error) {
     Plane plane = lay_rays(sweep, generators, n, axis);
     double fold_u = plane.fold_u, fold_v = plane.fold_v;
     int found = 0;
@@ -112,25 +125,16 @@ int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axi
             normal_across(&plane, ray, -1.0, sweep->normals + 3 * found + 3);
             sweep->heights[found] = width + skew;
             sweep->heights[found + 1] = width - skew;
+            for (int k = found; k < found + 2; k++)
+                if (error > COARSE * sweep->heights[k])
+                    sweep->heights[k] = direct_height(sweep, generators, n,
+                                                      sweep->normals + 3 * k);
             found += 2;
         }
         fold_u -= 2.0 * ray->u;
         fold_v -= 2.0 * ray->v;
     }
     return found;
-}
-
-/* h(n) term by term: one giant among dwarfs leaves running sums with its own rounding only. */
-static double direct_height(const Sweep *sweep, const double *generators, int n,
-                            const double *normal) {
-    double h = dot(sweep->load, normal);
-    for (int i = 0; i < n; i++) {
-        const double *b = generators + 3 * i;
-        double x = normal[0] * b[0], y = normal[1] * b[1], z = normal[2] * b[2];
-        if (x + y + z > NOISE * (fabs(x) + fabs(y) + fabs(z)))
-            h += x + y + z;
-    }
-    return h;
 }
 
 double sweep_least(Sweep *sweep, const double *generators, int n, const double *axis, int first,
@@ -159,17 +163,12 @@ double sweep_least(Sweep *sweep, const double *generators, int n, const double *
     return least;
 }
 
-double sweep_error(const double *generators, int n) {
-    double size = 0.0;
-    for (int i = 0; i < n; i++)
-        size += length(generators + 3 * i);
-    return ROUNDING * size;
-}
+double sweep_error(double size) { return SUM_ERROR * size; }
 
 static int is_zero(const double *b) { return b[0] == 0.0 && b[1] == 0.0 && b[2] == 0.0; }
 
 double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest) {
-    double quality = INFINITY, error = sweep_error(generators, n);
+    double quality = INFINITY, error = sweep_error(total_size(generators, n));
     weakest[0] = weakest[1] = weakest[2] = 0.0;
     for (int j = 0; j < n; j++)
         if (!is_zero(generators + 3 * j))
@@ -181,9 +180,11 @@ double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest)
 ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *normals,
                        double *heights) {
     ptrdiff_t total = 0;
+    double error = sweep_error(total_size(generators, n));
     for (int j = 0; j < n; j++)
         if (!is_zero(generators + 3 * j)) {
-            size_t found = (size_t)sweep_plane(sweep, generators, n, generators + 3 * j, j + 1);
+            size_t found = (size_t)sweep_plane(sweep, generators, n, generators + 3 * j, j + 1,
+                                               error);
             memcpy(normals + 3 * total, sweep->normals, 3 * found * sizeof *normals);
             memcpy(heights + total, sweep->heights, found * sizeof *heights);
             total += (ptrdiff_t)found;

@@ -28,15 +28,16 @@ void sweep_free(Sweep *sweep);
 
 /* Find h at the unit normals orthogonal to `axis` and to one of the generators (n, 3) each, from
  * the one with index `first`. The axis is not zero. Returns how many normals were found;
- * generators parallel to the axis give none. */
-int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first);
+ * generators parallel to the axis give none. `error` is that of a sum over the generators, see
+ * `sweep_error`: where it matters, h is added up directly. */
+int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axis, int first,
+                double error);
 
 /* Find the least h at these normals and its normal, if it is below `least`; return the lower of
- * the two. `error` is that of a sum over the generators, see `sweep_error`: where it matters, h
- * is added up directly. Below 0, where a load is not held, any value will do. */
+ * the two. Below 0, where a load is not held, any value will do. */
 double sweep_least(Sweep *sweep, const double *generators, int n, const double *axis, int first,
                    double least, double error, double *normal);
-double sweep_error(const double *generators, int n);
+double sweep_error(double size); /* size: the sum of |b_i| */
 
 /* Find the least h over all facet normals, INFINITY if no two generators span a plane. */
 double sweep_all(Sweep *sweep, const double *generators, int n, double *weakest);

@@ -1,3 +1,4 @@
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,7 +7,6 @@
 #include "sector.h"
 #include "vectors.h"
 
-#define PI 3.14159265358979323846
 #define SMALL 60
 #define TORQUE_FREE 1e-13   /* torque part of a normal, relative to its force part, that is none */
 #define ARC_END 1e-14       /* width [rad] at which an interval of directions is empty */
@@ -14,8 +14,7 @@
 #define TANGENTS 60         /* steps of the search for the best mixture of two arcs, at most */
 #define TIGHT 0.01          /* of the gap between level and best: how far a proof may be off */
 #define TILTS 8             /* steps of the search for the deepest cut */
-#define ROUNDING 1e-14      /* of sum |b_i|: a level missed by less is reached */
-#define FLOOR 1e-13         /* of sum |b_i|: a gap not worth closing */
+#define MISSED 1e-14        /* of sum |b_i|: a level missed by less is reached */
 #define AHEAD 8.0           /* robots still to join that the directions kept should do for */
 #define MARGIN 1e-9         /* of a bound, against rounding */
 
@@ -212,7 +211,7 @@ static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
 
 static double least_in_pool(const Search *s, const double *wrench, int *at) {
     double least = INFINITY;
-    *at = -1;
+    *at = LIMITS;
     for (int k = LIMITS; k < s->count; k++) {
         const Row *row = s->pool + k;
         if (row->height >= least)
@@ -301,7 +300,7 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
         best->quality = quality;
         memcpy(best->wrench, wrench, sizeof best->wrench);
     }
-    if (value >= level - ROUNDING * s->size)
+    if (value >= level - MISSED * s->size)
         return REACHED;
     if (s->count >= s->most)
         return OUT_OF_BUDGET;
@@ -377,7 +376,7 @@ static void first_proofs(const Search *s, Proof *proofs) {
 int search_solve(Search *s, const char *chosen, double gap, int budget, Best *best,
                  Proof *proofs) {
     int status = SOLVED;
-    s->most = s->count + budget;
+    s->most = budget < INT_MAX - s->count ? s->count + budget : INT_MAX;
     char *settled = calloc((size_t)s->many, 1);
     if (!settled)
         return NO_MEMORY;
@@ -489,7 +488,7 @@ static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
         return NO_MEMORY;
     if (most > s->covered && from)
         return pool_from_sphere(s, NULL, AHEAD * s->reach);
-    return sphere_keep(&s->open, &s->base, most) ? NO_MEMORY : SOLVED;
+    return sphere_keep(&s->open, &s->base, smaller(most, s->covered)) ? NO_MEMORY : SOLVED;
 }
 
 /* List the facets of the base swarm, or build its tree. */
@@ -519,14 +518,15 @@ static void take_pieces(Search *s, const double *pieces, int many) {
         for (int j = 0; j < 4; j += 2)
             arm = larger(arm, hypot(pieces[PIECE * k + j], pieces[PIECE * k + j + 1]));
     s->reach = hypot(larger(s->weights[0], s->weights[1]), arm * s->weights[2]) * (1.0 + MARGIN);
-    s->size = total_size(s->generators, s->n) + s->reach;
-    s->error = sweep_error(s->generators, s->n);
+    s->size = s->weight + s->reach;
+    s->error = sweep_error(s->weight);
 }
 
 int search_begin(Search *s, const double *generators, int n, const double *load,
                  const double *weights, const double *pieces, int many, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .interrupted = interrupted};
     memcpy(s->weights, weights, sizeof s->weights);
+    s->weight = total_size(generators, n);
     take_pieces(s, pieces, many);
     s->room = 256;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
@@ -537,7 +537,7 @@ int search_begin(Search *s, const double *generators, int n, const double *load,
 
 /* The facets of a small swarm with one robot more: the old ones, lifted, and those across it. */
 static int join_facets(Search *s, const double *generator) {
-    int found = sweep_plane(&s->sweep, s->generators, s->n - 1, generator, 0);
+    int found = sweep_plane(&s->sweep, s->generators, s->n - 1, generator, 0, s->error);
     size_t room = (size_t)(s->facets + found) + 1;
     double *normals = malloc(4 * room * sizeof *normals), *heights = normals + 3 * room;
     if (!normals)
@@ -566,6 +566,7 @@ int search_join(Search *s, const double *wrench, const double *pieces, int many)
     generator = own + 3 * s->n++;
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
+    s->weight += length(generator);
     take_pieces(s, pieces, many);
     if (s->is_small && s->n <= SMALL)
         return join_facets(s, generator);

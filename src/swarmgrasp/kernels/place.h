@@ -12,6 +12,7 @@
 #include "facets.h"
 #include "sphere.h"
 
+#define FLOOR 1e-13 /* of the size: a gap between bound and best that is not worth closing */
 #define LIMITS 2  /* pool rows kept for the piece at hand */
 #define EXTRAS 32 /* robots that may join before a tree is built anew */
 
@@ -38,8 +39,9 @@ typedef struct {
     const double *pieces;       /* (many, PIECE) where the newcomer may attach */
     int many;
     double weights[3];          /* turn its unit wrench [1, 1, m] into the metric's coordinates */
-    double reach;               /* its largest wrench [N] */
-    double size;                /* sum |b_i|, and that [N] */
+    double weight;              /* sum |b_i| [N] */
+    double reach;               /* the newcomer's largest wrench [N] */
+    double size;                /* both together */
     double error;               /* of a sum over the generators [N] */
     double quality, weakest[3]; /* of the base swarm */
     int is_small;               /* whether all facets are listed, and the pool has what matters */
@@ -76,8 +78,8 @@ int search_join(Search *search, const double *wrench, const double *pieces, int 
 int search_solve(Search *search, const char *chosen, double gap, int budget, Best *best,
                  Proof *proofs);
 
-/* Compute the exact quality with one more robot (c, s, torque), at the unit normal written. Below
- * `enough` any upper bound will do. */
+/* Compute the exact quality with one more robot (c, s, torque) that the pieces allow, or a weaker
+ * one, at the unit normal written. Below `enough` any upper bound will do. */
 int search_quality(Search *search, const double *wrench, double enough, double *quality,
                    double *normal);
 

@@ -1,13 +1,6 @@
 #include "quality.h"
 #include "vectors.h"
 
-double total_size(const double *generators, int n) {
-    double size = 0.0;
-    for (int i = 0; i < n; i++)
-        size += length(generators + 3 * i);
-    return size;
-}
-
 /* A unit vector across the largest generator; the last axis if there is none. */
 static void across_largest(const double *generators, int n, double *normal) {
     double b[3] = {1.0, 0.0, 0.0}, most = 0.0;
@@ -18,7 +11,7 @@ static void across_largest(const double *generators, int n, double *normal) {
                 b[k] = generators[3 * i + k] / most;
         }
     double axis[3] = {0.0, 0.0, 1.0};
-    if (fabs(b[2]) > 0.8) {
+    if (fabs(b[2]) > 0.8) { /* nearly along it */
         axis[1] = 1.0;
         axis[2] = 0.0;
     }

@@ -18,6 +18,4 @@ int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupt
  * plane, write a normal across it. */
 void round_quality(const double *generators, int n, double *quality, double *weakest);
 
-double total_size(const double *generators, int n);
-
 #endif

@@ -4,23 +4,21 @@
 #include "sphere.h"
 #include "vectors.h"
 
-#define LISTED 12         /* generators a triangle may be crossed by for its vertices to be listed */
-#define TRIES 2           /* cuts made in a cell before it is split */
-#define WORTH 0.4         /* share of the gap that a cut should close for another to be tried */
-#define ROUNDING 4e-15     /* of sum |c_i|: what evaluations may differ by */
-#define PARALLEL 1e-12      /* sine of the angle between generators that have no vertex */
-#define NOISE 1e-15         /* of a product m . c: what is left of 0 at a vertex */
-#define FUTILE 0.1        /* gap, relative to h and the edge squared, that only splitting closes */
-#define IDLE 100.0         /* times that: below the bound by more, a cut holds nothing up */
-#define SMALLEST 1e-13     /* edge of a triangle that is a point */
-#define DEPTH 100          /* of halvings until then, and more */
-#define LOCAL 256          /* generators that matter on a cell for it to be searched on its own, */
-#define FEW 32             /* or while the search is young: */
-#define LONG 1000          /* looks that see too many cost less than a long search saves */
-#define ON_PLANE 1e-14     /* sine of the angle within which a generator counts as crossed */
-#define CLOSE 1e-13        /* of h: how near a bound may be to the best */
-#define ROUNDS 256         /* cells between two looks at the keyboard */
-#define INSIDE 1e-6        /* of a triangle's edge: by how much a vertex may lie outside */
+#define LISTED 12        /* generators a triangle may be crossed by for its vertices to be listed */
+#define LOCAL 256        /* or to be searched on its own, with what matters there; */
+#define FEW 32           /* so many in a young search, where a look that sees more costs most */
+#define LONG 1000        /* cells until a search is no longer young */
+#define TRIES 2          /* cuts made in a cell before it is split */
+#define WORTH 0.4        /* share of the gap that a cut should close for another to be tried */
+#define FUTILE 0.1       /* gap, relative to h and the edge squared, that only splitting closes */
+#define ROUNDS 256       /* cells between two looks at the keyboard */
+#define CLOSE 1e-13      /* of h: how near a bound comes to the best */
+#define EVALUATION 4e-15 /* of sum |c_i|: what evaluations may differ by; */
+#define IDLE 100.0       /* times that: below the bound by more, a cut holds nothing up */
+#define NO_VERTEX 1e-12  /* sine of the angle between generators that have no vertex */
+#define INSIDE 1e-6      /* of a triangle's edge: by how much a vertex may lie outside */
+#define SMALLEST 1e-13   /* edge of a triangle that is a point, */
+#define DEPTH 100        /* halvings until then, and more */
 
 /* What matters on a cell: the generators that change sign on it, and the sum of those that are
  * positive on all of it. */
@@ -93,10 +91,10 @@ static double evaluate(Sphere *s, const Local *local, const double *m, double ro
     for (; b < end; b += 3)
         if (dot(m, b) > 0.0)
             add(g, b);
-    double value = larger(0.0, dot(g, m)), ratio = value / size_of(s->tree, m);
-    s->evaluations++;
-    if (ratio < s->best) {
-        s->best = ratio;
+    double value = larger(0.0, dot(g, m)), size = size_of(s->tree, m);
+    if (value / size < s->best) {
+        s->best = value / size;
+        s->tolerance = EVALUATION * s->weight * length(m) / size;
         memcpy(s->normal, m, sizeof s->normal);
     }
     return value;
@@ -173,7 +171,7 @@ static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
     for (int k = 0; k < count; k++)
         if (cell->cuts < PLANES && dot(rows[k], share) >= bound - IDLE * tolerance) {
             memcpy(cell->cut[cell->cuts], cuts[k], sizeof cuts[k]);
-            memcpy(rows[cell->cuts++], rows[k], sizeof rows[k]);
+            memmove(rows[cell->cuts++], rows[k], sizeof rows[k]);
         }
 }
 
@@ -261,7 +259,7 @@ static void list_vertices(Sphere *s, const Cell *cell, const Local *local) {
             double m[3];
             const double *p = c + 3 * a, *q = c + 3 * b;
             cross(p, q, m);
-            if (length(m) <= PARALLEL * length(p) * length(q))
+            if (length(m) <= NO_VERTEX * length(p) * length(q))
                 continue;
             int side = is_inside(cell->corner, m);
             if (side == 0)
@@ -331,8 +329,9 @@ static double enough(const Sphere *s) {
     return s->best - larger(CLOSE * s->best, s->tolerance);
 }
 
-/* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts. */
-static void finish(Sphere *s, const Cell *cell, const Local *local, double *room) {
+/* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts,
+ * down to so many halvings. */
+static void finish(Sphere *s, const Cell *cell, const Local *local, double *room, int depth) {
     Cell own = *cell, halves[2];
     double scaled[9];
     if (local->count <= LISTED) {
@@ -341,7 +340,7 @@ static void finish(Sphere *s, const Cell *cell, const Local *local, double *room
     }
     scale_corners(s->tree, cell, scaled);
     tighten(s, &own, local, scaled, s->best, tries_for(s, cell));
-    if (own.bound >= enough(s) || extent(cell) <= SMALLEST)
+    if (own.bound >= enough(s) || extent(cell) <= SMALLEST || depth == 0)
         return;
     halve(&own, halves, halves + 1);
     for (int k = 0; k < 2; k++) {
@@ -354,7 +353,7 @@ static void finish(Sphere *s, const Cell *cell, const Local *local, double *room
         Local part = {.vectors = room};
         memcpy(part.sum, local->sum, sizeof part.sum);
         if (half->bound < enough(s) && sift(half, local->vectors, local->count, LOCAL, &part))
-            finish(s, half, &part, room + 3 * part.count);
+            finish(s, half, &part, room + 3 * part.count, depth - 1);
     }
 }
 
@@ -407,13 +406,12 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
     s->tree = tree;
     s->extra = extra;
     s->extras = extras;
-    double weight = tree->weight;
+    s->weight = tree->weight;
     for (int k = 0; k < extras; k++)
-        weight += length(extra + 3 * k);
-    s->tolerance = ROUNDING * weight;
+        s->weight += length(extra + 3 * k);
     s->best = below;
     Sphere kept = {0};
-    double *room = malloc(3 * LOCAL * (DEPTH + 1) * sizeof *room);
+    double *room = malloc(3 * LOCAL * (DEPTH + 2) * sizeof *room);
     int status = room ? begin(s, from, margin) : -1;
     for (long round = 1; status == 0 && s->cells > 0; round++) {
         double scaled[9];
@@ -427,7 +425,7 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
         }
         pop(s, &cell);
         if (look_closer(s, &cell, round < LONG ? FEW : LOCAL, &local)) {
-            finish(s, &cell, &local, room + 3 * local.count);
+            finish(s, &cell, &local, room + 3 * local.count, DEPTH);
             if (margin > 0.0)
                 status = push(&kept, &cell);
             continue;

@@ -8,7 +8,7 @@
 
 /* A triangle of directions and what bounds h on it, in whitened coordinates. */
 typedef struct {
-    double bound;           /* no unit normal in the triangle has a smaller h */
+    double bound;           /* no unit normal in the triangle has a smaller h, but for rounding */
     double corner[9];       /* unit in whitened coordinates */
     double cut[PLANES][3];  /* gradients of h: each g . m <= h(m) everywhere */
     int cuts;
@@ -19,25 +19,26 @@ typedef struct {
     const Tree *tree;
     const double *extra;    /* (extras, 3) more generators, whitened */
     int extras;
-    double tolerance;       /* of h, that is rounding */
+    double weight;          /* sum |c_i|, with them */
+    double tolerance;       /* of h near the best normal, that is rounding */
     double best, normal[3]; /* least h so far, and the normal, whitened */
     Cell *cell;             /* a heap, least bound first */
     int cells, room;
-    long evaluations;
 } Sphere;
 
 /* Find the least h(n) over unit normals, of a tree and a few generators more.
  *
  * `from` are cells of an earlier run to begin with, which had the first of these only, or NULL for
- * all directions. `margin`: keep
- * the cells in which h may be less than the least h + margin, for later runs; 0 keeps none.
- * A value of `below` or more is not wanted, and `best` is then `below`; one of `zero` or
- * less is as good as 0, and the first to be found.
+ * all directions. `margin`: keep the cells in which h may be less than the least h + margin, for
+ * later runs; 0 keeps none. A value of `below` or more is not wanted, and `best` is then `below`;
+ * one of `zero` or less is as good as 0, and the first to be found.
  *
  * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, -2 if
  * interrupted. */
 int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, int extras,
-                  const Sphere *from, double margin, double below, double zero, int (*interrupted)(void));
+                  const Sphere *from, double margin, double below, double zero,
+                  int (*interrupted)(void));
+
 /* Return the least h found, and write its unit normal. */
 double sphere_best(const Sphere *sphere, double *normal);
 

@@ -5,7 +5,6 @@
 #include "sector.h"
 #include "vectors.h"
 
-#define PI 3.14159265358979323846
 #define CANDIDATES 144   /* size of the first grid over all tied pieces together */
 #define ZOOMS 3          /* how often a finer grid is laid around the best candidate */
 #define AROUND 5         /* side of the finer grid */
@@ -56,6 +55,7 @@ static void fill_field(const Search *s, Field *field) {
         for (int c = 0; c < 3; c++)
             field->m[c][k] = n[c] * s->weights[c];
     }
+    /* few robots, or none: the newcomer's own size sets the scale */
     mean = larger(mean, 0.25 * hypot(s->weights[0], s->weights[1]));
     for (int k = 0; k < DIRECTIONS; k++) {
         field->height[k] = field->height[k] / mean + SOFTNESS;

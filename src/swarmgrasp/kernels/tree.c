@@ -2,17 +2,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "vectors.h"
 #include "tree.h"
+#include "vectors.h"
 
 #define LEAF 8               /* generators in a leaf, at most, unless they point alike */
-#define GRID 1073741823.0    /* (u, v) as 30 bits each */
+#define GRID 1073741823.0    /* (u, v) as 30 bits each, */
+#define FACE 60              /* and the face above them */
 #define FLATTEST 1e-16       /* of C's pivots, relative to its trace: what rounding leaves of it */
 #define EVEN 0.1             /* least share of the trace of C that is near enough to a third */
 #define STEPS 8              /* towards that, at most */
-#define PARALLEL 1e-15       /* difference of (u, v) that is rounding */
+#define ALIKE 1e-15          /* difference of (u, v) that is rounding */
 #define SWOLLEN 4e-16        /* by which a rectangle is widened */
-#define ON_PLANE 1e-14       /* sine of the angle within which a generator counts as crossed */
 
 typedef struct {
     uint64_t key;
@@ -109,7 +109,7 @@ static uint64_t key_of(const double *c) {
     double uv[2];
     place_on(face, c, uv);
     uint64_t i = (uint64_t)((uv[0] + 1.0) * 0.5 * GRID), j = (uint64_t)((uv[1] + 1.0) * 0.5 * GRID);
-    return (uint64_t)face << 60 | spread(j) << 1 | spread(i);
+    return (uint64_t)face << FACE | spread(j) << 1 | spread(i);
 }
 
 static int highest_bit(uint64_t x) {
@@ -144,7 +144,8 @@ static void sort_items(Item **items, Item **spare, size_t n) {
 static void grow(Tree *tree, const Item *items, int first, int last) {
     int here = tree->nodes++;
     Node *node = tree->node + here;
-    *node = (Node){.first = first, .face = face_of(tree->vectors + 3 * first)};
+    /* by its key: adding up parallel neighbours may have turned a tie of components */
+    *node = (Node){.first = first, .face = (int)(items[first].key >> FACE)};
     uint64_t differ = items[first].key ^ items[last - 1].key;
     if (last - first <= LEAF || differ == 0) {
         double low[2] = {2.0, 2.0}, high[2] = {-2.0, -2.0};
@@ -193,19 +194,18 @@ static void grow(Tree *tree, const Item *items, int first, int last) {
     node->skip = tree->nodes;
 }
 
-static int is_parallel(const double *a, const double *b) {
-    int face = face_of(a);
+static int is_parallel(int face, const double *a, const double *b) {
     double p[2], q[2];
-    if (face != face_of(b))
-        return 0;
     place_on(face, a, p);
     place_on(face, b, q);
-    return fabs(p[0] - q[0]) <= PARALLEL && fabs(p[1] - q[1]) <= PARALLEL;
+    return fabs(p[0] - q[0]) <= ALIKE && fabs(p[1] - q[1]) <= ALIKE;
 }
 
 int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load) {
     memset(tree, 0, sizeof *tree);
-    tree->whiten[0] = tree->whiten[2] = tree->whiten[5] = 1.0;
+    /* forces in any unit come to a total near 1 */
+    double total = total_size(generators, count);
+    tree->whiten[0] = tree->whiten[2] = tree->whiten[5] = total > 0.0 ? 1.0 / total : 1.0;
     for (int step = 0; step < STEPS; step++) {
         double w[6];
         if (improve_whitening(w, tree, generators, count))
@@ -213,6 +213,7 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
         memcpy(tree->whiten, w, sizeof w);
     }
     tree_whiten(tree, load, tree->load);
+    tree->weight = length(tree->load);
     size_t room = count > 0 ? (size_t)count : 1;
     Item *items = malloc(room * sizeof *items), *spare = malloc(room * sizeof *spare);
     tree->vectors = malloc(3 * room * sizeof *tree->vectors);
@@ -234,7 +235,9 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
     for (size_t i = 0; i < n; i++) {
         double *c = tree->vectors + 3 * size;
         tree_whiten(tree, generators + 3 * (ptrdiff_t)items[i].index, c);
-        if (size > 0 && is_parallel(c - 3, c)) {
+        int face = (int)(items[i].key >> FACE);
+        if (size > 0 && items[size - 1].key >> FACE == items[i].key >> FACE
+            && is_parallel(face, c - 3, c)) {
             for (int k = 0; k < 3; k++)
                 c[k - 3] += c[k];
             continue;
@@ -249,7 +252,7 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
         if (!tree->node)
             goto failed;
         for (int first = 0, last = 0; first < size; first = last) {
-            while (last < size && items[last].key >> 60 == items[first].key >> 60)
+            while (last < size && items[last].key >> FACE == items[first].key >> FACE)
                 last++;
             grow(tree, items, first, last); /* one for each square */
         }

@@ -14,6 +14,8 @@
 
 #include <stddef.h>
 
+#define ON_PLANE 1e-14 /* sine of the angle within which a generator counts as crossed */
+
 typedef struct {
     double sum[3];     /* of the generators below */
     double middle[2];  /* of the rectangle */
@@ -30,7 +32,7 @@ typedef struct {
     Node *node;           /* (nodes,) each before those below it */
     double whiten[6];     /* M: m00, m10, m11, m20, m21, m22 */
     double load[3];       /* a steady wrench, whitened: h(n) = n . load + sum max(0, n . b_i) */
-    double weight;        /* sum |c_i| */
+    double weight;        /* sum |c_i|, and the load's size */
 } Tree;
 
 /* Build the tree of `count` generators (count, 3) and a load (3,). Returns 0, or -1 without

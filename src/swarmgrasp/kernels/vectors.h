@@ -1,9 +1,12 @@
-/* Vectors in three dimensions, and memory that may run out. */
+/* Vectors in three dimensions. */
 #ifndef SWARMGRASP_VECTORS_H
 #define SWARMGRASP_VECTORS_H
 
 #include <math.h>
 #include <stddef.h>
+
+#define PI 3.14159265358979323846
+#define NOISE 1e-15 /* of a product of vectors at right angles: what rounding leaves of 0 */
 
 static inline double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -22,6 +25,14 @@ static inline void add(double *a, const double *b) {
 }
 
 static inline double length(const double *a) { return sqrt(dot(a, a)); }
+
+/* The sum of |b_i| of generators (n, 3). */
+static inline double total_size(const double *generators, ptrdiff_t n) {
+    double size = 0.0;
+    for (ptrdiff_t i = 0; i < n; i++)
+        size += length(generators + 3 * i);
+    return size;
+}
 
 static inline double larger(double a, double b) { return a > b ? a : b; }
 

@@ -12,8 +12,6 @@ from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.quality.weakest import MARGINAL, Weakest
 
-FLOOR = 1e-13
-"""Gap between bound and best, relative to the sizes of all wrenches, that is not worth closing."""
 MOST_NORMALS = 200_000
 """Normals met on the way after which a search stops with the bound it has; some 10 are usual."""
 
@@ -120,7 +118,7 @@ class Search:
         """Read what is known before any search."""
         self.base = Weakest(self._core.quality, self._core.weakest)
         self.opposite = self._core.height(*(-n for n in self.base.normal))
-        self.floor, self.zero = FLOOR * self._core.size, MARGINAL * self._core.size
+        self.floor, self.zero = core.FLOOR * self._core.size, MARGINAL * self._core.size
         self._many = len(rows)
 
     def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Optimum:
@@ -134,7 +132,8 @@ class Search:
         """
         mask = None
         if chosen is not None:
-            mask = bytes(k in set(chosen) for k in range(self._many))
+            wanted = set(chosen)
+            mask = bytes(k in wanted for k in range(self._many))
         solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask, MOST_NORMALS)
         normals = self._core.normals()  # kept: joining robots change them
         return Optimum(solved, Best(*best), bound, bounds, rows, shares, normals)

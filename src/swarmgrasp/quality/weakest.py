@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from swarmgrasp.errors import WrenchInvalid
 from swarmgrasp.kernels import core
 
-MARGINAL = 1e-12
+MARGINAL = core.MARGINAL
 """Quality relative to sum |b_i| at and below which it counts as zero."""
 
 

@@ -28,7 +28,7 @@ def best_possible(
     ----------
     heights : Heights
     rows : (k, 10)
-        The pieces; see `piece_rows`.
+        The pieces; see `Pieces`.
     weights : (3,) [N, N, N/m]
         Turn a unit wrench [1, 1, m] of the newcomer into the metric's coordinates.
     proofs : sequence of Proof
@@ -58,7 +58,7 @@ def most_along(rows: Array, covector: Array) -> Array:
     Parameters
     ----------
     rows : (k, 10)
-        See `piece_rows`.
+        See `Pieces`.
     covector : (3,) [N, N, N/m]
         v, for a unit wrench [1, 1, m].
 
