@@ -3,9 +3,13 @@
 import signal
 import subprocess
 import sys
+import threading
 import time
 
+import numpy as np
 import pytest
+
+from swarmgrasp.quality.weakest import weakest_of
 
 RING = """
 import numpy as np
@@ -30,3 +34,16 @@ def test_a_search_is_interrupted_from_the_keyboard():
         run.send_signal(signal.SIGINT)
         said, _ = run.communicate(timeout=5.0)
     assert said == "stopped\n"
+
+
+def test_other_threads_go_on():
+    """While one computes, the others are not kept waiting."""
+    turn = np.arange(20_000) * (np.pi / 10_000)
+    ring = np.column_stack([np.cos(turn), np.sin(turn), 0.3 * (-1.0) ** np.arange(len(turn))])
+    worker = threading.Thread(target=weakest_of, args=(ring,))
+    worker.start()
+    ticks = 0
+    while worker.is_alive():
+        time.sleep(0.005)
+        ticks += 1
+    assert ticks > 10

@@ -26,6 +26,7 @@ from swarmgrasp import (
 )  # fmt: skip
 from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
 from swarmgrasp.placement import read_answer, recompute, verify, verify_document, write_answer
+from swarmgrasp.placement.digest import digest_of
 from swarmgrasp.placement.document import document_of
 
 
@@ -423,3 +424,18 @@ def test_the_check_shares_no_code_with_the_search():
     form = {f"swarmgrasp.placement.{name}" for name in ("claims", "digest", "recompute")}
     assert ours <= form | {"swarmgrasp.errors"}
     assert not names & {"shapely", "importlib"}
+
+
+def test_of_many_robots_the_qualities_are_bounded_from_above(monkeypatch):
+    """Said as taken on trust; one that is too high is still found out, and so is a false bound."""
+    monkeypatch.setattr(recompute, "MOST_SWEPT", 4)
+    monkeypatch.setattr(verify, "MOST_SWEPT", 4)
+    honest = document_of(place(SWARM, NEWCOMER))
+    verdict = verify_document(honest)
+    assert verdict, verdict.faults
+    assert "bounded from above only" in verdict.unchecked[0]
+    for key, factor in (("quality", 1.05), ("quality_before", 1.3), ("upper_bound", 0.9)):
+        forged = copy.deepcopy(honest)
+        forged["placements"][0][key] *= factor
+        forged["digest"] = digest_of(forged)
+        assert not verify_document(forged)

@@ -100,6 +100,7 @@ def data_of(document: dict[str, Any], verdict: "Verdict") -> dict[str, Any]:
         "verified": bool(verdict),
         "faults": list(verdict.faults),
         "upper_bounds": [b if math.isfinite(b) else None for b in verdict.upper_bounds],
+        "unchecked": list(verdict.unchecked),
         "gap": gap if math.isfinite(gap) else None,
     }
 
@@ -153,6 +154,8 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
         "a bound for every allowed place."
     )
+    for trusted in verdict.unchecked:
+        report.sentence(f"Taken on trust: {trusted}.")
     report.sentence(
         "Checked is the answer to the question in the file, not whether the file asks your "
         "question; reasons given in words are not checked."

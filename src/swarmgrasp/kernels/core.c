@@ -8,7 +8,28 @@
 #include "quality.h"
 #include "sector.h"
 
-static int interrupted(void) { return PyErr_CheckSignals() != 0; }
+/* The thread's state while what it does leaves the interpreter to others, or NULL. */
+static _Thread_local PyThreadState *away;
+
+/* What takes long lets other threads run. */
+static void leave(int is_long) {
+    if (is_long)
+        away = PyEval_SaveThread();
+}
+
+static void come_back(void) {
+    if (away)
+        PyEval_RestoreThread(away);
+    away = NULL;
+}
+
+static int interrupted(void) {
+    int was_away = away != NULL;
+    come_back();
+    int status = PyErr_CheckSignals() != 0;
+    leave(was_away);
+    return status;
+}
 
 /* Get C-contiguous doubles, a multiple of `width` of them. */
 static int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
@@ -58,8 +79,11 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
         return NULL;
     int count = rows_of(&view, 3);
     int status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
-    if (status == 0)
+    if (status == 0) {
+        leave(count > SWEPT);
         status = exact_quality(&sweep, view.buf, count, interrupted, &quality, n);
+        come_back();
+    }
     sweep_free(&sweep);
     PyBuffer_Release(&view);
     if (status != 0)
@@ -87,12 +111,14 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
     if (result && sweep_room(&sweep, n <= SWEPT ? n : 0, load) == 0) {
         double *values = (double *)PyBytes_AsString(result), weakest[3];
         const double *generators = view.buf;
+        leave(count > 1);
         for (int k = 0; k < count && status == 0; k++) {
             status = exact_quality(&sweep, generators + (Py_ssize_t)3 * n * k, n, interrupted,
                                    values + k, weakest);
             if (status == 0 && k % 256 == 255 && interrupted())
                 status = -2;
         }
+        come_back();
     } else {
         status = -1;
     }
@@ -127,10 +153,14 @@ static Search *take(PyObject *object) {
         return NULL;
     }
     self->state = BUSY;
+    leave(!self->search.is_small);
     return &self->search;
 }
 
-static void give_back(PyObject *object) { ((SearchObject *)object)->state = NULL; }
+static void give_back(PyObject *object) {
+    come_back();
+    ((SearchObject *)object)->state = NULL;
+}
 
 /* Turn a status into an exception; OUT_OF_BUDGET is none. */
 static int is_fault(int status) {
@@ -188,8 +218,12 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
         PyErr_NoMemory();
         goto failed;
     }
-    if (is_fault(search_begin(&self->search, self->generators.buf, rows_of(&self->generators, 3),
-                              load, weights, self->pieces.buf, many, interrupted)))
+    int count = rows_of(&self->generators, 3);
+    leave(count > SWEPT);
+    int status = search_begin(&self->search, self->generators.buf, count, load, weights,
+                              self->pieces.buf, many, interrupted);
+    come_back();
+    if (is_fault(status))
         goto failed;
     return (PyObject *)self;
 failed:
@@ -273,25 +307,27 @@ static PyObject *search_break_tie_method(PyObject *object, PyObject *args) {
 static PyObject *search_join_method(PyObject *object, PyObject *args) {
     SearchObject *self = (SearchObject *)object;
     PyObject *pieces;
-    Py_buffer view, before = self->pieces;
+    Py_buffer view, before;
     double wrench[3];
     if (!PyArg_ParseTuple(args, "dddO:join", wrench, wrench + 1, wrench + 2, &pieces)
         || !are_finite(wrench) || get_pieces(pieces, &view))
         return NULL;
     int many = rows_of(&view, PIECE);
-    Proof *proofs = PyMem_Calloc((size_t)many, sizeof *proofs);
+    Proof *proofs = PyMem_Calloc((size_t)many, sizeof *proofs), *old = self->proofs;
     Search *s = proofs ? take(object) : NULL;
     if (!s) {
+        int is_full = !proofs;
         PyMem_Free(proofs);
         PyBuffer_Release(&view);
-        return proofs ? NULL : PyErr_NoMemory();
+        return is_full ? PyErr_NoMemory() : NULL;
     }
-    PyMem_Free(self->proofs);
+    before = self->pieces;
     self->proofs = proofs;
     self->pieces = view;
     int status = search_join(s, wrench, view.buf, many);
-    PyBuffer_Release(&before);
     give_back(object);
+    PyMem_Free(old);
+    PyBuffer_Release(&before);
     if (is_fault(status)) {
         self->state = BROKEN;
         return NULL;
@@ -322,9 +358,9 @@ static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
         return NULL;
     int count = rows_of(&view, 3), status = SOLVED;
     PyObject *result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
+    double *values = result ? (double *)PyBytes_AsString(result) : NULL, normal[3];
     Search *s = result ? take(object) : NULL;
     if (s) {
-        double *values = (double *)PyBytes_AsString(result), normal[3];
         for (int k = 0; k < count && status == SOLVED; k++) {
             status = search_quality(s, (const double *)view.buf + 3 * (Py_ssize_t)k, -INFINITY,
                                     values + k, normal);

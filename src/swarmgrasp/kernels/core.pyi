@@ -1,8 +1,8 @@
 """What the compiled kernels offer; the headers beside this file say how they work.
 
 Arrays are C-contiguous float64 of the sizes given and finite; anything else raises `ValueError`.
-What takes long looks at the keyboard in between, and raises `KeyboardInterrupt`; other threads
-wait meanwhile. A search that is called while it runs, as by a signal's handler, raises
+What takes long lets other threads run, looks at the keyboard in between, and raises
+`KeyboardInterrupt`. A search that is called while it runs, as by a signal's handler, raises
 `RuntimeError`.
 """
 

@@ -5,6 +5,12 @@
 #include "tree.h"
 #include "vectors.h"
 
+#ifdef __GNUC__
+#define FETCH(address) __builtin_prefetch(address)
+#else
+#define FETCH(address) ((void)0)
+#endif
+#define AHEAD 16             /* generators fetched before their turn */
 #define LEAF 8               /* generators in a leaf, at most, unless they point alike */
 #define GRID 1073741823.0    /* (u, v) as 30 bits each, */
 #define FACE 60              /* and the face above them */
@@ -234,6 +240,8 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
     int size = 0;
     for (size_t i = 0; i < n; i++) {
         double *c = tree->vectors + 3 * size;
+        if (i + AHEAD < n) /* they lie anywhere: waiting for each would take as long as sorting */
+            FETCH(generators + 3 * (ptrdiff_t)items[i + AHEAD].index);
         tree_whiten(tree, generators + 3 * (ptrdiff_t)items[i].index, c);
         int face = (int)(items[i].key >> FACE);
         if (size > 0 && items[size - 1].key >> FACE == items[i].key >> FACE

@@ -14,6 +14,10 @@ ABSOLUTE = 1e-12
 """Share of sum |b_i| that counts as rounding, and up to which a quality counts as 0."""
 ANGLE = 1e-9
 """Angle [rad] that counts as none."""
+MOST_SWEPT = 2000
+"""Robots up to which a quality is recomputed: a few seconds, growing with the square."""
+SPREAD = 500
+"""Directions in which a larger swarm's quality is bounded from above."""
 
 Array = NDArray[np.float64]
 
@@ -58,6 +62,24 @@ def exact_quality(generators: Array) -> float:
         least = min(least, float(0.5 * (width - skew).min()))
     zero = ABSOLUTE * float(sizes.sum())
     return least if zero < least < math.inf else 0.0
+
+
+def quality_within(generators: Array, normals: Array) -> tuple[float, float]:
+    """Bound the quality [N] from both sides; they are equal for up to `MOST_SWEPT` robots.
+
+    Of a larger swarm it is known only that no direction holds less: the given unit normals
+    (k, 3), their opposites, and others spread evenly on a Fibonacci spiral.
+    """
+    if len(generators) <= MOST_SWEPT:
+        return (exact_quality(generators),) * 2
+    k = np.arange(SPREAD)
+    z = 1.0 - (2.0 * k + 1.0) / SPREAD
+    radius, turn = np.sqrt(1.0 - z * z), k * math.pi * (3.0 - math.sqrt(5.0))
+    spiral = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), z])
+    least = math.inf
+    for normal in np.concatenate([normals, -normals, spiral]):
+        least = min(least, float(np.maximum(generators @ normal, 0.0).sum()))
+    return 0.0, least
 
 
 def units_of(vectors: list[tuple[float, float, float]]) -> Array | None:

@@ -186,7 +186,7 @@ class _Placing:
             opposite=search.opposite,
             upper_bound=max(found.upper_bound, winner.quality),
             tolerance=self.gap,
-            stopped_early=found.upper_bound > asked_for,
+            stopped_early=found.upper_bound > asked_for + (0.0 if winner.quality else search.zero),
             improves=winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero,
             runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),
             _found=found,
