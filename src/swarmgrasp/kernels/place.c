@@ -18,6 +18,10 @@
 #define AHEAD 8.0           /* robots still to join that the directions kept should do for */
 #define MARGIN 1e-9         /* of a bound, against rounding */
 
+/* Of a piece: a level just above the best is told from it by rounding alone in a COARSE one, and no
+ * level is in a SETTLED one. */
+enum { OPEN, COARSE, SETTLED };
+
 typedef struct {
     double v[3], size; /* only directions with (v[0], v[1]) . F >= v[2] reach the level */
     int i, j;          /* because these two demands clash elsewhere */
@@ -377,18 +381,18 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
                  Proof *proofs) {
     int status = SOLVED;
     s->most = budget < INT_MAX - s->count ? s->count + budget : INT_MAX;
-    char *settled = calloc((size_t)s->many, 1);
-    if (!settled)
+    char *progress = calloc((size_t)s->many, 1); /* OPEN */
+    if (!progress)
         return NO_MEMORY;
     for (int k = 0; chosen && k < s->many; k++)
-        settled[k] = !chosen[k];
+        progress[k] = chosen[k] ? OPEN : SETTLED;
     *best = (Best){s->quality, {0.0, 0.0, 0.0}, -1};
     first_proofs(s, proofs);
     for (long round = 1;; round++) {
         Proof trial;
         int k = -1;
         for (int j = 0; j < s->many; j++)
-            if (!settled[j] && (k < 0 || proofs[j].bound > proofs[k].bound
+            if (progress[j] != SETTLED && (k < 0 || proofs[j].bound > proofs[k].bound
                                 || (proofs[j].bound == proofs[k].bound && j == best->piece)))
                 k = j;
         if (k < 0)
@@ -400,7 +404,8 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
             status = INTERRUPTED;
             break;
         }
-        double share = best->piece >= 0 && best->piece != k ? PROBE : 0.5;
+        int is_probe = best->piece >= 0 && best->piece != k && progress[k] == OPEN;
+        double share = is_probe ? PROBE : 0.5;
         double level = before + share * (high - before);
         int outcome = reach(s, s->pieces + PIECE * k, level, best, &trial);
         if (best->quality > before)
@@ -408,16 +413,16 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
         if (outcome == REFUTED) {
             share_proof(s, &trial, proofs);
             if (proofs[k].bound - level > 0.5 * (high - level))
-                settled[k] = 1; /* rounding alone holds the bound up */
+                progress[k] = SETTLED; /* rounding alone holds the bound up */
         } else if (outcome == REACHED) {
-            if (best->quality - before < 0.5 * (level - before))
-                settled[k] = 1; /* reached by rounding alone */
+            if (best->quality - before < 0.5 * (level - before)) /* by rounding alone */
+                progress[k] = is_probe ? COARSE : SETTLED;
         } else {
             status = outcome;
             break;
         }
     }
-    free(settled);
+    free(progress);
     return status;
 }
 
