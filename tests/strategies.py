@@ -116,20 +116,6 @@ def problem_of(family, seed, n):
     return Problem(swarm, newcomer_of(rng, limit), zones, no_go, float(rng.choice([0.0, 0.05])))
 
 
-class Bare:
-    """Generators in the place of a swarm: any triples, with no object and no robots."""
-
-    metric_sentence = "none"
-    scale = np.ones(3)
-
-    def __init__(self, generators):
-        self.scaled_generators = self.generators = np.array(generators, dtype=float)
-
-    def __len__(self):
-        """Return the number of generators."""
-        return len(self.generators)
-
-
 seeds = st.integers(0, 2**32 - 1)
 swarms = st.builds(swarm_of, st.sampled_from(FAMILIES), seeds, st.integers(0, 12))
 """Few robots: every facet by the formula."""

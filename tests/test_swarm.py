@@ -1,5 +1,6 @@
 """Generators, the metric, and robots that hold nothing."""
 
+import copy
 import math
 import pickle
 import re
@@ -114,6 +115,14 @@ def test_the_metric_is_positive_and_finite(bad):
     assert "1e-100 <= value <= 1e+100 [m]" in caught.value.faults[0]
 
 
+@pytest.mark.parametrize("weights", [2.0, None, (1.0,), (1, 1, 1)])
+def test_the_force_weights_are_two(weights):
+    """Said together with what is wrong with the length."""
+    with pytest.raises(MetricInvalid, match="they should be two numbers") as caught:
+        Swarm(Outline(SQUARE), [], characteristic_length=0.0, force_weights=weights)
+    assert len(caught.value.faults) == 2
+
+
 # -- arrays -------------------------------------------------------------------------------
 
 
@@ -160,7 +169,7 @@ def test_a_newcomer_off_the_boundary_is_named_by_its_place_in_the_swarm():
 
 
 def test_arrays_are_copied_and_can_be_read_only():
-    """Neither the caller nor a reader can change a swarm; it survives a trip in a pickle."""
+    """Neither the caller nor a reader can change a swarm."""
     outline = Outline(SQUARE)
     given = crew_on(outline, 5)
     swarm = Swarm.from_arrays(outline, *given)
@@ -170,7 +179,21 @@ def test_arrays_are_copied_and_can_be_read_only():
     for array in (swarm.scale, *(getattr(swarm, name) for name in ARRAYS)):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 9.0
-    same_arrays(swarm, pickle.loads(pickle.dumps(swarm)))
+
+
+@pytest.mark.parametrize(
+    "copied", [copy.copy, copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))]
+)
+def test_a_copy_is_the_same_swarm_and_read_only(copied):
+    """With names, and with what was worked out before."""
+    swarm = Swarm(Outline(SQUARE), [Robot((1, 0), 0.5, name="ajax"), Robot((0, 1), 2.0)], 3.0)
+    swarm.scaled_generators  # noqa: B018 - kept from now on
+    twin = copied(swarm)
+    same_arrays(swarm, twin)
+    assert (twin.robots, twin.robot_label(0)) == (swarm.robots, "ajax")
+    assert twin.metric_sentence == swarm.metric_sentence
+    for array in (twin.scale, *(getattr(twin, name) for name in ARRAYS)):
+        assert not array.flags.writeable
 
 
 @pytest.mark.parametrize("empty", [[], [[]], np.empty((0, 2)), np.empty((2, 0))])

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +18,7 @@ from swarmgrasp.crew import (
     crew_of,
     robot_label,
 )
-from swarmgrasp.errors import MetricInvalid, OutlineInvalid
+from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid
 from swarmgrasp.outline import Outline
 from swarmgrasp.robot import STRONGEST, WEAKEST, Robot, numbers
 
@@ -163,6 +163,13 @@ class Swarm:
             _names=names,
         )
 
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Come back from a copy or a pickle, read-only again."""
+        vars(self).update(state)
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                _read_only(value)
+
     def __len__(self) -> int:
         """Return the number of robots."""
         return len(self.directions)
@@ -258,14 +265,24 @@ def wrenches(
     return found
 
 
+def check_swarm(swarm: object) -> None:
+    """Raise `RobotInvalid` unless something is a swarm."""
+    if not isinstance(swarm, Swarm):
+        kind = type(swarm).__name__
+        raise RobotInvalid(f"{kind} is no Swarm: make one with Swarm(outline, robots)")
+
+
 def check_metric(length: float, force_weights: tuple[float, float]) -> None:
     """Raise `MetricInvalid` unless all three numbers are positive and in range."""
     named = [("characteristic length", length, "m")]
-    weights = tuple(force_weights)
-    if len(weights) != 2:
-        raise MetricInvalid(f"the force weights are {weights!r}; they should be two numbers")
-    named += [(f"force weight a{i}", a, "1") for i, a in enumerate(weights, 1)]
-    faults = [
+    faults = []
+    try:
+        a1, a2 = force_weights
+    except (TypeError, ValueError):
+        faults.append(f"the force weights are {force_weights!r}; they should be two numbers")
+    else:
+        named += [("force weight a1", a1, "1"), ("force weight a2", a2, "1")]
+    faults += [
         f"the {name} is {value!r}; it should be {WEAKEST:g} <= value <= {STRONGEST:g} [{unit}]"
         for name, value, unit in named
         if not any(WEAKEST <= number <= STRONGEST for number in numbers((value,)))

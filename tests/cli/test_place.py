@@ -54,6 +54,13 @@ def test_a_coarse_answer_is_not_called_the_best(run, pontoon):
     assert said.startswith("Pontoon: best found place for E\n")
 
 
+@pytest.mark.parametrize(("asked", "told"), [([], "0.0001"), (["--gap", 1e-9], "0.0000000")])
+def test_a_gap_is_told_as_finely_as_asked_for(run, asked, told):
+    """Of the usual gap no more is said than that it is closed."""
+    _, said, _ = run("place", "deck-barge", *asked)
+    assert re.search(rf"no allowed place is better by more than {told}\d* %", said)
+
+
 def test_too_few_robots_are_told_how_many_it_takes(run, pontoon):
     """Force closure takes four: with one there, three more."""
     lines = pontoon.read_text().splitlines(keepends=True)

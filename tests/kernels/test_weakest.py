@@ -168,13 +168,29 @@ def test_many_swarms_at_once(n):
     assert values.tolist() == [weakest_of(B).quality for B in swarms]
 
 
+@pytest.mark.parametrize("empty", [[], np.zeros((0, 4, 3)), [[], []], np.zeros((2, 0, 3))])
+def test_many_swarms_of_nobody(empty):
+    """No swarms have no qualities, those of no robots have none each."""
+    assert qualities(empty).tolist() == [0.0] * len(empty)
+
+
+@pytest.mark.parametrize("unit", [1e-120, 1e120])
+def test_many_swarms_in_any_unit(unit):
+    """Up to the ends of the range; what rounding leaves beside it does not matter."""
+    B = np.array([draw("random", seed, 60) for seed in range(3)])
+    B /= np.abs(B).max(axis=2, keepdims=True)
+    B[:, 0] = [1.0, 1e-170, 0.0]
+    np.testing.assert_allclose(qualities(unit * B), unit * qualities(B), rtol=1e-12)
+
+
 def test_many_swarms_of_the_wrong_kind():
-    """What is wrong is named, and the first swarms at fault."""
-    assert qualities(np.zeros((0, 4, 3))).tolist() == []
+    """What is wrong is named, and the first generators at fault."""
     with pytest.raises(WrenchInvalid, match=r"shape \(4, 3\); it should be \(m, n, 3\)"):
         qualities(np.zeros((4, 3)))
     B = np.ones((3, 4, 3))
     B[1, 2, 0], B[2, 0, 0] = np.nan, np.inf
-    with pytest.raises(WrenchInvalid, match="swarm 1 has generators that") as caught:
+    with pytest.raises(
+        WrenchInvalid, match=r"generator 2 of swarm 1 is \[nan, 1.0, 1.0\]"
+    ) as caught:
         qualities(B)
     assert len(caught.value.faults) == 2

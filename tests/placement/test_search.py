@@ -1,6 +1,7 @@
 """The best place of all: bounds from both sides, and what every answer must obey."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -262,7 +263,11 @@ def test_the_gap_is_what_was_asked_for():
     [
         ({"gap": 0.0}, "the gap is 0.0; it should be 0 < gap < 1"),
         ({"gap": math.nan}, "the gap is nan"),
+        ({"gap": "x"}, "the gap is 'x'"),
+        ({"gap": None}, "the gap is None"),
+        ({"gap": 1e-6j}, "the gap is 1e-06j"),
         ({"runners_up": 1.5}, "runners_up is 1.5; it should be a fraction"),
+        ({"runners_up": True}, "runners_up is True; it should be a fraction"),
         ({"zones": []}, "give None for the whole boundary"),
         ({"spacing": -1.0}, "0 <= spacing < inf"),
         ({"no_go": [Stretch(0, 99)]}, "both ends should lie in"),
@@ -274,7 +279,23 @@ def test_bad_arguments_are_named(rest, says):
         place(THREE, Newcomer(), **rest)
 
 
-def test_a_sequence_of_none_is_refused():
-    """At least one robot."""
-    with pytest.raises(SwarmGraspError, match="the number of robots is 0"):
-        place_sequence(Problem(THREE, Newcomer()), 0)
+@pytest.mark.parametrize("count", [0, -1, 1.5, 2.0, True, "2", None, math.nan])
+def test_robots_are_counted_in_whole_numbers(count):
+    """At least one, told before any search."""
+    says = re.escape(f"the number of robots is {count!r}; it should be a whole number, at least 1")
+    with pytest.raises(SwarmGraspError, match=says):
+        place_sequence(Problem(THREE, Newcomer()), count)
+
+
+def test_numbers_of_numpy_count_as_numbers():
+    """A count, a gap and a fraction from arrays."""
+    asked = {"gap": np.float32(1e-3), "runners_up": np.int64(1)}
+    (answer,) = place_sequence(Problem(THREE, Newcomer()), np.int64(1), **asked)
+    assert answer.verify()
+
+
+def test_all_arguments_of_a_sequence_are_told_at_once():
+    """Also that a swarm is no problem yet."""
+    with pytest.raises(SwarmGraspError, match=r"^Swarm is no Problem: make one with") as caught:
+        place_sequence(THREE, 0, gap=1.0, runners_up=-1.0)
+    assert len(caught.value.faults) == 4

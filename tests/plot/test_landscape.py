@@ -1,4 +1,5 @@
 import math
+import re
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from swarmgrasp import (
     place,
     qualities_with,
 )
+from swarmgrasp.errors import RobotInvalid, SwarmGraspError
 from swarmgrasp.plot import landscape
 from swarmgrasp.quality import quality
 
@@ -30,6 +32,24 @@ def test_the_grid_is_the_quality_of_each_swarm_with_one_more(crowd, count):
     for value, (contact, direction) in zip(values, pairs, strict=True):
         truth = quality(base.with_robot(Robot(contact, direction, 1.5))).value
         assert value == pytest.approx(truth, abs=1e-12)
+
+
+def test_newcomers_need_a_swarm():
+    with pytest.raises(RobotInvalid, match="NoneType is no Swarm: make one with"):
+        qualities_with(None, [(0, 0)], [0.0])
+
+
+@pytest.mark.parametrize("wrong", [(0, 5), (-1, 5), (2.5, 5), (True, 5), 5, (5,), "34", None])
+def test_a_grid_has_columns_and_rows(placement, wrong):
+    says = re.escape(f"the resolution is {wrong!r}; it should be two whole numbers")
+    with pytest.raises(SwarmGraspError, match=says):
+        cell_qualities(placement.problem, wrong)
+
+
+def test_what_is_wrong_with_a_grid_is_told_at_once(crowd):
+    with pytest.raises(SwarmGraspError, match="Swarm is no Problem") as caught:
+        cell_qualities(crowd, (0, 0))
+    assert len(caught.value.faults) == 2
 
 
 @pytest.mark.parametrize("attachment", ["push", "pull", "free"])

@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 import reference
 from cases import QUALITIES, swarm_of_case
-from strategies import Bare, large_swarms, seeds, swarms
+from strategies import large_swarms, seeds, swarms
 from swarmgrasp import ForceClosure, Outline, Robot, Swarm, WrenchSet, quality
+from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.scenario import load_example
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -175,7 +177,7 @@ def test_a_small_change_is_a_small_change(swarm, seed):
     rng = np.random.default_rng(seed)
     B = swarm.scaled_generators
     change = 10.0 ** rng.uniform(-9, 1) * rng.normal(size=B.shape)
-    before, after = (quality(Bare(G)).value for G in (B, B + change))
+    before, after = (weakest_of(G).quality for G in (B, B + change))
     allowed = np.linalg.norm(change, axis=1).sum()
     assert abs(after - before) <= allowed * (1.0 + 1e-9) + 1e-12 * size(swarm)
 
@@ -245,3 +247,10 @@ def test_all_through_one_point_is_no_closure():
     answer = quality(Swarm(SQUARE, robots, 1.0))
     assert (answer.value, answer.force_closure) == (0.0, ForceClosure.NO)
     assert answer.facet_robots == tuple(range(12))
+
+
+@pytest.mark.parametrize("stranger", [None, [Robot((0, 0), 0.0)]])
+def test_only_a_swarm_has_a_quality(stranger):
+    """Robots without an object have none."""
+    with pytest.raises(RobotInvalid, match=f"{type(stranger).__name__} is no Swarm: make one"):
+        quality(stranger)

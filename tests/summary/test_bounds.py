@@ -1,5 +1,8 @@
 """What a summary says is true of every swarm it may stand for."""
 
+import copy
+import pickle
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,7 +13,7 @@ from reference import quality as slow_quality
 from strategies import FAMILIES, swarm_of
 from summary.crowds import KINDS, crowd, directions
 from swarmgrasp import quality
-from swarmgrasp.errors import SummaryInvalid, SwarmGraspError, WrenchInvalid
+from swarmgrasp.errors import RobotInvalid, SummaryInvalid, SwarmGraspError, WrenchInvalid
 from swarmgrasp.summary import Summary
 from swarmgrasp.summary.heights import greatest_mean
 
@@ -126,6 +129,9 @@ def test_the_greatest_mean_is_that_of_no_distribution_exceeded(seed):
         ([[0, 0, 1], [0, np.nan, 1]], 1024, WrenchInvalid, "generator 1"),
         ([[0, np.inf, 1]], 1024, WrenchInvalid, "generator 0"),
         ([[0, 1e-200, 0]], 1024, WrenchInvalid, "1e-120 <= size"),
+        ("abc", 1024, WrenchInvalid, "of type <U3"),
+        ([[0, 0, 1j]], 1024, WrenchInvalid, "of type complex128"),
+        ([[0, 0, 1], [0]], 1024, WrenchInvalid, "rows of different lengths"),
         ([[0, 0, 1.0]], 11, SummaryInvalid, "the number of bins is 11"),
         ([[0, 0, 1.0]], 1e3, SummaryInvalid, "a whole number"),
     ],
@@ -135,3 +141,30 @@ def test_bad_input_is_named(generators, bins, error, says):
     with pytest.raises(error, match=says):
         Summary.from_generators(generators, bins)
     assert issubclass(error, SwarmGraspError)
+
+
+@pytest.mark.parametrize("origin", [(0,), (0, 0, 0), (0, np.nan), 3.0, None])
+def test_the_origin_is_a_point(origin):
+    """Two finite numbers."""
+    with pytest.raises(SummaryInvalid, match="it should be two finite numbers"):
+        Summary.from_generators([[0, 0, 1.0]], origin=origin)
+
+
+@pytest.mark.parametrize("stranger", [None, Summary.from_generators([[0, 0, 1.0]])])
+def test_only_a_swarm_is_summarised(stranger):
+    """A summary is one already."""
+    with pytest.raises(RobotInvalid, match=f"{type(stranger).__name__} is no Swarm"):
+        Summary.of(stranger)
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
+def test_a_copy_is_the_same_summary_and_read_only(copied):
+    """It says the same, also once it was asked."""
+    summary = Summary.from_generators(crowd("round", 4, 200))
+    before = summary.quality()
+    twin = copied(summary)
+    assert twin.to_bytes() == summary.to_bytes()
+    assert (twin.quality().lower, twin.quality().upper) == (before.lower, before.upper)
+    m = twin.moments
+    for array in (twin.total, m.cells, m.weights, m.means, m.covariances, twin.quality().direction):
+        assert not array.flags.writeable

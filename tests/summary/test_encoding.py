@@ -81,6 +81,8 @@ def test_every_cut_and_every_addition_is_noticed():
         (altered("records", 4), "has 176 bytes; these are 194"),
         (altered("count", 4), "4 robots cannot occupy 5 bins"),
         (altered("count", 0), "no robots at all"),
+        (altered("count", 2**63), "is 9223372036854775808; it should be below"),
+        (altered("count", 2**64 - 1), "should be below"),
         (altered("total", [0, np.nan, 0]), "the sum of all generators is not finite"),
         (altered("total", [0, 0, 1e9]), "longer than all bins together"),
         (altered("rounding", -1e-9), "the rounding is -1e-09"),
@@ -105,6 +107,14 @@ def test_nonsense_with_a_right_checksum_is_refused(data, says):
     """Each number out of its range is named."""
     with pytest.raises(SummaryInvalid, match=says):
         Summary.from_bytes(data)
+
+
+def test_more_robots_than_python_can_count():
+    """The most there may be has a length; it and one more are too many."""
+    most = Summary.from_bytes(altered("count", 2**63 - 1))
+    assert len(most) == 2**63 - 1
+    with pytest.raises(SummaryInvalid, match=r"they have 9223372036854775812 robots together"):
+        most + Summary.from_bytes(FIVE)
 
 
 @given(st.integers(0, 2**32 - 1))

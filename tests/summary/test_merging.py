@@ -74,5 +74,7 @@ def test_only_like_summaries_are_merged():
             a + b
     with pytest.raises(SummaryInvalid, match="no summaries"):
         Summary.merge([])
+    with pytest.raises(SummaryInvalid, match="3 is no Summary\nNone is no Summary"):
+        Summary.merge([a, 3, None])
     with pytest.raises(TypeError):
         a + 1

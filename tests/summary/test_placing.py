@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import FAMILIES, problem_of, rectangle
 from summary.crowds import summary_of
 from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place, quality
-from swarmgrasp.errors import NowhereToAttach, SummaryInvalid, ZoneInvalid
+from swarmgrasp.errors import NowhereToAttach, OutlineInvalid, SummaryInvalid, ZoneInvalid
 from swarmgrasp.summary import Summary
 
 seeds = st.integers(0, 2**32 - 1)
@@ -91,6 +91,8 @@ def test_questions_that_have_no_answer():
     summary = summary_of("round", 1, 30)
     with pytest.raises(SummaryInvalid, match=r"the outline's origin is \(1.0, 1.0\)"):
         summary.place(Outline(SQUARE.vertices, origin=(1, 1)), Newcomer())
+    with pytest.raises(OutlineInvalid, match="None is no outline"):
+        summary.place(None, Newcomer())
     with pytest.raises(ZoneInvalid, match="both ends should lie in"):
         summary.place(SQUARE, Newcomer(), [Zone(Stretch(7.0, 9.0))])
     with pytest.raises(NowhereToAttach):

@@ -9,6 +9,8 @@ from swarmgrasp.robot import Robot
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
+FINE = 1e-6
+"""Relative gap, 0.0001 %, below which it is not told to the digit unless asked for."""
 COARSE = 1e-3
 """Relative gap above which an answer is the best found, and not called the best."""
 
@@ -192,9 +194,15 @@ def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
         said = "no allowed place is better"
     else:
         said = (
-            f"no allowed place is better by more than {percent(answer.gap / answer.quality)}"
+            f"no allowed place is better by more than {_most(answer)}"
             if answer.quality
             else f"no allowed place exceeds {unit.text(answer.upper_bound)}"
         )
     early = "; the search stopped before the gap asked for" if answer.stopped_early else ""
     return f"{said} (upper bound {unit.text(answer.upper_bound)}){early}" if bound else said + early
+
+
+def _most(answer: Placement) -> str:
+    """Say by what share another place may be better, at most."""
+    share = answer.gap / answer.quality
+    return "0.0001 %" if share <= FINE <= answer.tolerance else percent(share)

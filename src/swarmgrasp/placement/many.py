@@ -6,11 +6,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.crew import NAMELESS, check_contacts, checked_crew
+from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.placement.optimum import Search
 from swarmgrasp.placement.pieces import pieces_of
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import is_whole
 from swarmgrasp.robot import Newcomer
-from swarmgrasp.swarm import Swarm, wrenches
+from swarmgrasp.swarm import Swarm, check_swarm, wrenches
 
 
 def qualities_with(
@@ -33,7 +35,7 @@ def qualities_with(
     Raises
     ------
     RobotInvalid, RobotOffBoundary
-        As for `Swarm.from_arrays`.
+        As for `Swarm.from_arrays`, and if the swarm is none.
 
     Examples
     --------
@@ -45,6 +47,7 @@ def qualities_with(
     >>> qualities_with(three, [(0.4, -1), (0.4, 1)], [-pi / 2, pi / 2]).round(6).tolist()
     [0.696311, 0.0]
     """
+    check_swarm(swarm)
     crew = checked_crew(contacts, directions, limits, False)
     check_contacts(swarm.outline, crew, NAMELESS)
     if not len(crew.limits):
@@ -64,13 +67,21 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     problem : Problem
     resolution : tuple of int
         Columns (arc lengths within [0, perimeter]) and rows (directions within
-        [-pi, pi]).
+        [-pi, pi]), at least 1 of each.
 
     Returns
     -------
     (columns, rows) [N]
         nan where nothing is allowed.
+
+    Raises
+    ------
+    SwarmGraspError
+        If `problem` is no `Problem`, or the resolution not two such numbers.
+    NowhereToAttach
+        If no allowed point is left.
     """
+    _check_question(problem, resolution)
     outline = problem.swarm.outline
     columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
     rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
@@ -92,6 +103,22 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
         cells = np.ix_(where, which)
         grid[cells] = np.fmax(grid[cells], search.qualities_with(robots))
     return grid
+
+
+def _check_question(problem: object, resolution: object) -> None:
+    """Raise unless it is a problem, and there are columns and rows."""
+    faults = []
+    if not isinstance(problem, Problem):
+        kind = type(problem).__name__
+        faults.append(f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
+    sides = resolution if isinstance(resolution, tuple | list) else ()
+    if len(sides) != 2 or not all(is_whole(n) and n >= 1 for n in sides):
+        faults.append(
+            f"the resolution is {resolution!r}; it should be two whole numbers, columns and rows, "
+            "at least 1 of each"
+        )
+    if faults:
+        raise SwarmGraspError(faults)
 
 
 def _samples(

@@ -2,6 +2,9 @@
 
 import math
 from collections.abc import Callable, Iterable
+from typing import TypeGuard
+
+import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
@@ -75,7 +78,9 @@ def place(
     problem = Problem(
         swarm, newcomer, None if zones is None else tuple(zones), tuple(no_go), spacing
     )
-    _check_fractions(gap, runners_up)
+    faults = _fraction_faults(gap, runners_up)
+    if faults:
+        raise SwarmGraspError(faults)
     return _Placing(problem, gap).placement(runners_up)
 
 
@@ -112,7 +117,8 @@ def place_sequence(
     NowhereToAttach
         If spacing leaves no point to one of them; the message says how many fit.
     SwarmGraspError
-        If `count`, `gap` or `runners_up` is outside its range.
+        If `problem` is no `Problem`, or `count`, `gap` or `runners_up` outside its range; all
+        faults at once.
 
     Examples
     --------
@@ -128,9 +134,16 @@ def place_sequence(
     >>> fifth.improves, sixth.improves
     (False, True)
     """
-    if count < 1:
-        raise SwarmGraspError(f"the number of robots is {count}; it should be at least 1")
-    _check_fractions(gap, runners_up)
+    faults = _fraction_faults(gap, runners_up)
+    if not is_whole(count) or count < 1:
+        faults.insert(
+            0, f"the number of robots is {count!r}; it should be a whole number, at least 1"
+        )
+    if not isinstance(problem, Problem):
+        kind = type(problem).__name__
+        faults.insert(0, f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
+    if faults:
+        raise SwarmGraspError(faults)
     placing = _Placing(problem, gap)
     answers: list[Placement] = []
     for index in range(1, count + 1):
@@ -151,13 +164,13 @@ class _Placing:
     """One problem on its way to an answer."""
 
     def __init__(self, problem: Problem, gap: float) -> None:
-        self.problem, self.gap = problem, gap
+        self.problem, self.gap = problem, float(gap)
         self.pieces = problem.pieces()
         swarm = problem.swarm
         weights = swarm.scale * problem.newcomer.limit
         self.search = Search(swarm.scaled_generators, weights, self.pieces.rows)
         # half of the gap is the search's, the other half the tie-break's
-        self.half = math.sqrt(1.0 + gap) - 1.0
+        self.half = math.sqrt(1.0 + self.gap) - 1.0
 
     def placement(self, fraction: float | None, index: int | None = None) -> Placement:
         """Answer the problem."""
@@ -233,12 +246,21 @@ class _Placing:
         return [pair for pair in runners if pair[0].quality >= least]
 
 
-def _check_fractions(gap: float, runners_up: float | None) -> None:
-    """Raise unless both are in their ranges."""
+def is_whole(value: object) -> bool:
+    """Tell whether a value counts something: True and 2.0 do not."""
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
+def _fraction_faults(gap: object, runners_up: object) -> list[str]:
+    """Return what is wrong with them."""
     faults = []
-    if not 0.0 < gap < 1.0:
+    if not (_is_real(gap) and 0.0 < gap < 1.0):
         faults.append(f"the gap is {gap!r}; it should be 0 < gap < 1")
-    if runners_up is not None and not 0.0 <= runners_up <= 1.0:
+    if runners_up is not None and not (_is_real(runners_up) and 0.0 <= runners_up <= 1.0):
         faults.append(f"runners_up is {runners_up!r}; it should be a fraction in [0, 1]")
-    if faults:
-        raise SwarmGraspError(faults)
+    return faults
+
+
+def _is_real(value: object) -> TypeGuard[float]:
+    """Tell whether a value is a number."""
+    return isinstance(value, float | np.floating) or is_whole(value)

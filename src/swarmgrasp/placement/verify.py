@@ -137,9 +137,7 @@ def verify_document(document: dict[str, Any]) -> Verdict:
         present.append(claim.robot)
     unchecked: tuple[str, ...] = ()
     if len(present) > MOST_SWEPT:
-        unchecked = (
-            f"the qualities of more than {MOST_SWEPT} robots are bounded from above only",
-        )
+        unchecked = (f"the qualities of more than {MOST_SWEPT} robots are bounded from above only",)
     return Verdict(tuple(faults), tuple(bounds), unchecked)
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.linear import minimise
 from swarmgrasp.quality.weakest import MARGINAL, weakest_of
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Swarm, check_swarm
 
 SEPARATED = 1e-9
 """Cosine by which a direction opposes all robots where force closure is clearly lacking."""
@@ -108,6 +108,11 @@ def quality(swarm: Swarm) -> Quality:
     -------
     Quality
 
+    Raises
+    ------
+    RobotInvalid
+        If it is no `Swarm`.
+
     Examples
     --------
     Four unit robots pull a square with lever arm 0.4: 2 t / sqrt(1 + 2 t^2).
@@ -123,6 +128,7 @@ def quality(swarm: Swarm) -> Quality:
     >>> quality(Swarm(square, grasp.robots[:3])).value
     0.0
     """
+    check_swarm(swarm)
     value, weakest = weakest_of(swarm.scaled_generators)
     normal = np.array(weakest)
     normal.setflags(write=False)

@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import WrenchInvalid
 from swarmgrasp.kernels import core
+from swarmgrasp.quality.generators import checked_generators
 
 MARGINAL = core.MARGINAL
 """Quality relative to sum |b_i| at and below which it counts as zero."""
@@ -68,7 +68,8 @@ def qualities(generators: ArrayLike) -> NDArray[np.float64]:
     Raises
     ------
     WrenchInvalid
-        If the generators are no such array, or not finite.
+        If the generators are no such array of numbers, or the largest component of one is
+        neither zero nor within 1e-120 to 1e120 N.
 
     Examples
     --------
@@ -78,12 +79,7 @@ def qualities(generators: ArrayLike) -> NDArray[np.float64]:
     >>> qualities([corners, 2.0 * corners]).round(6).tolist()
     [1.414214, 2.828427]
     """
-    rows = np.ascontiguousarray(generators, dtype=float)
-    if rows.ndim != 3 or rows.shape[2] != 3:
-        raise WrenchInvalid(f"the generators have shape {rows.shape}; it should be (m, n, 3)")
-    lost = np.flatnonzero(~np.isfinite(rows).all(axis=(1, 2)))
-    if len(lost):
-        raise WrenchInvalid(f"swarm {i} has generators that are not finite" for i in lost[:10])
+    rows = np.ascontiguousarray(checked_generators(generators, "(m, n, 3)"))
     if rows.size == 0:
         return np.zeros(len(rows))
     return np.frombuffer(core.qualities(rows, rows.shape[1]))

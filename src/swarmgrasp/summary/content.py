@@ -1,9 +1,13 @@
 """The plain data of a summary."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.moments import Moments
+
+MOST_ROBOTS = 2**63 - 1
+"""What Python can still tell as a length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,3 +46,8 @@ class Content:
     def __post_init__(self) -> None:
         """Make the total read-only."""
         self.total.setflags(write=False)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Come back from a copy or a pickle, read-only again."""
+        vars(self).update({part.name: state[part.name] for part in fields(self)})
+        self.__post_init__()

@@ -12,7 +12,7 @@ import numpy as np
 
 from swarmgrasp.errors import MetricInvalid, SummaryInvalid
 from swarmgrasp.summary.cells import MOST_SIDE
-from swarmgrasp.summary.content import Content
+from swarmgrasp.summary.content import MOST_ROBOTS, Content
 from swarmgrasp.summary.records import RECORD, Records, moments_from, records_of
 from swarmgrasp.swarm import check_metric
 
@@ -134,6 +134,8 @@ def _faults(header: np.void, records: Records) -> Iterator[str]:
         yield from fault.faults
     if count == 0 and (rounding != 0.0 or total.any()):
         yield "no robots at all have a sum of zero, and no rounding"
+    if count > MOST_ROBOTS:
+        yield f"the number of robots is {count}; it should be below 2^63"
     if count < len(records):
         yield f"{count} robots cannot occupy {len(records)} bins"
     cells, weights = records["cell"].astype(np.int64), records["weight"]

@@ -1,6 +1,7 @@
 """What a summary keeps of each bin: how much pushes there, where on average, and how spread."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -38,6 +39,11 @@ class Moments:
         """Make the arrays read-only."""
         for array in (self.cells, self.weights, self.means, self.covariances):
             array.setflags(write=False)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Come back from a copy or a pickle, read-only again."""
+        vars(self).update(state)
+        self.__post_init__()
 
     @property
     def size(self) -> float:

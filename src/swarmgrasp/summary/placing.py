@@ -16,7 +16,7 @@ from swarmgrasp.summary.heights import EVALUATION, Heights
 from swarmgrasp.swarm import Swarm
 
 GAP = 1e-4
-"""Gap of the search over the bins' sums, far below what a summary leaves open."""
+"""Gap of the search over the bins' sums beside their load, far below what a summary leaves open."""
 
 
 @dataclass(frozen=True, eq=False)

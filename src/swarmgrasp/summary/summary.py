@@ -8,20 +8,19 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import SummaryInvalid, WrenchInvalid
+from swarmgrasp.errors import SummaryInvalid
 from swarmgrasp.outline import Outline, Stretch
-from swarmgrasp.robot import Newcomer, Zone
+from swarmgrasp.quality.generators import checked_generators
+from swarmgrasp.robot import Newcomer, Zone, numbers
 from swarmgrasp.summary.bounds import Bounds, quality_bounds
 from swarmgrasp.summary.cells import Array, side_of
-from swarmgrasp.summary.content import Content
+from swarmgrasp.summary.content import MOST_ROBOTS, Content
 from swarmgrasp.summary.encoding import decode, encode
 from swarmgrasp.summary.heights import Heights
 from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
-from swarmgrasp.swarm import Swarm, check_metric
+from swarmgrasp.swarm import Swarm, check_metric, check_swarm
 
-SMALLEST, LARGEST = 1e-120, 1e120
-"""Range of a generator's largest component [N] whose squares and cubes are still numbers."""
 BINS = 1024
 """Bins asked for unless told otherwise."""
 
@@ -65,7 +64,10 @@ class Summary(Content):
         ------
         SummaryInvalid
             If the number of bins is out of range.
+        RobotInvalid
+            If it is no `Swarm`.
         """
+        check_swarm(swarm)
         return cls.from_generators(
             swarm.scaled_generators,
             bins,
@@ -111,27 +113,26 @@ class Summary(Content):
         Raises
         ------
         WrenchInvalid
-            If they are not rows of three finite numbers, of which the largest in size is
-            zero or within 1e-120 to 1e120 N.
+            If they are not rows of three numbers, of which the largest in size is zero or
+            within 1e-120 to 1e120 N.
         MetricInvalid
             If a weight or the length is not positive.
         SummaryInvalid
-            If the number of bins is out of range.
+            If the number of bins is out of range, or the origin not two finite numbers.
         """
         side = side_of(bins)
         check_metric(characteristic_length, force_weights)
-        if not all(map(math.isfinite, origin)):
+        point = numbers(origin)
+        if len(point) != 2:
             raise SummaryInvalid(f"the origin is {origin!r}; it should be two finite numbers [m]")
-        rows = np.asarray(generators, dtype=float)
-        rows = rows.reshape(0, 3) if rows.size == 0 else rows
-        _check_generators(rows)
+        rows = checked_generators(generators, "(n, 3)").reshape(-1, 3)
         moments, total, rounding = moments_of(rows, side)
         return cls(
             count=len(rows),
             side=side,
             force_weights=(float(force_weights[0]), float(force_weights[1])),
             characteristic_length=float(characteristic_length),
-            origin=(float(origin[0]), float(origin[1])),
+            origin=(point[0], point[1]),
             total=total,
             rounding=rounding,
             moments=moments,
@@ -153,21 +154,28 @@ class Summary(Content):
         Raises
         ------
         SummaryInvalid
-            If there are none, or they differ in metric, origin or bins.
+            If there are none, or something else is among them, or they differ in metric,
+            origin or bins, or have 2^63 robots together.
         """
         given = list(summaries)
         if not given:
             raise SummaryInvalid("there are no summaries to merge; give at least one")
+        strangers = [value for value in given if not isinstance(value, Summary)]
+        if strangers:
+            raise SummaryInvalid(f"{value!r} is no Summary" for value in strangers)
         first = given[0]
         for other in given[1:]:
             first._check_like(other)
         crowds = [summary for summary in given if summary.count]
         if len(crowds) < 2:
             return crowds[0] if crowds else first
+        count = sum(summary.count for summary in crowds)
+        if count > MOST_ROBOTS:
+            raise SummaryInvalid(f"they have {count} robots together; it should be below 2^63")
         moments = merged([summary.moments for summary in crowds], first.side)
         moved = rounding_of(len(crowds), sum(s.moments.size for s in crowds))
         return cls(
-            count=sum(summary.count for summary in crowds),
+            count=count,
             side=first.side,
             force_weights=first.force_weights,
             characteristic_length=first.characteristic_length,
@@ -254,9 +262,9 @@ class Summary(Content):
     def quality(self) -> Bounds:
         """Bound the Max-Transfer quality (T1) of every swarm with this summary.
 
-        From below it is the exact quality of the bins' sums, whose wrench set lies inside the
-        swarm's; from above the least upper bound on the support function that a walk downhill
-        from there finds.
+        From below it is the exact quality of the bins' sums, as robots beside a steady wrench:
+        their wrench set lies inside the swarm's. From above it is the least upper bound on
+        the support function that a walk downhill from there finds.
         """
         return self._bounds
 
@@ -286,29 +294,17 @@ class Summary(Content):
         ------
         SummaryInvalid
             If the outline's origin is not the summary's.
+        OutlineInvalid
+            If it is no `Outline`.
         ZoneInvalid, NowhereToAttach
             If a zone leaves the boundary, or no allowed point is left.
         """
+        # on this outline, without the robots: only their wrenches are known
+        bare = Swarm(outline, (), self.characteristic_length, self.force_weights)
         origin = tuple(outline.origin.tolist())
         if origin != self.origin:
             raise SummaryInvalid(
                 f"the outline's origin is {origin!r}, the summary's {self.origin!r} [m]; moments "
                 "should be taken about the same point"
             )
-        # on this outline, without the robots: only their wrenches are known
-        bare = Swarm(outline, (), self.characteristic_length, self.force_weights)
         return place_from(self.heights, self.side, bare, newcomer, zones, no_go)
-
-
-def _check_generators(rows: Array) -> None:
-    """Raise `WrenchInvalid` unless all rows are three numbers in range."""
-    if rows.ndim != 2 or rows.shape[1] != 3:
-        raise WrenchInvalid(f"the generators have the shape {rows.shape}; it should be (n, 3) [N]")
-    largest = np.abs(rows).max(axis=1, initial=0.0)
-    good = (largest == 0.0) | ((largest >= SMALLEST) & (largest <= LARGEST))
-    if not good.all():
-        index = int(np.flatnonzero(~good)[0])
-        raise WrenchInvalid(
-            f"generator {index} is {rows[index].tolist()}; its largest component should be 0 or "
-            f"{SMALLEST:g} <= size <= {LARGEST:g} [N]"
-        )

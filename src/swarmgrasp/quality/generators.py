@@ -1,0 +1,74 @@
+"""Generators given as arrays: their type, their shape, and the range of their sizes."""
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.crew import MOST_LISTED
+from swarmgrasp.errors import WrenchInvalid
+
+SMALLEST, LARGEST = 1e-120, 1e120
+"""Range of a generator's largest component [N] whose squares are still numbers."""
+
+
+def checked_generators(
+    generators: ArrayLike, shape: Literal["(n, 3)", "(m, n, 3)"]
+) -> NDArray[np.float64]:
+    """Return generators as an array of the right shape, in range; what is empty as it comes.
+
+    Parameters
+    ----------
+    generators : (n, 3) or (m, n, 3) [N, N, N]
+        In the metric's coordinates; of m swarms, if there are three axes.
+    shape : {"(n, 3)", "(m, n, 3)"}
+        Which of them.
+
+    Raises
+    ------
+    WrenchInvalid
+        If they are no numbers, or no array of that shape, or the largest component of one is
+        neither zero nor within 1e-120 to 1e120 N; the first ten at fault are shown.
+
+    Examples
+    --------
+    >>> checked_generators([[(0, 0, 1), (0, 1e-200, 0)]], "(m, n, 3)")
+    Traceback (most recent call last):
+    ...
+    swarmgrasp.errors.WrenchInvalid: generator 1 of swarm 0 is [0.0, 1e-200, 0.0]; its ...
+    """
+    try:
+        array = np.asarray(generators)
+    except ValueError:
+        raise WrenchInvalid(
+            f"the generators have rows of different lengths; their shape should be {shape}"
+        ) from None
+    faults = []
+    if array.dtype.kind not in "biuf":
+        faults.append(f"the generators are of type {array.dtype}; they should be real numbers")
+    if array.size and (array.ndim != shape.count(",") + 1 or array.shape[-1] != 3):
+        faults.append(f"the generators have the shape {array.shape}; it should be {shape} [N]")
+    if faults:
+        raise WrenchInvalid(faults)
+    rows = np.asarray(array, dtype=float)
+    if rows.size:
+        _check_sizes(rows)
+    return rows
+
+
+def _check_sizes(rows: NDArray[np.float64]) -> None:
+    """Raise `WrenchInvalid` for generators (..., 3) out of range."""
+    largest = np.maximum.reduce(np.abs(np.moveaxis(rows, -1, 0)))
+    good = (largest == 0.0) | ((largest >= SMALLEST) & (largest <= LARGEST))
+    if good.all():
+        return
+    wrong = np.argwhere(~good)
+    faults = []
+    for *swarm, i in wrong[:MOST_LISTED].tolist():
+        of = f" of swarm {swarm[0]}" if swarm else ""
+        faults.append(
+            f"generator {i}{of} is {rows[(*swarm, i)].tolist()}; its largest component should be "
+            f"0 or {SMALLEST:g} <= size <= {LARGEST:g} [N]"
+        )
+    left = len(wrong) - MOST_LISTED
+    raise WrenchInvalid(faults + ([f"... and {left} more"] if left > 0 else []))
