@@ -7,7 +7,8 @@
 #include "sector.h"
 #include "vectors.h"
 
-#define SMALL 60
+#define SMALL 60            /* robots up to which listing all facets beats asking for some, */
+#define GIANT 300           /* and with a newcomer that is stronger than they are together */
 #define TORQUE_FREE 1e-13   /* torque part of a normal, relative to its force part, that is none */
 #define ARC_END 1e-14       /* width [rad] at which an interval of directions is empty */
 #define PROBE 1e-3          /* where between the best and its bound a rival piece is probed: low */
@@ -501,7 +502,7 @@ static int start(Search *s) {
     tree_free(&s->tree);
     s->count = LIMITS;
     s->in_tree = s->n;
-    s->is_small = s->n <= SMALL;
+    s->is_small = s->n <= s->few;
     if (!s->is_small)
         return tree_build(&s->tree, s->generators, s->n, s->sweep.load) ? NO_MEMORY : pool_from_sphere(s, NULL, s->reach);
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
@@ -533,9 +534,11 @@ int search_begin(Search *s, const double *generators, int n, const double *load,
     memcpy(s->weights, weights, sizeof s->weights);
     s->weight = total_size(generators, n);
     take_pieces(s, pieces, many);
+    /* one stronger than all the others together takes many exact qualities to place */
+    s->few = s->reach > s->weight ? GIANT : SMALL;
     s->room = 256;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
-    if (!s->pool || sweep_room(&s->sweep, n <= SMALL ? SMALL : 0, load))
+    if (!s->pool || sweep_room(&s->sweep, n <= s->few ? s->few : 0, load))
         return NO_MEMORY;
     return start(s);
 }
@@ -573,7 +576,7 @@ int search_join(Search *s, const double *wrench, const double *pieces, int many)
         generator[k] = wrench[k] * s->weights[k];
     s->weight += length(generator);
     take_pieces(s, pieces, many);
-    if (s->is_small && s->n <= SMALL)
+    if (s->is_small && s->n <= s->few)
         return join_facets(s, generator);
     if (s->is_small || s->n - s->in_tree > EXTRAS)
         return start(s);

@@ -44,6 +44,7 @@ typedef struct {
     double size;                /* both together */
     double error;               /* of a sum over the generators [N] */
     double quality, weakest[3]; /* of the base swarm */
+    int few;                    /* robots up to which all facets are listed */
     int is_small;               /* whether all facets are listed, and the pool has what matters */
     double *normals, *heights;  /* (facets, 3), (facets,): all of them */
     ptrdiff_t facets;
