@@ -460,7 +460,7 @@ static int pool_from_facets(Search *s) {
             s->quality = s->heights[k];
             memcpy(s->weakest, s->normals + 3 * k, sizeof s->weakest);
         }
-    round_quality(s->generators, s->n, &s->quality, s->weakest);
+    round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
     for (ptrdiff_t k = 0; k < s->facets; k += 2)
         if (larger(s->heights[k], s->heights[k + 1]) < least) {
             least = larger(s->heights[k], s->heights[k + 1]);
@@ -487,7 +487,7 @@ static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
         return status == -1 ? NO_MEMORY : INTERRUPTED;
     s->covered = smaller(from ? s->covered : INFINITY, found.best + margin);
     s->quality = sphere_best(&found, s->weakest);
-    round_quality(s->generators, s->n, &s->quality, s->weakest);
+    round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
     s->count = LIMITS;
     double most = begin_pool(s, s->weakest);
     if (most < 0.0)
@@ -503,8 +503,11 @@ static int start(Search *s) {
     s->count = LIMITS;
     s->in_tree = s->n;
     s->is_small = s->n <= s->few;
-    if (!s->is_small)
-        return tree_build(&s->tree, s->generators, s->n, s->sweep.load) ? NO_MEMORY : pool_from_sphere(s, NULL, s->reach);
+    if (!s->is_small) {
+        if (tree_build(&s->tree, s->generators, s->n, s->sweep.load))
+            return NO_MEMORY;
+        return pool_from_sphere(s, NULL, s->reach);
+    }
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
     free(s->normals);
     s->normals = malloc(4 * room * sizeof *s->normals);

@@ -13,8 +13,8 @@
 #include "sphere.h"
 
 #define FLOOR 1e-13 /* of the size: a gap between bound and best that is not worth closing */
-#define LIMITS 2  /* pool rows kept for the piece at hand */
-#define EXTRAS 32 /* robots that may join before a tree is built anew */
+#define LIMITS 2    /* pool rows kept for the piece at hand */
+#define EXTRAS 32   /* robots that may join before a tree is built anew */
 
 enum { SOLVED, REACHED, REFUTED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
 
@@ -65,7 +65,8 @@ typedef struct {
     int piece;
 } Best;
 
-/* Prepare a search beside a load (3,) [N]. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any case. */
+/* Prepare a search beside a load (3,) [N]. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any
+ * case. */
 int search_begin(Search *search, const double *generators, int n, const double *load,
                  const double *weights, const double *pieces, int many, int (*interrupted)(void));
 void search_end(Search *search);

@@ -23,15 +23,17 @@ static void across_largest(const double *generators, int n, double *normal) {
         normal[k] /= size;
 }
 
-void round_quality(const double *generators, int n, double *quality, double *weakest) {
+void round_quality(const double *generators, int n, double size, double *quality,
+                   double *weakest) {
     if (*quality == INFINITY)
         across_largest(generators, n, weakest);
-    if (*quality == INFINITY || *quality <= ZERO * total_size(generators, n))
+    if (*quality == INFINITY || *quality <= ZERO * size)
         *quality = 0.0;
 }
 
 int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
                   double *quality, double *weakest) {
+    double size = total_size(generators, n);
     int status = 0;
     if (n <= SWEPT) {
         *quality = sweep_all(sweep, generators, n, weakest);
@@ -41,13 +43,13 @@ int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupt
         if (tree_build(&tree, generators, n, sweep->load))
             return -1;
         status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY,
-                               ZERO * total_size(generators, n), interrupted);
+                               ZERO * size, interrupted);
         *quality = sphere.best;
         if (*quality < INFINITY)
             sphere_best(&sphere, weakest);
         sphere_free(&sphere);
         tree_free(&tree);
     }
-    round_quality(generators, n, quality, weakest);
+    round_quality(generators, n, size, quality, weakest);
     return status;
 }

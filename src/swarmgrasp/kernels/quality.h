@@ -14,8 +14,9 @@
 int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
                   double *quality, double *weakest);
 
-/* Round a quality to 0 if it is next to that; for one that is INFINITY, of a set that spans no
- * plane, write a normal across it. */
-void round_quality(const double *generators, int n, double *quality, double *weakest);
+/* Round a quality to 0 if it is next to that, for generators of this total size; for one that is
+ * INFINITY, of a set that spans no plane, write a normal across it. */
+void round_quality(const double *generators, int n, double size, double *quality,
+                   double *weakest);
 
 #endif

@@ -289,39 +289,38 @@ static inline int sign_on(const Node *node, const double *m, double slack) {
     return at > reach ? 1 : at < -reach ? -1 : 0;
 }
 
+/* Count a node on which a normal has one sign as one vector, or not at all; go to the next that is
+ * not below it. */
+static inline const Node *pass_over(const Tree *tree, const Node *node, int sign, double *sum) {
+    if (sign > 0)
+        add(sum, node->sum);
+    return tree->node + node->skip;
+}
+
 void tree_gradient(const Tree *tree, const double *m, double rounding, double *g) {
-    double x = tree->load[0], y = tree->load[1], z = tree->load[2];
+    double sum[3] = {tree->load[0], tree->load[1], tree->load[2]};
     const Node *node = tree->node, *end = tree->node + tree->nodes;
     while (node < end) {
         int sign = sign_on(node, m, 0.0);
-        if (sign > 0) {
-            x += node->sum[0];
-            y += node->sum[1];
-            z += node->sum[2];
-        }
         if (sign != 0) {
-            node = tree->node + node->skip;
+            node = pass_over(tree, node, sign, sum);
             continue;
         }
         const double *c = tree->vectors + 3 * node->first;
         for (int i = 0; i < node->count; i++, c += 3) {
             double a = m[0] * c[0], b = m[1] * c[1], d = m[2] * c[2];
             if (a + b + d > rounding * (fabs(a) + fabs(b) + fabs(d))) {
-                x += c[0];
-                y += c[1];
-                z += c[2];
+                add(sum, c);
             }
         }
         node++;
     }
-    g[0] = x;
-    g[1] = y;
-    g[2] = z;
+    memcpy(g, sum, sizeof sum);
 }
 
 int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g) {
     int found = 0;
-    double x = tree->load[0], y = tree->load[1], z = tree->load[2], slack[3];
+    double sum[3] = {tree->load[0], tree->load[1], tree->load[2]}, slack[3];
     const Node *node = tree->node, *end = tree->node + tree->nodes;
     for (int j = 0; j < 3; j++) {
         const double *m = corners + 3 * j;
@@ -332,13 +331,8 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
         for (int j = 1; j < 3 && sign != 0; j++)
             if (sign_on(node, corners + 3 * j, slack[j]) != sign)
                 sign = 0;
-        if (sign > 0) {
-            x += node->sum[0];
-            y += node->sum[1];
-            z += node->sum[2];
-        }
         if (sign != 0) {
-            node = tree->node + node->skip;
+            node = pass_over(tree, node, sign, sum);
             continue;
         }
         const double *c = tree->vectors + 3 * node->first;
@@ -346,9 +340,7 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
             double near = ON_PLANE * (fabs(c[0]) + fabs(c[1]) + fabs(c[2]));
             double a = dot(corners, c), b = dot(corners + 3, c), d = dot(corners + 6, c);
             if (a > near && b > near && d > near) {
-                x += c[0];
-                y += c[1];
-                z += c[2];
+                add(sum, c);
             } else if (!(a < -near && b < -near && d < -near)) {
                 if (found == room)
                     return -1;
@@ -357,8 +349,6 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
         }
         node++;
     }
-    g[0] = x;
-    g[1] = y;
-    g[2] = z;
+    memcpy(g, sum, sizeof sum);
     return found;
 }
