@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch])
 
-.PHONY: demo test test-long lint docs bench lock clean
+.PHONY: demo test test-long lint docs bench paper lock clean
 
 demo: $(VENV)/installed
 	mkdir -p demo
@@ -28,6 +28,11 @@ docs: $(VENV)/documenting
 
 bench: $(VENV)/benchmarking
 	$(BIN)/python benchmarks/run.py
+
+# The source paper made again, a few minutes: demo/paper/paper.html
+paper: $(VENV)/developing
+	mkdir -p demo
+	$(BIN)/swarmgrasp paper demo/paper
 
 $(VENV)/locked: requirements.lock
 	$(PYTHON) -m venv $(VENV)

@@ -8,7 +8,7 @@ import math
 from itertools import combinations, pairwise, product
 
 import numpy as np
-from scipy.optimize import linprog
+from scipy.optimize import Bounds, LinearConstraint, linprog, lsq_linear, milp
 from scipy.spatial import ConvexHull
 
 # -- generators and quality -----------------------------------------------------------
@@ -282,3 +282,176 @@ for _t in (0.2, 0.4, 1.0):
     CLOSED_FORMS[f"square of four, t = {_t}"] = (square_of_robots(_t), min(1.0, _q))
     CLOSED_FORMS[f"square of eight, t = {_t}"] = (square_of_robots(_t, True), min(2.0, 2.0 * _q))
 """Name: (generators (n, 3), exact quality)."""
+
+
+# -- criteria ---------------------------------------------------------------------------
+
+
+def task_support(rows, kind, normals):
+    """D(n) (m,): |n|, the greatest n . v or 0 of a polytope, or |rows n| of an ellipsoid."""
+    if kind is None:
+        return np.linalg.norm(normals, axis=1)
+    along = normals @ np.reshape(rows, (-1, 3)).T
+    if kind == "polytope":
+        return np.maximum(along.max(axis=1), 0.0)
+    return np.sqrt((along * along).sum(axis=1))
+
+
+def quality_by_criterion(B, losing=0, load=(0, 0, 0), rows=None, kind=None):
+    """Least (n . load + h(n)) / D(n) over the facet normals of every swarm that a loss leaves.
+
+    All subsets are listed, and the axes' planes with the generators': they split the sphere into
+    cones with corners, on each of which the numerator is linear and D convex.
+    """
+    worst = math.inf
+    for gone in combinations(range(len(B)), min(losing, len(B))):
+        left = np.delete(np.reshape(B, (-1, 3)), gone, axis=0)
+        normals = np.vstack([facet_normals(np.vstack([left, np.eye(3)]))[0], np.eye(3), -np.eye(3)])
+        height = support(left, normals) + normals @ np.asarray(load, dtype=float)
+        extent = task_support(rows, kind, normals)
+        asked = extent > 1e-9
+        if (height[~asked] < -1e-9).any():
+            return 0.0
+        worst = min(worst, float((height[asked] / extent[asked]).min()))
+    return max(worst, 0.0)
+
+
+def quality_of_corners(corners, losing=0):
+    """Least quality when each generator is one of a few, (m_i, 3) each: all choices are listed."""
+    return min(quality_by_criterion(np.array(B), losing) for B in product(*corners))
+
+
+# -- capability -----------------------------------------------------------------------
+
+
+def largest_wind(B, current, wind, losing=0):
+    """Find the largest s for which -(current + s wind) is made after any loss of `losing` rows.
+
+    By linear programs over u in [0, 1]^n, one per loss; 0 if one cannot make -current alone.
+    Generators (n, 3), current and wind (3,), all in the same coordinates.
+    """
+    B = np.reshape(B, (-1, 3))
+    size = np.abs(wind).max()
+    least = math.inf
+    for lost in combinations(range(len(B)), losing):
+        kept = np.delete(B, lost, axis=0)
+        bounds = [(0.0, 1.0)] * len(kept)
+        calm = linprog(np.zeros(len(kept)), A_eq=kept.T, b_eq=-current, bounds=bounds)
+        if not calm.success:
+            return 0.0
+        table = np.column_stack([kept.T, wind / size])
+        cost = np.append(np.zeros(len(kept)), -1.0)
+        found = linprog(cost, A_eq=table, b_eq=-current, bounds=[*bounds, (0.0, None)])
+        least = min(least, found.x[-1] / size)
+    return least
+
+
+# -- push forces ----------------------------------------------------------------------
+
+
+def least_largest_load(B, wrench):
+    """Least t with sum x_i b_i = w and 0 <= x_i <= t (T18), by a linear program; inf if none."""
+    n = len(B)
+    size = np.linalg.norm(wrench)
+    answer = linprog(
+        np.append(np.zeros(n), 1.0),
+        A_eq=np.column_stack([B.T, np.zeros(3)]) / size,
+        b_eq=wrench / size,
+        A_ub=np.column_stack([np.eye(n), -np.ones(n)]),
+        b_ub=np.zeros(n),
+        options={"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10},
+    )
+    return float(answer.fun) if answer.status == 0 else math.inf
+
+
+def least_squares_loads(B, wrench, top, weight=1e6):
+    """Least sum of squares of x in [0, top]^n with sum x_i b_i = w.
+
+    By least squares in which a miss of the wrench weighs much, and is then asked for on top.
+    """
+    size = np.linalg.norm(B)
+    rows = np.vstack([np.eye(len(B)), weight * B.T / size])
+    asked = wrench
+    for _ in range(50):
+        right = np.concatenate([np.zeros(len(B)), weight * asked / size])
+        x = lsq_linear(rows, right, (0.0, top), method="bvls", tol=1e-15, max_iter=10_000).x
+        miss = wrench - x @ B
+        if np.linalg.norm(miss) <= 1e-14 * size:
+            break
+        asked = asked + miss
+    return x
+
+
+def nearest_wrench(B, wrench):
+    """Nearest point of {sum x_i b_i, 0 <= x_i <= 1} to a wrench (3,)."""
+    return lsq_linear(B.T, wrench, (0.0, 1.0), method="bvls", tol=1e-15, max_iter=10_000).x @ B
+
+
+# -- sensitivities --------------------------------------------------------------------
+
+
+def one_sided_slope(quality_at, step):
+    """Differentiate a function of x >= 0 at 0, by Richardson's rule from three values."""
+    return (4.0 * quality_at(0.5 * step) - quality_at(step) - 3.0 * quality_at(0.0)) / step
+
+
+# -- several newcomers ------------------------------------------------------------------
+
+
+def best_together(B, candidates, count):
+    """Best quality of B (n, 3) with `count` of some candidates (m, 3), each any number of times.
+
+    A mixed-integer program: max t, t <= h(n) + sum_j x_j max(0, n . c_j) for the normals found
+    so far, sum x = count; the facet normals of each answer are added until it is exact.
+    """
+    m, normals = len(candidates), np.vstack([np.eye(3), -np.eye(3)])
+    cost = np.append(np.zeros(m), -1.0)
+    total = LinearConstraint(np.append(np.ones(m), 0.0), count, count)
+    bounds = Bounds(np.zeros(m + 1), np.append(np.full(m, float(count)), np.inf))
+    while True:
+        table = np.column_stack([-np.maximum(normals @ candidates.T, 0.0), np.ones(len(normals))])
+        rows = LinearConstraint(table, -np.inf, support(B, normals))
+        whole = np.append(np.ones(m), 0.0)
+        found = milp(cost, integrality=whole, bounds=bounds, constraints=[total, rows])
+        chosen = np.repeat(candidates, np.round(found.x[:m]).astype(int), axis=0)
+        facets, heights = facet_normals(np.vstack([np.reshape(B, (-1, 3)), chosen]))
+        if heights.min() >= -found.fun - 1e-7:
+            return float(heights.min())
+        normals = np.vstack([normals, facets[np.argsort(heights)[:20]]])
+
+
+# -- the source paper -----------------------------------------------------------------
+
+
+def most_in_cylinder(B, size, rounds=60, close=5e-5):
+    """Bound the quality that any b = size * x, |(x_1, x_2)| <= 1, |x_3| <= 1, brings (T10).
+
+    Any normals with h(n) <= t show that none exceeds the largest t that all of
+    t <= h(n) + n . b allow, over a polygon round the disc; those brought by the best b so far
+    are added until that b comes close. Returns the least bound that they show [N].
+    """
+    turn = np.arange(256) * math.tau / 256
+    disc = np.column_stack([np.cos(turn), np.sin(turn), np.zeros((256, 2))])
+    normals, heights = facet_normals(B)
+    bound, best = math.inf, quality(B)
+    for _ in range(rounds):
+        level = best + 0.5 * (min(bound, best + np.linalg.norm(size)) - best)
+        low = heights <= level
+        rows = np.column_stack([-normals[low] * size, np.ones(low.sum())])
+        found = linprog(
+            [0.0, 0.0, 0.0, -1.0],
+            np.vstack([disc, rows]),
+            np.concatenate([np.ones(256), heights[low]]),
+            bounds=[(-2, 2), (-2, 2), (-1, 1), (None, None)],
+        )
+        bound = min(bound, max(-found.fun, level))
+        x = found.x[:3]
+        x[:2] /= max(1.0, math.hypot(x[0], x[1]))
+        both = np.vstack([B, x * size])
+        best = max(best, quality(both))
+        if bound - best <= close:
+            break
+        brought = normals_across(x * size, B)
+        normals = np.vstack([normals, brought])
+        heights = np.append(heights, support(B, brought))
+    return bound

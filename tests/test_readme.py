@@ -7,24 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from shown import assert_same
 from swarmgrasp.cli import main
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
 
 
 def blocks(kind):
     return re.findall(rf"```{kind}\n(.*?)```", README, re.DOTALL)
-
-
-def assert_same(shown, printed):
-    """Compare word for word, numbers to a thousandth."""
-    shown, printed = shown.strip(), printed.strip()
-    assert NUMBER.sub("#", shown) == NUMBER.sub("#", printed)
-    numbers = (list(map(float, NUMBER.findall(text))) for text in (shown, printed))
-    for left, right in zip(*numbers, strict=True):
-        assert left == pytest.approx(right, rel=1e-3)
 
 
 @pytest.mark.parametrize("block", [b for b in blocks("console") if "$ .venv" in b])

@@ -2,42 +2,11 @@
 
 import numpy as np
 
+from swarmgrasp.paper.all_pairs import CHUNK, PARALLEL, facets, quality
+
+__all__ = ["NAME", "facets", "qualities_with", "quality"]
+
 NAME = "all pairs in NumPy"
-CHUNK = 4_000_000
-"""Numbers held at once [-]: 32 MB."""
-PARALLEL = 1e-12
-"""Sine of the angle below which a pair defines no facet."""
-
-
-def normals_of(generators):
-    """Return the unit normals b_j x b_k of all pairs j < k, (m, 3), one sign each."""
-    units = generators / np.linalg.norm(generators, axis=1)[:, None]
-    j, k = np.triu_indices(len(units), 1)
-    cross = np.cross(units[j], units[k])
-    sizes = np.linalg.norm(cross, axis=1)
-    kept = sizes > PARALLEL
-    return cross[kept] / sizes[kept, None]
-
-
-def facets(generators):
-    """Return all unit normals of both signs, (m, 3), and h at them, (m,) [N]."""
-    normals = normals_of(generators)
-    shares = normals @ generators.T
-    heights = np.maximum(shares, 0.0).sum(axis=1), np.maximum(-shares, 0.0).sum(axis=1)
-    return np.vstack([normals, -normals]), np.concatenate(heights)
-
-
-def quality(generators):
-    """Compute the least h over all normals, in chunks; `generators` (n, 3) [N]."""
-    normals, total = normals_of(generators), generators.sum(axis=0)
-    step = max(1, CHUNK // len(generators))
-    least = np.inf
-    for first in range(0, len(normals), step):
-        part = normals[first : first + step]
-        heights = np.maximum(part @ generators.T, 0.0).sum(axis=1)
-        # h(-n) = h(n) - n . (sum of all)
-        least = min(least, heights.min(), (heights - part @ total).min())
-    return float(least)
 
 
 def qualities_with(base, known, newcomers):

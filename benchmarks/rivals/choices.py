@@ -29,26 +29,3 @@ class Choices:
         alpha = self.middles[edge] + (2.0 * np.clip(across, 0.0, 1.0) - 1.0) * self.half
         c, s = np.cos(alpha), np.sin(alpha)
         return np.column_stack([c, s, x * s - y * c])
-
-    def nearest(self, wanted):
-        """Return the unit wrench (3,) nearest to a wanted one (3,) [1, 1, m], in the metric.
-
-        For one edge and one direction the torque is free between those at the edge's two ends,
-        so only the direction is searched, ever finer around the best.
-        """
-        best, middle, width = (np.inf, None), np.zeros(len(self.middles)), self.half
-        for _ in range(4):
-            turn = np.clip(middle[:, None] + np.linspace(-width, width, 181), -self.half, self.half)
-            c, s = np.cos(self.middles[:, None] + turn), np.sin(self.middles[:, None] + turn)
-            ends = [p[:, :1] * s - p[:, 1:] * c for p in (self.corners[:-1], self.corners[1:])]
-            torque = np.clip(wanted[2], np.minimum(*ends), np.maximum(*ends))
-            apart = (np.stack([c, s, torque], axis=2) - wanted) * self.weights
-            gaps = np.einsum("eti,eti->et", apart, apart)
-            k = gaps.argmin(axis=1)
-            rows = np.arange(len(k))
-            edge = int(gaps[rows, k].argmin())
-            if gaps[edge, k[edge]] < best[0]:
-                found = (c[edge, k[edge]], s[edge, k[edge]], torque[edge, k[edge]])
-                best = gaps[edge, k[edge]], np.array(found)
-            middle, width = turn[rows, k], width / 60.0
-        return best[1]

@@ -8,7 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import MOST_TURNED, STRONGEST, WEAKEST, Robot
+from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST
+from swarmgrasp.robot import Robot
 
 MOST_LISTED = 10
 """Robots at fault that a message describes; it counts the others."""

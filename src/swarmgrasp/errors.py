@@ -41,12 +41,20 @@ class ZoneInvalid(SwarmGraspError):
     """A zone, a no-go stretch or a spacing is malformed or outside the outline."""
 
 
+class EnvironmentInvalid(SwarmGraspError):
+    """A wind, a current or a coefficient is outside its range, or a part is missing."""
+
+
 class MetricInvalid(SwarmGraspError):
     """A force weight or the characteristic length is not a positive number."""
 
 
 class WrenchInvalid(SwarmGraspError):
     """A wrench, generator or direction is not three finite numbers."""
+
+
+class CriterionInvalid(SwarmGraspError):
+    """What is asked of a swarm has a value outside its range."""
 
 
 class WrenchSetTooLarge(SwarmGraspError):
@@ -71,3 +79,11 @@ class LinearProgramFailed(SwarmGraspError):
 
 class SummaryInvalid(SwarmGraspError):
     """A summary's bytes are damaged, or two summaries do not go together."""
+
+
+class NotInThePaper(SwarmGraspError):
+    """The source paper's algorithm is asked for something it does not know."""
+
+
+class PackageMissing(SwarmGraspError):
+    """An optional package that is needed here is not installed."""

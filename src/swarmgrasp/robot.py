@@ -6,6 +6,8 @@ from typing import Literal, get_args
 
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
+from swarmgrasp.ranges import angles, limit_faults, name_faults, numbers
+from swarmgrasp.tolerance import Tolerance
 
 Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""
@@ -13,10 +15,6 @@ Attachment = Literal["push", "pull", "free"]
 RIGHT_ANGLE = math.pi / 2
 SAME_ANGLE = 1e-9
 """Angle [rad] that counts as none."""
-MOST_TURNED = 1e6
-"""Largest angle [rad]: beyond it, rounding eats the direction."""
-WEAKEST, STRONGEST = 1e-100, 1e100
-"""Range of force limits [N] whose squares and cubes are still numbers."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +33,14 @@ class Robot:
         A label for messages and pictures.
     mounted : bool
         A vessel's own thruster: it may sit anywhere inside the outline.
+    tolerance : Tolerance, optional
+        How far it may be from all this; only a criterion of the worst case looks at it.
 
     Raises
     ------
     RobotInvalid
-        If a number is not finite or the limit is not positive; all faults at once.
+        If a number is not finite or the limit is not positive, or the tolerance does not go
+        with the rest; all faults at once.
 
     Examples
     --------
@@ -52,6 +53,7 @@ class Robot:
     limit: float = 1.0
     name: str = ""
     mounted: bool = False
+    tolerance: Tolerance | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -64,6 +66,9 @@ class Robot:
                 f"the direction is {self.direction!r}; it should be -1e6 <= direction <= 1e6 [rad]"
             )
         faults += limit_faults(self.limit) + name_faults(self.name)
+        faults += _tolerance_faults(self.tolerance, self.limit)
+        if self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
+            faults.append("a mounted robot stays where it is: its tolerance can have no contact")
         if faults:
             raise RobotInvalid(f"{self.name or 'robot'}: {fault}" for fault in faults)
         object.__setattr__(self, "contact", point)
@@ -86,6 +91,9 @@ class Newcomer:
         direction on that side. Refused with a free attachment.
     name : str
         A label for messages and pictures.
+    tolerance : Tolerance, optional
+        How far it may end up from the place it aims at; only a criterion of the worst case looks
+        at it.
 
     Raises
     ------
@@ -104,11 +112,12 @@ class Newcomer:
     attachment: Attachment = "free"
     half_angle: float | None = None
     name: str = ""
+    tolerance: Tolerance | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
         faults = limit_faults(self.limit) + attachment_faults(self.attachment, self.half_angle)
-        faults += name_faults(self.name)
+        faults += name_faults(self.name) + _tolerance_faults(self.tolerance, self.limit)
         if faults:
             raise RobotInvalid(f"{self.name or 'newcomer'}: {fault}" for fault in faults)
         object.__setattr__(self, "limit", float(self.limit))
@@ -198,33 +207,6 @@ class Zone:
         return parts
 
 
-def numbers(values: object) -> tuple[float, ...]:
-    """Return finite numbers as floats; nothing at all if one is not."""
-    try:
-        found = tuple(map(float, values))  # type: ignore[call-overload]
-    except (TypeError, ValueError, OverflowError):
-        return ()
-    return found if all(map(math.isfinite, found)) else ()
-
-
-def angles(value: object) -> tuple[float, ...]:
-    """Do the same for angles [rad], one or several, none of which is beyond `MOST_TURNED`."""
-    found = numbers(value) or numbers((value,))
-    return found if all(abs(angle) <= MOST_TURNED for angle in found) else ()
-
-
-def name_faults(name: object) -> list[str]:
-    """Return what is wrong with a name."""
-    return [] if isinstance(name, str) else [f"the name is {name!r}; it should be text"]
-
-
-def limit_faults(limit: object) -> list[str]:
-    """Return what is wrong with a force limit [N]."""
-    if any(WEAKEST <= value <= STRONGEST for value in numbers((limit,))):
-        return []
-    return [f"the limit is {limit!r}; it should be {WEAKEST:g} <= limit <= {STRONGEST:g} [N]"]
-
-
 def attachment_faults(attachment: str, half_angle: float | None) -> list[str]:
     """Return what is wrong with an attachment and its half angle [rad]."""
     faults = []
@@ -238,3 +220,15 @@ def attachment_faults(attachment: str, half_angle: float | None) -> list[str]:
                 f"the half angle is {half_angle!r}; it should be 0 <= half angle <= pi/2 [rad]"
             )
     return faults
+
+
+def _tolerance_faults(tolerance: object, limit: float) -> list[str]:
+    """Return what is wrong with a tolerance, beside a limit [N]."""
+    if tolerance is None:
+        return []
+    if not isinstance(tolerance, Tolerance):
+        return [f"{tolerance!r} is no Tolerance"]
+    least = tolerance.least_limit
+    if least is not None and not least <= limit:
+        return [f"the least limit is {least!r}; it should be <= {limit!r}, the limit [N]"]
+    return []

@@ -1,8 +1,8 @@
 """A swarm: the object, the robots holding it, and the metric that makes wrenches comparable."""
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -20,9 +20,13 @@ from swarmgrasp.crew import (
 )
 from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import STRONGEST, WEAKEST, Robot, numbers
+from swarmgrasp.ranges import STRONGEST, WEAKEST, numbers
+from swarmgrasp.robot import Robot
+from swarmgrasp.tolerance import Tolerance
 
 Column = TypeVar("Column", NDArray[np.float64], NDArray[np.bool_])
+Tolerances = Mapping[int, Tolerance]
+"""The tolerances of those robots that have one, by index."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +77,8 @@ class Swarm:
     """(n, 3) [N, N, N m]: the wrench of each robot at its limit, about the origin."""
     characteristic_length: float
     force_weights: tuple[float, float]
+    tolerances: Tolerances = field(repr=False)
+    """Of those robots that have one, by index."""
     _names: Names = field(repr=False)
 
     def __init__(
@@ -85,7 +91,8 @@ class Swarm:
         crew = tuple(robots)
         columns = crew_of(crew)
         names = {i: robot.name for i, robot in enumerate(crew) if robot.name}
-        self._fill(outline, columns, names, characteristic_length, force_weights)
+        tolerances = {i: robot.tolerance for i, robot in enumerate(crew) if robot.tolerance}
+        self._fill(outline, columns, names, tolerances, characteristic_length, force_weights)
         vars(self)["robots"] = crew
 
     @classmethod
@@ -132,11 +139,11 @@ class Swarm:
         >>> swarm.generators.tolist()
         [[2.0, 0.0, -1.0], [2.0, 0.0, 2.0]]
         >>> swarm.robots[1]
-        Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='', mounted=False)
+        Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='', mounted=False, tolerance=None)
         """
         crew = checked_crew(contacts, directions, limits, mounted)
         swarm = cls.__new__(cls)
-        swarm._fill(outline, crew, NAMELESS, characteristic_length, force_weights)
+        swarm._fill(outline, crew, NAMELESS, {}, characteristic_length, force_weights)
         return swarm
 
     def _fill(
@@ -144,6 +151,7 @@ class Swarm:
         outline: Outline,
         crew: Crew,
         names: Names,
+        tolerances: Tolerances,
         length: float | None,
         force_weights: tuple[float, float],
     ) -> None:
@@ -153,6 +161,7 @@ class Swarm:
         length = outline.radius if length is None else length
         check_metric(length, force_weights)
         check_contacts(outline, crew, names)
+        check_tolerances(outline, tolerances, names)
         generators = wrenches(crew.contacts - outline.origin, crew.directions, crew.limits)
         vars(self).update(
             {name: _read_only(column) for name, column in crew._asdict().items()},
@@ -160,6 +169,7 @@ class Swarm:
             generators=_read_only(generators),
             characteristic_length=float(length),
             force_weights=tuple(map(float, force_weights)),
+            tolerances=tolerances,
             _names=names,
         )
 
@@ -180,7 +190,7 @@ class Swarm:
         crew = (self.contacts, self.directions, self.limits, self.mounted)
         rows = zip(*(column.tolist() for column in crew), strict=True)
         return tuple(
-            Robot((x, y), direction, limit, self._names.get(i, ""), mounted)
+            Robot((x, y), direction, limit, self._names.get(i, ""), mounted, self.tolerances.get(i))
             for i, ((x, y), direction, limit, mounted) in enumerate(rows)
         )
 
@@ -221,6 +231,10 @@ class Swarm:
         """
         outline, count, one = self.outline, len(self), crew_of((robot,))
         names = {**self._names, count: robot.name} if robot.name else self._names
+        tolerances = self.tolerances
+        if robot.tolerance:
+            tolerances = {**tolerances, count: robot.tolerance}
+            check_tolerances(outline, {count: robot.tolerance}, names)
         check_contacts(outline, one, names, first=count)
         rows = one._asdict()
         rows["generators"] = wrenches(one.contacts - outline.origin, one.directions, one.limits)
@@ -231,11 +245,69 @@ class Swarm:
             characteristic_length=self.characteristic_length,
             force_weights=self.force_weights,
             scale=self.scale,
+            tolerances=tolerances,
             _names=names,
         )
         if "robots" in vars(self):
             vars(swarm)["robots"] = (*self.robots, robot)
         return swarm
+
+    def without(self, robots: Iterable[int]) -> "Swarm":
+        """Return the swarm without some robots, given by index.
+
+        Raises
+        ------
+        RobotInvalid
+            If an index is none of a robot.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> pair = Swarm(square, [Robot((1, 0), 0.0, name="Ajax"), Robot((0, 1), 0.0)])
+        >>> [robot.name for robot in pair.without([1]).robots]
+        ['Ajax']
+        """
+        gone = set(robots)
+        count = len(self)
+        strange = [i for i in gone if not (isinstance(i, int | np.integer) and 0 <= i < count)]
+        if strange:
+            raise RobotInvalid(
+                f"{i!r} is no index of a robot; it should be 0 <= index < {count}" for i in strange
+            )
+        kept = [i for i in range(count) if i not in gone]
+        columns = ("contacts", "directions", "limits", "mounted", "generators")
+        swarm = Swarm.__new__(Swarm)
+        vars(swarm).update(
+            {name: _read_only(getattr(self, name)[kept]) for name in columns},
+            outline=self.outline,
+            characteristic_length=self.characteristic_length,
+            force_weights=self.force_weights,
+            scale=self.scale,
+            tolerances={k: self.tolerances[i] for k, i in enumerate(kept) if i in self.tolerances},
+            _names={k: self._names[i] for k, i in enumerate(kept) if i in self._names},
+        )
+        return swarm
+
+    def with_tolerance(self, tolerance: Tolerance) -> "Swarm":
+        """Return the swarm with one tolerance for every robot; a mounted one keeps its contact.
+
+        Raises
+        ------
+        RobotInvalid
+            If it is no tolerance, or does not go with a robot's limit or with the boundary.
+        """
+        return Swarm(
+            self.outline,
+            [
+                replace(
+                    robot,
+                    tolerance=replace(tolerance, contact=0.0) if robot.mounted else tolerance,
+                )
+                for robot in self.robots
+            ],
+            self.characteristic_length,
+            self.force_weights,
+        )
 
 
 def wrenches(
@@ -270,6 +342,18 @@ def check_swarm(swarm: object) -> None:
     if not isinstance(swarm, Swarm):
         kind = type(swarm).__name__
         raise RobotInvalid(f"{kind} is no Swarm: make one with Swarm(outline, robots)")
+
+
+def check_tolerances(outline: Outline, tolerances: Tolerances, names: Names) -> None:
+    """Raise `RobotInvalid` where a contact may be anywhere more than once around the boundary."""
+    faults = [
+        f"{robot_label(i, names)}: its contact may lie on {last - first:.6g} m of the boundary; "
+        f"that should be at most the perimeter, {outline.perimeter:.6g} m"
+        for i, (first, last) in ((i, found.offsets) for i, found in tolerances.items())
+        if last - first > outline.perimeter
+    ]
+    if faults:
+        raise RobotInvalid(faults)
 
 
 def check_metric(length: float, force_weights: tuple[float, float]) -> None:

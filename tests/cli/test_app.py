@@ -4,7 +4,10 @@ import sys
 
 import pytest
 
-COMMANDS = ["place", "quality", "verify", "plot", "examples", "schema"]
+COMMANDS = [
+    "place", "move", "count", "quality", "capability", "verify", "plot", "paper", "examples",
+    "schema",
+]  # fmt: skip
 
 
 def shell(line):

@@ -96,7 +96,7 @@ def test_json_on_standard_output_is_json_alone(run, pontoon):
     """`--json -` prints the answer file and nothing else."""
     status, said, complaints = run("place", pontoon, "--json", "-")
     assert (status, complaints) == (0, "")
-    assert json.loads(said)["format"] == "swarmgrasp answer 1"
+    assert json.loads(said)["format"] == "swarmgrasp answer 2"
 
 
 def test_files_are_written_and_named(run, pontoon, tmp_path):
@@ -165,3 +165,36 @@ def test_names_cannot_play_tricks(run, pontoon):
     status, said, _ = run("place", pontoon)
     assert status == 0
     assert r"the best place for E\x1b[31m[red]\n" in said.splitlines()[0]
+
+
+def test_a_place_for_the_worst_loss(run):
+    """The criterion is told beside the quality, and what the swarm does as it stands."""
+    status, said, _ = run("place", "rectangle-15", "--losing", "1", "--runners-up", "1")
+    assert status == 0
+    assert "after the worst loss of 1 robot" in said
+    assert "As it stands" in said
+    assert run("place", "rectangle-15", "--losing", "1.5")[0] == 2
+
+
+def test_a_place_in_the_worst_case(run):
+    """A tug that misses its place by some feet and degrees."""
+    status, said, _ = run("place", "deck-barge", "--worst-case", "--gap", "1e-3")
+    assert status == 0
+    assert "in the worst poses" in said
+
+
+def test_several_at_once(run, tmp_path):
+    """Three tugs placed together hold more than one after the other, and the bound says so."""
+    target, picture = tmp_path / "together.json", tmp_path / "plan.png"
+    status, said, _ = run(
+        "place", "deck-barge", "--robots", "3", "--together", "--gap", "0.01",
+        "--json", target, "--plot", picture,
+    )  # fmt: skip
+    found = json.loads(target.read_text())
+    assert status == 0
+    assert "the best places for 3 robots like Fortuna, all at once" in said
+    assert found["sequential"] < 0.9 * found["quality"]
+    assert found["quality"] <= found["upper_bound"] <= 1.011 * found["quality"]
+    assert [robot["name"] for robot in found["robots"]] == ["Fortuna 1", "Fortuna 2", "Fortuna 3"]
+    assert picture.exists()
+    assert run("place", "deck-barge", "--together", "--seconds", "-1")[0] == 2

@@ -11,7 +11,7 @@ def test_tells_quality_closure_and_robots(run):
     assert (status, complaints) == (0, "")
     assert said.startswith("Supply vessel: quality 748.42 kN\n")
     assert "Force closure   yes" in said
-    assert "Weakest wrench  yaw to" in said
+    assert "Weakest wrench  turning to" in said
     assert said.count(" on board") == 12
     assert "Metric: force weights 1 and 1, characteristic length 38.1 m." in said
 
@@ -63,3 +63,35 @@ def test_reads_standard_input(run, pontoon, monkeypatch):
     status, said, complaints = run("quality", "-")
     assert (status, said) == (2, "")
     assert "<stdin>:1:9: robots: should be a list" in complaints
+
+
+def test_losing_robots(run, tmp_path):
+    """The worst loss, and what each robot's loss leaves."""
+    target = tmp_path / "quality.json"
+    status, said, _ = run("quality", "rectangle-15", "--losing", "1", "--json", target)
+    assert status == 0
+    assert said.startswith("Rectangle, 15 robots: quality 1.2638 N after the worst loss of 1 robot")
+    assert "As it stands    2.2558 N" in said
+    assert "Worst loss      R4\n" in said
+    found = json.loads(target.read_text())
+    assert found["criterion"]["losing"] == 1
+    assert found["lost"] == ["R4"]
+    assert found["losses"][0] == {"robot": "R4", "quality": pytest.approx(found["quality"])}
+    assert len(found["worst_robots"]) == 14
+
+
+def test_the_worst_poses(run):
+    """Those of robots with tolerances, and the value with what it is at least."""
+    status, said, _ = run("quality", "deck-barge", "--worst-case")
+    assert status == 0
+    assert " in the worst poses\n" in said
+    assert "Certified       no less than" in said
+    assert said.index("The worst poses") < said.index("The robots as they are meant to be")
+
+
+def test_what_cannot_be_asked(run):
+    """A number of robots that is none, and the worst case where everything is certain."""
+    assert run("quality", "deck-barge", "--losing", "-1")[0] == 2
+    status, said, complaints = run("quality", "supply-vessel", "--worst-case")
+    assert (status, said) == (2, "")
+    assert "no robot has a tolerance" in complaints

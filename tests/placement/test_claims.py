@@ -9,6 +9,11 @@ from answers import first, honest_document
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.placement import read_answer, verify_document
 
+TOLERANCE = {
+    "contact": [-0.1, 0.1], "direction": [0.0, 0.0], "least_limit": None, "may_be_absent": False
+}  # fmt: skip
+NOTHING = {"rows": [[0.0, 0.0, 0.0]]}
+
 
 @pytest.fixture
 def document():
@@ -19,7 +24,7 @@ def document():
 @pytest.mark.parametrize(
     ("where", "value", "says"),
     [
-        (("format",), "swarmgrasp answer 2", "format: Input should be 'swarmgrasp answer 1'"),
+        (("format",), "swarmgrasp answer 1", "format: Input should be 'swarmgrasp answer 2'"),
         (("metric", "characteristic_length"), math.nan, "should be a finite number"),
         (("metric", "characteristic_length"), 0.0, "greater than 0"),
         (("metric", "force_weights"), [1.0], "metric.force_weights"),
@@ -43,6 +48,26 @@ def document():
         (("placements", 0, "spacing"), 1e308, ""),
         (("placements", 0, "proofs", 0, "normals"), [[1.0, 0.0]], "proofs.0.normals"),
         (("placements", 0, "proofs", 0, "weights"), [], "proofs.0.weights"),
+        (("robots", 0, "tolerance"), {}, "robots.0.tolerance.contact: Field required"),
+        (("robots", 0, "tolerance"), {**TOLERANCE, "contact": [0.1, 0.2]}, "tolerance.contact.0"),
+        (("robots", 0, "tolerance"), {**TOLERANCE, "direction": [0.0, 4.0]}, "direction.1"),
+        (("robots", 0, "tolerance"), {**TOLERANCE, "least_limit": 0.0}, "least_limit"),
+        (("robots", 0, "tolerance"), {**TOLERANCE, "may_be_absent": 1}, "may_be_absent"),
+        (("placements", 0, "criterion"), None, "placements.0.criterion"),
+        (("placements", 0, "criterion", "losing"), -1, "criterion.losing"),
+        (("placements", 0, "criterion", "losing"), 0.5, "criterion.losing"),
+        (("placements", 0, "criterion", "load"), [0.0, 0.0], "criterion.load"),
+        (
+            ("placements", 0, "criterion", "task"),
+            {"kind": "ball", "rows": [[1, 0, 0]]},
+            "task.kind",
+        ),
+        (("placements", 0, "criterion", "task"), {"kind": "polytope", "rows": []}, "task.rows"),
+        (
+            ("placements", 0, "criterion", "task"),
+            {**NOTHING, "kind": "ellipsoid"},
+            "at least 1e-100",
+        ),
         (("digest",), 5, "digest"),
     ],
 )
@@ -55,6 +80,13 @@ def test_a_malformed_entry_is_named(document, where, value, says):
     with pytest.raises(AnswerInvalid) as caught:
         verify_document(document)
     assert any(says in fault for fault in caught.value.faults), caught.value.faults
+
+
+def test_a_mounted_robot_stays_where_it_is(document):
+    """It may turn the wrong way, and not drift along the boundary."""
+    document["robots"][0].update(mounted=True, tolerance=TOLERANCE)
+    with pytest.raises(AnswerInvalid, match="a mounted robot's contact has no tolerance"):
+        verify_document(document)
 
 
 def test_every_missing_and_every_unknown_entry_is_named(document):

@@ -70,6 +70,6 @@ def test_a_newcomer_that_cannot_help_is_told_why(present):
         return
     assert not answer.improves
     assert answer.quality == pytest.approx(answer.quality_before, rel=1e-12)
-    says = "takes at least 4 robots" if present < 3 else "equally weak in"
+    says = "takes at least 4 robots" if present < 3 else "equally weak at"
     assert says in answer.reason
     assert answer.verify()

@@ -25,7 +25,17 @@ from swarmgrasp import (
     quality,
 )  # fmt: skip
 from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
-from swarmgrasp.placement import read_answer, recompute, verify, verify_document, write_answer
+from swarmgrasp.placement import (
+    allowed,
+    boundary,
+    read_answer,
+    recompute,
+    team,
+    verify,
+    verify_document,
+    write_answer,
+)
+from swarmgrasp.placement import judge as judge_of
 from swarmgrasp.placement.digest import digest_of
 from swarmgrasp.placement.document import document_of
 
@@ -412,7 +422,8 @@ def test_no_cell_of_length_zero_hides_the_others(document):
 
 def test_the_check_shares_no_code_with_the_search():
     """Of the package it imports the form of the file and its digest, and nothing else."""
-    trees = [ast.parse(Path(m.__file__).read_text(encoding="utf-8")) for m in (verify, recompute)]
+    modules = (allowed, boundary, judge_of, recompute, team, verify)
+    trees = [ast.parse(Path(m.__file__).read_text(encoding="utf-8")) for m in modules]
     names = set()
     for node in (node for tree in trees for node in ast.walk(tree)):
         if isinstance(node, ast.Import):
@@ -421,14 +432,14 @@ def test_the_check_shares_no_code_with_the_search():
             assert node.level == 0
             names.add(node.module)
     ours = {name for name in names if name.startswith("swarmgrasp")}
-    form = {f"swarmgrasp.placement.{name}" for name in ("claims", "digest", "recompute")}
-    assert ours <= form | {"swarmgrasp.errors"}
+    form = {f"swarmgrasp.placement.{name}" for name in ("claims", "digest")}
+    assert ours <= form | {module.__name__ for module in modules} | {"swarmgrasp.errors"}
     assert not names & {"shapely", "importlib"}
 
 
 def test_of_many_robots_the_qualities_are_bounded_from_above(monkeypatch):
     """Said as taken on trust; one that is too high is still found out, and so is a false bound."""
-    monkeypatch.setattr(recompute, "MOST_SWEPT", 4)
+    monkeypatch.setattr(judge_of, "MOST_SWEPT", 4)
     monkeypatch.setattr(verify, "MOST_SWEPT", 4)
     honest = document_of(place(SWARM, NEWCOMER))
     verdict = verify_document(honest)

@@ -5,11 +5,15 @@ import numpy as np
 import pytest
 
 from swarmgrasp import (
+    Criterion,
     Newcomer,
     Outline,
+    Polytope,
+    Problem,
     Robot,
     Stretch,
     Swarm,
+    Tolerance,
     Zone,
     cell_qualities,
     place,
@@ -147,3 +151,19 @@ def test_the_colour_bar_ends_on_the_page(crowd, size):
     bar = figure.axes[0].child_axes[0]
     assert bar.get_tightbbox().x1 <= figure.bbox.x1
     assert bar.yaxis.get_offset_text().get_text() == ""
+
+
+def test_a_landscape_says_its_criterion(crowd):
+    """Words, load and a bar without unit; colours leave the newcomer's own tolerance out."""
+    terms = {"losing": 1, "load": (0.1, 0.0, 0.0), "task": Polytope([(1, 0, 0), (0, 1, 0)])}
+    figure = landscape(place(crowd, Newcomer(1.0), **terms), resolution=(20, 10))
+    said = " ".join(text.get_text() for text in figure.texts)
+    assert "after the worst loss of 1 robot, beside the load, relative to the task" in said
+    assert "times the task" in said
+    assert "surge 0.1 N" in said
+    bar = figure.axes[0].child_axes[0]
+    assert bar.get_ylabel() == "quality with the newcomer"
+    newcomer = Newcomer(1.0, tolerance=Tolerance(contact=0.1))
+    problem = Problem(crowd, newcomer, criterion=Criterion(worst_case=True))
+    said = " ".join(text.get_text() for text in landscape(problem, resolution=(20, 10)).texts)
+    assert "as if the newcomer hit its place exactly" in said

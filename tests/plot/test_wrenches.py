@@ -2,10 +2,11 @@ import numpy as np
 import pytest
 from mpl_toolkits.mplot3d import proj3d
 
-from swarmgrasp import Outline, Robot, Swarm
+from swarmgrasp import Criterion, Ellipsoid, Outline, Polytope, Robot, Swarm, Tolerance
 from swarmgrasp.plot import wrench_sets
-from swarmgrasp.plot.bodies import body, split, unit_ball
-from swarmgrasp.plot.wrenches import text_area
+from swarmgrasp.plot.bodies import body, split
+from swarmgrasp.plot.fit import text_area
+from swarmgrasp.plot.tasks import unit_ball
 from swarmgrasp.quality import quality
 
 
@@ -15,22 +16,22 @@ def test_the_ball_touches_the_weakest_face_and_no_other_is_nearer(name, request)
     shape = body(swarm)
     face = shape.vertices[list(shape.facet)]
     size = float(np.abs(shape.vertices).max())
-    assert shape.radius == pytest.approx(quality(swarm).value, abs=1e-9 * size)
+    assert shape.quality == pytest.approx(quality(swarm).value, abs=1e-9 * size)
     normal = np.cross(face[1] - face[0], face[2] - face[1])
     normal /= np.linalg.norm(normal)
     assert (shape.touching - face[0]) @ normal == pytest.approx(0.0, abs=1e-9 * size)
-    assert np.linalg.norm(shape.touching) == pytest.approx(shape.radius, rel=1e-12)
-    assert (shape.offsets >= shape.radius - 1e-9 * size).all()
+    assert np.linalg.norm(shape.touching) == pytest.approx(shape.quality, rel=1e-12)
+    assert (shape.offsets >= shape.quality - 1e-9 * size).all()
 
 
 def test_the_balanced_square_has_its_known_ball(square):
-    assert body(square).radius == pytest.approx(0.8 / np.sqrt(1.32), rel=1e-12)
+    assert body(square).quality == pytest.approx(0.8 / np.sqrt(1.32), rel=1e-12)
 
 
 def test_cutting_the_ball_loses_and_adds_nothing(crowd):
     shape = body(crowd)
     patches, _ = unit_ball()
-    patches = 1.4 * shape.radius * patches
+    patches = [1.4 * shape.quality * patch for patch in patches]
     inside, outside = split(patches, np.zeros((len(patches), 4)), shape)
     assert inside
     assert outside
@@ -76,3 +77,84 @@ def test_the_names_of_the_axes_clear_the_numbers(barge):
     numbers = [text_area(tick.label1) for axis in axes for tick in axis.get_major_ticks()]
     for i, name in enumerate(names):
         assert not any(name.intersects_path(other) for other in numbers + names[:i])
+
+
+CRITERIA = {
+    "losing": Criterion(losing=1),
+    "worst poses": Criterion(worst_case=True),
+    "load": Criterion(load=(0.1, -0.3, 0.2)),
+    "task": Criterion(task=Polytope([(1, 0, 0), (0.5, 0, 1), (0.5, 0, -1), (0.5, 1, 0)])),
+    "one wrench": Criterion(task=Polytope([(1, 0, 0)])),
+    "ellipsoid": Criterion(task=Ellipsoid([(3, 0, 0), (0, 1, 0), (0, 0, 0.5)])),
+    "all": Criterion(2, True, (0.1, -0.1, 0.1), Polytope([(1, 0, 0), (0.5, 0, 1)])),
+}
+
+
+@pytest.fixture(scope="module")
+def rough(crowd):
+    return crowd.with_tolerance(Tolerance(contact=0.05, direction=0.05))
+
+
+@pytest.mark.parametrize("criterion", CRITERIA.values(), ids=CRITERIA)
+def test_what_is_drawn_by_a_criterion_fits_and_touches(rough, criterion):
+    """Ball or task is inside the set of the worst case, moved by the load, up to its face."""
+    shape = body(rough, criterion)
+    assert shape.quality == quality(rough, **criterion.terms).value > 0.0
+    held = shape.held
+    corners = held.segment if held.segment is not None else np.concatenate(held.patches)
+    size = float(np.abs(shape.vertices).max())
+    reach = (shape.normals @ corners.T).max(axis=1)
+    assert (reach <= shape.offsets + 1e-9 * size).all()
+    face = shape.vertices[list(shape.facet)]
+    height = float(shape.weakest @ face[0])
+    assert shape.touching @ shape.weakest == pytest.approx(height, abs=1e-7 * size)
+    assert shape.robots == len(rough) - criterion.losing
+
+
+def texts(figure):
+    legend = [text.get_text() for text in figure.legends[0].get_texts()]
+    return legend, " ".join(text.get_text() for text in figure.texts)
+
+
+def test_the_worst_case_stands_beside_the_swarm_as_it_is(rough):
+    """The wire frame is the set without the worst case, and the title says the criterion."""
+    criterion = Criterion(losing=1, worst_case=True)
+    figure = wrench_sets(rough, criterion=criterion)
+    legend, said = texts(figure)
+    nominal, worst = quality(rough).value, quality(rough, **criterion.terms).value
+    assert legend[:2] == [f"14 robots, quality {worst:.3g} N", f"as they stand: {nominal:.3g} N"]
+    assert "in the worst poses, after the worst loss of 1 robot" in said
+    assert "robots left in their worst poses" in said
+
+
+def test_a_task_takes_the_place_of_the_ball(rough):
+    """No unit, no ball; a load is drawn from no wrench to where the set then begins."""
+    criterion = Criterion(load=(0.1, -0.3, 0.2), task=Polytope([(1, 0, 0), (0.5, 0, 1)]))
+    figure = wrench_sets(rough, rough.with_robot(Robot((1.8, 0.0), 0.0)), criterion=criterion)
+    ax = figure.axes[0]
+    gids = {artist.get_gid() for artist in ax.get_children()}
+    assert gids >= {"before", "task", "facet", "touching", "load"}
+    assert "ball" not in gids
+    (load,) = (artist for artist in ax.lines if artist.get_gid() == "load")
+    tip = np.array(load.get_data_3d())[:, 1]
+    np.testing.assert_allclose(tip, np.array(criterion.load) * rough.scale)
+    legend, said = texts(figure)
+    assert legend[0].startswith("15 robots: ")
+    assert legend[0].endswith(" times the task")
+    assert "the task, times the quality" in legend
+    assert "Load on the object: surge 0.1 N, sway \u22120.3 N, yaw 0.2 N m." in said
+
+
+def test_a_load_beyond_reach_shows_the_face_it_is_beyond(barge):
+    """No ball, and words that say why."""
+    legend, _ = texts(wrench_sets(barge, criterion=Criterion(load=(0.0, -9e6, 0.0))))
+    assert "face the load is beyond" in legend
+
+
+def test_a_flat_set_touched_at_its_rim_marks_no_face():
+    """Two robots ahead can do a task ahead."""
+    outline = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    swarm = Swarm(outline, [Robot((-1, 0.3), 0.0), Robot((-1, -0.3), 0.0)])
+    criterion = Criterion(task=Polytope([(1, 0, 0)]))
+    assert body(swarm, criterion).facet == ()
+    assert "weakest face" not in texts(wrench_sets(swarm, criterion=criterion))[0]

@@ -7,7 +7,7 @@ import pytest
 
 from swarmgrasp.placement import Problem, place_sequence
 from swarmgrasp.scenario import parse_scenario
-from swarmgrasp.scenario.schema import FARTHEST, STRONGEST
+from swarmgrasp.scenario.fields import FARTHEST, STRONGEST
 
 PAGE = (Path(__file__).parents[2] / "docs" / "scenario.md").read_text(encoding="utf-8")
 
@@ -18,7 +18,12 @@ def test_the_yaml_of_the_page_runs(text: str) -> None:
     scenario = parse_scenario(text, "docs/scenario.md")
     assert scenario.newcomer is not None
     problem = Problem(
-        scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
+        scenario.swarm,
+        scenario.newcomer,
+        scenario.zones,
+        scenario.no_go,
+        scenario.spacing,
+        scenario.criterion,
     )
     (answer,) = place_sequence(problem, 1)
     assert answer.verify()

@@ -1,24 +1,30 @@
 """The built-in scenarios load, fit the schema, and have the qualities they promise."""
 
+from dataclasses import replace
+
 import jsonschema
 import numpy as np
 import pytest
 from ruamel.yaml import YAML
 
 from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.placement import Problem, place_sequence
+from swarmgrasp.quality import Criterion
 from swarmgrasp.scenario import example_names, example_text, load_example, scenario_schema
 from swarmgrasp.swarm import Swarm
 
 
-def quality(swarm: Swarm) -> float:
-    """Return the quality [N] by all pairs of generators, the slow formula (T2)."""
+def quality(swarm: Swarm, load: tuple[float, ...] = (0.0, 0.0, 0.0)) -> float:
+    """Return the quality [N] beside a load by all pairs of generators, the slow formula (T2)."""
     b = swarm.scaled_generators
     j, k = np.triu_indices(len(b), 1)
     normals = np.cross(b[j], b[k])
     size = np.linalg.norm(normals, axis=1)
     keep = size > 1e-9 * np.linalg.norm(b[j], axis=1) * np.linalg.norm(b[k], axis=1)
-    products = normals[keep] / size[keep, None] @ b.T
-    return float(min(np.maximum(s * products, 0.0).sum(axis=1).min() for s in (1, -1)))
+    normals = normals[keep] / size[keep, None]
+    normals = np.vstack([normals, -normals])
+    heights = np.maximum(normals @ b.T, 0.0).sum(axis=1) + normals @ (swarm.scale * load)
+    return float(heights.min())
 
 
 @pytest.mark.parametrize("name", example_names())
@@ -41,6 +47,7 @@ def test_an_example_loads_and_fits_the_schema(name: str) -> None:
         ("hull-120", 8, 248_774.880),
         ("model-ship", 5, 0.0467866667),
         ("deck-barge", 5, 229_220.380),
+        ("escort-ring", 8, 1_006_487.577),
     ],
 )
 def test_an_example_has_the_quality_it_promises(name: str, robots: int, expected: float) -> None:
@@ -48,6 +55,27 @@ def test_an_example_has_the_quality_it_promises(name: str, robots: int, expected
     swarm = load_example(name).swarm
     assert len(swarm) == robots
     assert quality(swarm) == pytest.approx(expected, rel=1e-7, abs=1e-12)
+
+
+def test_the_escort_ring_has_the_margins_it_promises() -> None:
+    """A ninth tug that hardly matters to eight intact lines is much in a gale with one parted."""
+    scenario = load_example("escort-ring")
+    swarm, load = scenario.swarm, scenario.criterion.load
+    margin = min(quality(swarm.without([i]), load) for i in range(8))
+    assert margin == pytest.approx(43_955.6, rel=1e-5)
+    assert scenario.newcomer is not None
+    problem = Problem(
+        swarm, scenario.newcomer, scenario.zones, spacing=scenario.spacing,
+        criterion=scenario.criterion,
+    )  # fmt: skip
+    (asked,) = place_sequence(problem, 1)
+    assert asked.quality_before == pytest.approx(margin)
+    ring = asked.swarm_after
+    assert asked.quality == pytest.approx(min(quality(ring.without([i]), load) for i in range(9)))
+    assert asked.quality == pytest.approx(334_390.0, rel=1e-4)
+    (still,) = place_sequence(replace(problem, criterion=Criterion()), 1)
+    assert still.quality == pytest.approx(1_007_750.6, rel=1e-5)
+    assert asked.verify()
 
 
 def test_an_unknown_example_is_told_with_the_nearest() -> None:

@@ -9,8 +9,13 @@ from typing import NoReturn
 from cyclopts import App, CycloptsError
 from cyclopts.help import DefaultFormatter, PanelSpec
 
+from swarmgrasp.cli.capability import capability
+from swarmgrasp.cli.count import count
 from swarmgrasp.cli.dash import hidden, shown
 from swarmgrasp.cli.examples import examples
+from swarmgrasp.cli.forces import forces
+from swarmgrasp.cli.move import move
+from swarmgrasp.cli.paper import paper
 from swarmgrasp.cli.place import place
 from swarmgrasp.cli.plot import plot
 from swarmgrasp.cli.quality import quality
@@ -21,7 +26,7 @@ from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
-COMMANDS = (place, quality, verify, plot, examples, schema)
+COMMANDS = (place, move, count, quality, forces, capability, verify, plot, paper, examples, schema)
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
 

@@ -11,13 +11,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from swarmgrasp.placement import Placement
+    from swarmgrasp.quality import Criterion
     from swarmgrasp.swarm import Swarm
 
 Picture = Literal["plan", "wrenches", "landscape"]
 
 
 def pictures(
-    wanted: dict[Picture, Path], swarm: "Swarm", answers: "Sequence[Placement]"
+    wanted: dict[Picture, Path],
+    swarm: "Swarm",
+    answers: "Sequence[Placement]",
+    criterion: "Criterion",
 ) -> list[Path]:
     """Write pictures, once all of them are drawn.
 
@@ -29,6 +33,8 @@ def pictures(
         The robots already there.
     answers : sequence of Placement
         The newcomers; a landscape needs one, and shows what the first could choose from.
+    criterion : Criterion
+        What quality means.
 
     Returns
     -------
@@ -41,7 +47,7 @@ def pictures(
     drawn = {}
     for what, path in wanted.items():
         try:
-            drawn[path] = _figure(what, swarm, answers)
+            drawn[path] = _figure(what, swarm, answers, criterion)
         except WrenchSetTooLarge as error:
             if len(wanted) == 1:
                 raise
@@ -49,13 +55,16 @@ def pictures(
     return [save(figure, path) for path, figure in drawn.items()]
 
 
-def _figure(what: Picture, swarm: "Swarm", answers: "Sequence[Placement]") -> "Figure":
+def _figure(
+    what: Picture, swarm: "Swarm", answers: "Sequence[Placement]", criterion: "Criterion"
+) -> "Figure":
     """Draw one picture."""
     from swarmgrasp.plot import landscape, plan, wrench_sets
     from swarmgrasp.quality import quality
 
     if what == "plan":
-        return plan(swarm, quality=quality(swarm), placements=answers)
+        return plan(swarm, quality=quality(swarm, **criterion.terms), placements=answers)
     if what == "wrenches":
-        return wrench_sets(swarm, answers[-1].swarm_after if answers else None)
+        after = answers[-1].swarm_after if answers else None
+        return wrench_sets(swarm, after, criterion=criterion)
     return landscape(answers[0])

@@ -1,18 +1,22 @@
 """`swarmgrasp place`: where the next robot goes."""
 
+import math
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
     json_faults,
+    json_text,
     output_faults,
     print_json,
+    put_json,
     read_scenario,
     source_of,
 )
@@ -22,6 +26,7 @@ from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import Placement
+    from swarmgrasp.quality import Criterion
     from swarmgrasp.scenario import Scenario
 
 MOST_ROBOTS = 1000
@@ -33,7 +38,11 @@ def place(
     /,
     *,
     robots: Annotated[str, Parameter(metavar="INT")] = "1",
-    gap: float = 1e-6,
+    together: Annotated[bool, Parameter(negative="")] = False,
+    seconds: float = 10.0,
+    losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    worst_case: Annotated[bool, Parameter(negative="")] = False,
+    gap: float | None = None,
     runners_up: float = 0.9,
     plot: Path | None = None,
     json: Dashed | None = None,
@@ -52,9 +61,20 @@ def place(
     robots
         How many robots like the newcomer to place, one after the other, 1 to 1000: each
         is best given those before it.
+    together
+        Place them all at once instead, which is often better; the bound is then for all of
+        them.
+    seconds
+        Time for the search of robots placed together, about.
+    losing
+        Make the quality after the worst loss of so many robots best, the newcomer perhaps
+        among them.
+    worst_case
+        Make the quality best in the worst poses that the tolerances of the robots, and of the
+        newcomer, allow.
     gap
         Stop when no place can be better by more than this share, relative to the answer;
-        between 0 and 1, both excluded.
+        between 0 and 1, both excluded; 1e-6 unless given, or 1e-3 of robots placed together.
     runners_up
         Also list the best place on every other edge or zone that reaches this share of
         the best quality, from 0 (all that help) to 1 (only equals).
@@ -63,12 +83,20 @@ def place(
         the landscape of all places (NAME-landscape.png); .png, .svg or .pdf.
     json
         Write the answer with its proof to this .json file, which `swarmgrasp verify`
-        checks; "-" prints it and nothing else. SI units and radians.
+        checks; "-" prints it and nothing else. SI units and radians. Robots placed
+        together have no such proof.
     """
-    faults = _number_faults(robots, gap, runners_up) + json_faults(json)
+    gap = (1e-3 if together else 1e-6) if gap is None else gap
+    faults = (
+        _number_faults(robots, gap, runners_up, seconds) + losing_faults(losing) + json_faults(json)
+    )
     faults += output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
-    answers = solve(scenario, file, int(robots), gap, runners_up)
+    criterion = criterion_of(scenario, file, losing, worst_case)
+    if together:
+        _together(scenario, file, int(robots), gap, seconds, criterion, plot, json)
+        return
+    answers = solve(scenario, file, int(robots), gap, runners_up, criterion)
     # files first: whoever reads the report may leave before its end
     written: list[str | Path] = []
     if json not in (None, DASH):
@@ -79,7 +107,7 @@ def place(
     if plot is not None:
         from swarmgrasp.cli.pictures import pictures
 
-        written += pictures(_beside(plot), scenario.swarm, answers)
+        written += pictures(_beside(plot), scenario.swarm, answers, criterion)
     if json == DASH:
         from swarmgrasp.placement.document import answer_text
 
@@ -91,8 +119,33 @@ def place(
     told_written(written, aside=json == DASH)
 
 
+def _together(
+    scenario: "Scenario", file: str, robots: int, gap: float, seconds: float,
+    criterion: "Criterion", plot: Path | None, json: str | None,
+) -> None:  # fmt: skip
+    """Place the newcomers all at once."""
+    from swarmgrasp.cli import jointly
+
+    found = jointly.solve(scenario, file, robots, gap, seconds, criterion)
+    data = jointly.data_of(scenario.name, found)
+    if json == DASH:
+        print_json(json_text(data))
+    written: list[str | Path] = [*put_json(json, data)]
+    if plot is not None:
+        paths = _beside(plot)
+        written += jointly.draw(found, paths["plan"], paths["wrenches"])
+    if json != DASH:
+        jointly.show(scenario.name, found)
+    told_written(written, aside=json == DASH)
+
+
 def solve(
-    scenario: "Scenario", file: str, robots: int = 1, gap: float = 1e-6, runners_up: float = 0.9
+    scenario: "Scenario",
+    file: str,
+    robots: int = 1,
+    gap: float = 1e-6,
+    runners_up: float = 0.9,
+    criterion: "Criterion | None" = None,
 ) -> "tuple[Placement, ...]":
     """Place a scenario's newcomer.
 
@@ -103,6 +156,8 @@ def solve(
         What messages call it.
     robots, gap, runners_up
         As for the command.
+    criterion : Criterion, optional
+        Instead of the scenario's.
 
     Raises
     ------
@@ -128,7 +183,12 @@ def solve(
 
     try:
         problem = Problem(
-            scenario.swarm, scenario.newcomer, scenario.zones, scenario.no_go, scenario.spacing
+            scenario.swarm,
+            scenario.newcomer,
+            scenario.zones,
+            scenario.no_go,
+            scenario.spacing,
+            scenario.criterion if criterion is None else criterion,
         )
         with shown_progress(robots) as progress:
             return place_sequence(
@@ -138,7 +198,7 @@ def solve(
         raise UsageFault(f"{source}: {fault}" for fault in error.faults) from error
 
 
-def _number_faults(robots: str, gap: float, runners_up: float) -> list[str]:
+def _number_faults(robots: str, gap: float, runners_up: float, seconds: float) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = []
     # int() would also take 1_0, and cyclopts 1.5 and 0x2
@@ -148,6 +208,8 @@ def _number_faults(robots: str, gap: float, runners_up: float) -> list[str]:
         faults.append(f"--gap is {gap:g}; it should be between 0 and 1, both excluded")
     if not 0.0 <= runners_up <= 1.0:
         faults.append(f"--runners-up is {runners_up:g}; it should be from 0 to 1")
+    if not 0.0 <= seconds < math.inf:
+        faults.append(f"--seconds is {seconds:g}; it should be a number, 0 or more")
     return faults
 
 

@@ -2,9 +2,11 @@
 
 from collections.abc import Sequence
 
+from swarmgrasp.cli.criteria import unit_for
 from swarmgrasp.cli.report import ALONG, NOTES, Column, Forces, Lengths, Report, percent
 from swarmgrasp.cli.words import Stance, degrees, stance
 from swarmgrasp.placement import Placement
+from swarmgrasp.quality import quality
 from swarmgrasp.robot import Robot
 
 FEWEST = 1e-12
@@ -26,7 +28,8 @@ def show(name: str, answers: Sequence[Placement]) -> None:
         One newcomer, or several placed one after the other.
     """
     report = Report()
-    unit = Forces.for_size(answers[-1].quality, answers[-1].upper_bound)
+    criterion = answers[0].problem.criterion
+    unit = unit_for(criterion, answers[-1].quality, answers[-1].upper_bound)
     if len(answers) == 1:
         _show_one(report, name, answers[0], unit)
     else:
@@ -68,6 +71,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
             ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
             ("Force", f"{Forces.for_size(robot.limit).text(robot.limit)}, its limit"),
             ("Quality", _gain(answer.quality_before, answer.quality, unit)),
+            *_beside(answer, answer, unit),
             ("Proven", _sure(answer, unit)),
             *([("Limit now", answer.reason)] if answer.improves else []),
         ]
@@ -108,6 +112,7 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
     worst = max(answers, key=lambda a: a.gap / a.quality if a.quality else 0.0)
     report.facts([
         ("Quality", _gain(first.quality_before, last.quality, unit)),
+        *_beside(first, last, unit),
         ("Proven", f"for each robot given those before it: {_sure(worst, unit, bound=False)}; "
                    "other places for all of them together may be better still"),
         ("Limit now" if last.improves else "Why no more", last.reason),
@@ -179,6 +184,21 @@ def _gain(before: float, after: float, unit: Forces) -> str:
         return f"stays {unit.text(before)}"
     change = f"{unit.number(before)} -> {unit.text(after)}"
     return f"{change} ({_percent_gain(before, after)})"
+
+
+def _beside(first: Placement, last: Placement, unit: Forces) -> list[tuple[str, str]]:
+    """Say by what criterion the quality is meant, and how it changes as things stand."""
+    criterion = first.problem.criterion
+    if criterion.is_nominal:
+        return []
+    facts = [("", criterion.words)]
+    if criterion.losing or criterion.worst_case:
+        before, after = (
+            quality(swarm, load=criterion.load, task=criterion.task).value
+            for swarm in (first.problem.swarm, last.swarm_after)
+        )
+        facts.append(("As it stands", _gain(before, after, unit)))
+    return facts
 
 
 def _percent_gain(before: float, after: float) -> str:

@@ -28,8 +28,7 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
     from swarmgrasp.cli.place import solve
     from swarmgrasp.cli.report import told_written
 
-    if scenario.newcomer is None and what != "landscape":
-        written = pictures({what: picture}, scenario.swarm, ())
-    else:
-        written = pictures({what: picture}, scenario.swarm, solve(scenario, file))
+    alone = scenario.newcomer is None and what != "landscape"
+    answers = () if alone else solve(scenario, file)
+    written = pictures({what: picture}, scenario.swarm, answers, scenario.criterion)
     told_written(written)

@@ -1,70 +1,8 @@
-/* The kernels as a Python module: arrays in, numbers and bytes out. Checked are sizes, and that
- * numbers are finite. */
-#define PY_SSIZE_T_CLEAN
-#define Py_LIMITED_API 0x030B0000
-#include <Python.h>
-
+/* The kernels as a Python module: arrays in, numbers and bytes out. */
+#include "binding.h"
 #include "place.h"
 #include "quality.h"
 #include "sector.h"
-
-/* The thread's state while what it does leaves the interpreter to others, or NULL. */
-static _Thread_local PyThreadState *away;
-
-/* What takes long lets other threads run. */
-static void leave(int is_long) {
-    if (is_long)
-        away = PyEval_SaveThread();
-}
-
-static void come_back(void) {
-    if (away)
-        PyEval_RestoreThread(away);
-    away = NULL;
-}
-
-static int interrupted(void) {
-    int was_away = away != NULL;
-    come_back();
-    int status = PyErr_CheckSignals() != 0;
-    leave(was_away);
-    return status;
-}
-
-/* Get C-contiguous doubles, a multiple of `width` of them. */
-static int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
-    if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT))
-        return -1;
-    if (view->itemsize != sizeof(double) || !view->format || view->format[0] != 'd'
-        || view->len % (width * (Py_ssize_t)sizeof(double))
-        || view->len / (width * (Py_ssize_t)sizeof(double)) > INT_MAX / 16) {
-        PyErr_Format(PyExc_ValueError, "float64 in rows of %zd are wanted", width);
-        PyBuffer_Release(view);
-        return -1;
-    }
-    const double *values = view->buf;
-    double sum = 0.0; /* of zeros, as long as all are finite */
-    for (Py_ssize_t k = 0; k < view->len / (Py_ssize_t)sizeof(double); k++)
-        sum += 0.0 * values[k];
-    if (sum != 0.0) {
-        PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
-        PyBuffer_Release(view);
-        return -1;
-    }
-    return 0;
-}
-
-/* Tell whether three numbers are finite; if not, set an exception. */
-static int are_finite(const double *v) {
-    if (isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]))
-        return 1;
-    PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
-    return 0;
-}
-
-static int rows_of(const Py_buffer *view, int width) {
-    return (int)(view->len / (width * (Py_ssize_t)sizeof(double)));
-}
 
 /* -- qualities --------------------------------------------------------------------------------- */
 
@@ -138,6 +76,7 @@ typedef struct {
     PyObject_HEAD
     Search search;
     Py_buffer generators, pieces;
+    PyObject *criterion; /* or NULL */
     Proof *proofs;
     const char *state; /* why it cannot be used, or NULL */
 } SearchObject;
@@ -186,6 +125,7 @@ static void search_dealloc(PyObject *object) {
     PyTypeObject *type = Py_TYPE(object);
     search_end(&self->search);
     PyMem_Free(self->proofs);
+    Py_XDECREF(self->criterion);
     if (self->generators.obj)
         PyBuffer_Release(&self->generators);
     if (self->pieces.obj)
@@ -196,20 +136,24 @@ static void search_dealloc(PyObject *object) {
 }
 
 static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
-    PyObject *generators, *pieces;
+    PyObject *generators, *pieces, *aim = Py_None;
+    const Criterion *criterion = NULL;
     double weights[3], load[3] = {0.0};
     if (kwargs && PyDict_Size(kwargs) > 0) {
         PyErr_SetString(PyExc_TypeError, "Search takes no keyword arguments");
         return NULL;
     }
-    if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd):Search", &generators, weights, weights + 1,
-                          weights + 2, &pieces, load, load + 1, load + 2)
+    if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd)O:Search", &generators, weights, weights + 1,
+                          weights + 2, &pieces, load, load + 1, load + 2, &aim)
         || !are_finite(weights) || !are_finite(load))
+        return NULL;
+    if (aim != Py_None && !(criterion = criterion_of(aim)))
         return NULL;
     allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
     SearchObject *self = (SearchObject *)make(type, 0);
     if (!self)
         return NULL;
+    self->criterion = criterion ? Py_NewRef(aim) : NULL;
     if (get_doubles(generators, &self->generators, 3) || get_pieces(pieces, &self->pieces))
         goto failed;
     int many = rows_of(&self->pieces, PIECE);
@@ -219,8 +163,8 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
         goto failed;
     }
     int count = rows_of(&self->generators, 3);
-    leave(count > SWEPT);
-    int status = search_begin(&self->search, self->generators.buf, count, load, weights,
+    leave(count > SWEPT || criterion);
+    int status = search_begin(&self->search, self->generators.buf, count, load, criterion, weights,
                               self->pieces.buf, many, interrupted);
     come_back();
     if (is_fault(status))
@@ -273,6 +217,8 @@ static PyObject *search_solve_method(PyObject *object, PyObject *args) {
             for (int i = 0; i < 4; i++) {
                 row[4 * k + i] = proof->row[i] - LIMITS;
                 share[4 * k + i] = proof->row[i] >= LIMITS ? proof->share[i] : 0.0;
+                if (share[4 * k + i] > 0.0)
+                    share[4 * k + i] *= search_length(s, proof->row[i]);
             }
         }
         return Py_BuildValue("(ONdNNN)", status == SOLVED ? Py_True : Py_False, tuple, top, bounds,
@@ -473,9 +419,13 @@ static int add_number(PyObject *module, const char *name, double value) {
 }
 
 static int fill(PyObject *module) {
-    PyObject *type = PyType_FromSpec(&search_spec);
-    int status = type ? PyModule_AddObjectRef(module, "Search", type) : -1;
-    Py_XDECREF(type);
+    PyObject *types[] = {PyType_FromSpec(&search_spec), make_criterion_type()};
+    const char *names[] = {"Search", "Criterion"};
+    int status = 0;
+    for (int k = 0; k < 2; k++) {
+        status |= types[k] ? PyModule_AddObjectRef(module, names[k], types[k]) : -1;
+        Py_XDECREF(types[k]);
+    }
     return status || add_number(module, "MARGINAL", ZERO) || add_number(module, "FLOOR", FLOOR);
 }
 

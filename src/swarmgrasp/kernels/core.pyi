@@ -28,6 +28,49 @@ def weakest(generators: Array, load: Normal = ..., /) -> tuple[float, Normal]:
 def qualities(generators: Array, n: int, /) -> bytes:
     """Return the exact qualities (m,) [N] of m swarms of n generators each, (m, n, 3) [N]."""
 
+class Criterion:
+    """What a swarm is asked to withstand; see `criterion.h`.
+
+    Parameters
+    ----------
+    points : (n, 3) [N]
+        Generators of the robots whose wrench is known, in the metric's coordinates.
+    scale : (3,) [1, 1, 1/m]
+        Turns wrenches into the metric's coordinates.
+    rows : (r, 12)
+        Of the other robots, sorted by robot, 0 1 2 ...: the robot, its limit [N], and a piece.
+    losing : int
+    load : (3,) [N]
+        In the metric's coordinates.
+    task : (m, 3)
+        Vertices of a polytope, or axes of an ellipsoid; none for the unit ball.
+    is_polytope : bool
+    """
+
+    def __new__(
+        cls,
+        points: Array,
+        scale: Normal,
+        rows: Array,
+        losing: int,
+        load: Normal,
+        task: Array,
+        is_polytope: bool,
+        /,
+    ) -> Criterion: ...
+    def least(
+        self, gap: float, below: float, zero: float, extra: Normal | None, /
+    ) -> tuple[float, Normal]:
+        """Return the least H / D and a unit normal that attains it.
+
+        No direction has less than 1 - gap times that. A value of `below` or more is not wanted,
+        one of `zero` or less as good as 0, and a negative one, where the load is not held, is
+        the first to be found. With one generator more, unless that is None.
+        """
+
+    def heights(self, normals: Array, /) -> bytes:
+        """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""
+
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).
 
@@ -41,6 +84,9 @@ class Search:
         See `sector.h`.
     load : (3,) [N], optional
         A wrench that is always there.
+    criterion : Criterion, optional
+        Asked instead of the nominal quality: it has the robots and the load itself, and no robot
+        can join.
     """
 
     quality: float
@@ -51,7 +97,13 @@ class Search:
     """The sum of |b_i| and the newcomer's largest wrench [N]: what rounding is relative to."""
 
     def __new__(
-        cls, generators: Array, weights: Normal, pieces: Array, load: Normal = ..., /
+        cls,
+        generators: Array,
+        weights: Normal,
+        pieces: Array,
+        load: Normal = ...,
+        criterion: Criterion | None = None,
+        /,
     ) -> Search: ...
     def solve(
         self, gap: float, chosen: bytes | None, budget: int, /

@@ -17,6 +17,8 @@
 #define TILTS 8             /* steps of the search for the deepest cut */
 #define MISSED 1e-14        /* of sum |b_i|: a level missed by less is reached */
 #define AHEAD 8.0           /* robots still to join that the directions kept should do for */
+#define TIGHT_KNOWN 1e-11   /* relative gap to which a criterion's value is found: known poses, */
+#define TIGHT_SPREAD 1e-7   /* and uncertain ones */
 #define MARGIN 1e-9         /* of a bound, against rounding */
 
 /* Of a piece: a level just above the best is told from it by rounding alone in a COARSE one, and no
@@ -30,7 +32,7 @@ typedef struct {
 
 /* -- the pool ---------------------------------------------------------------------------- */
 
-static int add_row(Search *s, const double *normal, double height) {
+static int add_row(Search *s, const double *normal, double height, double cap) {
     if (s->count == s->room) {
         int room = 2 * s->room;
         Row *grown = realloc(s->pool, (size_t)room * sizeof *grown);
@@ -45,12 +47,43 @@ static int add_row(Search *s, const double *normal, double height) {
     row->m[1] = normal[1] * s->weights[1];
     row->m[2] = free ? 0.0 : normal[2] * s->weights[2];
     row->height = height;
+    row->cap = cap;
+    if (cap < s->pool[s->lowest].cap)
+        s->lowest = s->count - 1;
     row->inverse = free ? 1.0 : 1.0 / fabs(row->m[2]);
     return SOLVED;
 }
 
+/* Add a normal with what a criterion says of it, at the length at which D is 1. One that the task
+ * asks nothing of makes no demand, unless the load is not held there. Returns a status; SOLVED also
+ * if there is nothing to add. */
+static int add_normal(Search *s, const double *normal) {
+    double cap, unit[3], height = criterion_height(s->criterion, normal, NULL, &cap);
+    double extent = criterion_extent(s->criterion, normal), least = UNASKED * length(normal);
+    if (isnan(height))
+        return NO_MEMORY;
+    if (extent < least && height >= 0.0)
+        return SOLVED;
+    extent = larger(extent, least);
+    for (int k = 0; k < 3; k++)
+        unit[k] = normal[k] / extent;
+    return add_row(s, unit, height / extent, cap / extent);
+}
+
+double search_length(const Search *s, int row) {
+    double normal[3];
+    if (!s->criterion)
+        return 1.0;
+    for (int k = 0; k < 3; k++)
+        normal[k] = s->pool[row].m[k] / s->weights[k];
+    return length(normal);
+}
+
 /* h of the base swarm at a normal. */
 double search_height(const Search *s, const double *normal) {
+    double cap;
+    if (s->criterion)
+        return criterion_height(s->criterion, normal, NULL, &cap);
     if (s->is_small)
         return dot(s->sweep.load, normal) + support(s->generators, s->n, normal);
     double m[3], g[3];
@@ -193,26 +226,32 @@ static void refute(const Search *s, const double *piece, const Arc *arc, const A
 
 /* Try one proof on every piece. */
 static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
-    double mean[4] = {0.0}, highest = 0.0, wrench[3];
+    double mean[4] = {0.0}, highest = 0.0, cap = INFINITY, wrench[3];
     for (int k = 0; k < 4; k++)
         if (proof->share[k] > 0.0) {
             const Row *row = s->pool + proof->row[k];
             highest = larger(highest, row->height);
+            cap = smaller(cap, row->cap);
             for (int c = 0; c < 3; c++)
                 mean[c] += proof->share[k] * row->m[c];
             mean[3] += proof->share[k] * row->height;
         }
     for (int k = 0; k < s->many; k++)
-        if (proofs[k].bound > highest) {
+        if (proofs[k].bound > smaller(highest, cap)) {
             double bound = best_on_piece(s->pieces + PIECE * k, mean, wrench) + mean[3];
-            if (larger(bound, highest) < proofs[k].bound) {
+            bound = smaller(larger(bound, highest), cap);
+            if (bound < proofs[k].bound) {
                 proofs[k] = *proof;
-                proofs[k].bound = larger(bound, highest);
+                proofs[k].bound = bound;
             }
         }
 }
 
 /* -- exact qualities with a newcomer ----------------------------------------------------------- */
+
+static double tightest(const Search *s) {
+    return s->criterion->spread ? TIGHT_SPREAD : TIGHT_KNOWN;
+}
 
 static double least_in_pool(const Search *s, const double *wrench, int *at) {
     double least = INFINITY;
@@ -221,7 +260,7 @@ static double least_in_pool(const Search *s, const double *wrench, int *at) {
         const Row *row = s->pool + k;
         if (row->height >= least)
             continue;
-        double value = row->height + larger(0.0, dot(row->m, wrench));
+        double value = smaller(row->height + larger(0.0, dot(row->m, wrench)), row->cap);
         if (value < least) {
             least = value;
             *at = k;
@@ -245,6 +284,16 @@ int search_quality(Search *s, const double *wrench, double enough, double *quali
         *quality = sweep_least(&s->sweep, s->generators, s->n, generator, 0, *quality, s->error,
                                normal);
         return SOLVED;
+    }
+    if (s->criterion) {
+        double weakest[3], value;
+        int status = criterion_search(s->criterion, generator, tightest(s), *quality,
+                                      ZERO * s->size, s->interrupted, &value, weakest);
+        if (value < *quality) {
+            *quality = value;
+            memcpy(normal, weakest, sizeof weakest);
+        }
+        return status == 0 ? SOLVED : status == -1 ? NO_MEMORY : INTERRUPTED;
     }
     Sphere sphere;
     int extras = s->n - s->in_tree + 1;
@@ -309,9 +358,17 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
         return REACHED;
     if (s->count >= s->most)
         return OUT_OF_BUDGET;
+    if (s->criterion) {
+        int count = s->count, status = add_normal(s, normal);
+        if (status != SOLVED)
+            return status;
+        if (s->count == count) /* rounding alone */
+            return REACHED;
+        return s->pool[s->lowest].cap < level ? CAPPED : SOLVED;
+    }
     if (s->is_small)
         height = tilt(s, normal, height, level, generator);
-    return add_row(s, normal, height);
+    return add_row(s, normal, height, INFINITY);
 }
 
 /* -- the search ------------------------------------------------------------------------------ */
@@ -322,7 +379,8 @@ static int reach(Search *s, const double *piece, double level, Best *best, Proof
     int is_lo_set = 0, is_hi_set = 0;
     for (int k = 0; k < LIMITS; k++) {
         double sign = 1.0 - 2.0 * k;
-        s->pool[k] = (Row){{sign * piece[2 * k + 1], -sign * piece[2 * k], sign}, level, 1.0};
+        s->pool[k] = (Row){{sign * piece[2 * k + 1], -sign * piece[2 * k], sign}, level, INFINITY,
+                           1.0};
     }
     double lo = piece[4], hi = piece[5];
     for (;;) {
@@ -408,10 +466,16 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
         int is_probe = best->piece >= 0 && best->piece != k && progress[k] == OPEN;
         double share = is_probe ? PROBE : 0.5;
         double level = before + share * (high - before);
-        int outcome = reach(s, s->pieces + PIECE * k, level, best, &trial);
+        int outcome = s->pool[s->lowest].cap < level
+                          ? CAPPED
+                          : reach(s, s->pieces + PIECE * k, level, best, &trial);
         if (best->quality > before)
             best->piece = k;
-        if (outcome == REFUTED) {
+        if (outcome == CAPPED) {
+            int row = s->lowest;
+            trial = (Proof){INFINITY, {row, row, row, row}, {1.0, 0.0, 0.0, 0.0}};
+            share_proof(s, &trial, proofs);
+        } else if (outcome == REFUTED) {
             share_proof(s, &trial, proofs);
             if (proofs[k].bound - level > 0.5 * (high - level))
                 progress[k] = SETTLED; /* rounding alone holds the bound up */
@@ -440,8 +504,16 @@ static double begin_pool(Search *s, const double *both) {
         return -NO_MEMORY;
     for (int k = 0; k < 2; k++) {
         double opposite[3] = {-normals[k][0], -normals[k][1], -normals[k][2]};
-        add_row(s, normals[k], search_height(s, normals[k]));
-        add_row(s, opposite, search_height(s, opposite));
+        if (s->criterion) {
+            int count = s->count;
+            add_normal(s, normals[k]);
+            add_normal(s, opposite);
+            if (s->count < count + 2) /* nothing is asked there */
+                add_normal(s, normals[k]);
+            continue;
+        }
+        add_row(s, normals[k], search_height(s, normals[k]), INFINITY);
+        add_row(s, opposite, search_height(s, opposite), INFINITY);
     }
     first_proofs(s, proofs);
     for (int k = 0; k < s->many; k++)
@@ -470,7 +542,7 @@ static int pool_from_facets(Search *s) {
     int status = most < 0.0 ? NO_MEMORY : SOLVED;
     for (ptrdiff_t k = 0; k < s->facets && status == SOLVED; k++)
         if (s->heights[k] < most)
-            status = add_row(s, s->normals + 3 * k, s->heights[k]);
+            status = add_row(s, s->normals + 3 * k, s->heights[k], INFINITY);
     return status;
 }
 
@@ -497,12 +569,24 @@ static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
     return sphere_keep(&s->open, &s->base, smaller(most, s->covered)) ? NO_MEMORY : SOLVED;
 }
 
+/* Find the weakest normal by a criterion. */
+static int pool_from_criterion(Search *s) {
+    int status = criterion_search(s->criterion, NULL, tightest(s), INFINITY, ZERO * s->weight,
+                                  s->interrupted, &s->quality, s->weakest);
+    if (status != 0)
+        return status == -1 ? NO_MEMORY : INTERRUPTED;
+    round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
+    return begin_pool(s, s->weakest) < 0.0 ? NO_MEMORY : SOLVED;
+}
+
 /* List the facets of the base swarm, or build its tree. */
 static int start(Search *s) {
     tree_free(&s->tree);
     s->count = LIMITS;
     s->in_tree = s->n;
-    s->is_small = s->n <= s->few;
+    s->is_small = s->n <= s->few && !s->criterion;
+    if (s->criterion)
+        return pool_from_criterion(s);
     if (!s->is_small) {
         if (tree_build(&s->tree, s->generators, s->n, s->sweep.load))
             return NO_MEMORY;
@@ -532,15 +616,19 @@ static void take_pieces(Search *s, const double *pieces, int many) {
 }
 
 int search_begin(Search *s, const double *generators, int n, const double *load,
-                 const double *weights, const double *pieces, int many, int (*interrupted)(void)) {
-    *s = (Search){.generators = generators, .n = n, .interrupted = interrupted};
+                 const Criterion *criterion, const double *weights, const double *pieces, int many,
+                 int (*interrupted)(void)) {
+    *s = (Search){.generators = generators, .n = n, .criterion = criterion,
+                  .interrupted = interrupted};
     memcpy(s->weights, weights, sizeof s->weights);
-    s->weight = total_size(generators, n);
+    s->weight = criterion ? criterion->weight : total_size(generators, n);
     take_pieces(s, pieces, many);
     /* one stronger than all the others together takes many exact qualities to place */
     s->few = s->reach > s->weight ? GIANT : SMALL;
     s->room = 256;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
+    if (s->pool)
+        s->pool[0].cap = INFINITY;
     if (!s->pool || sweep_room(&s->sweep, n <= s->few ? s->few : 0, load))
         return NO_MEMORY;
     return start(s);

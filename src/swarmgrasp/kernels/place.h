@@ -9,6 +9,7 @@
 #ifndef SWARMGRASP_PLACE_H
 #define SWARMGRASP_PLACE_H
 
+#include "criterion.h"
 #include "facets.h"
 #include "sphere.h"
 
@@ -16,12 +17,13 @@
 #define LIMITS 2    /* pool rows kept for the piece at hand */
 #define EXTRAS 32   /* robots that may join before a tree is built anew */
 
-enum { SOLVED, REACHED, REFUTED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
+enum { SOLVED, REACHED, REFUTED, CAPPED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
 
 /* A normal and what it demands. */
 typedef struct {
     double m[3];    /* covector [N, N, N/m]; m[2] is 0 if it says nothing of the torque */
-    double height;  /* h at the unit normal [N] */
+    double height;  /* h at the unit normal, or H where the criterion's D is 1 [N] */
+    double cap;     /* what no newcomer lifts it beyond [N] */
     double inverse; /* 1 / |m[2]|, or 1 */
 } Row;
 
@@ -56,6 +58,8 @@ typedef struct {
     double covered;             /* those that the next newcomer can matter to */
     Row *pool;
     int count, room, most;
+    int lowest;                 /* the row with the least cap */
+    const Criterion *criterion; /* other than the nominal quality, or NULL */
     int (*interrupted)(void);
 } Search;
 
@@ -65,10 +69,12 @@ typedef struct {
     int piece;
 } Best;
 
-/* Prepare a search beside a load (3,) [N]. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any
+/* Prepare a search beside a load (3,) [N], or for a criterion, which has the robots and the load
+ * itself; robots cannot join that one. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any
  * case. */
 int search_begin(Search *search, const double *generators, int n, const double *load,
-                 const double *weights, const double *pieces, int many, int (*interrupted)(void));
+                 const Criterion *criterion, const double *weights, const double *pieces, int many,
+                 int (*interrupted)(void));
 void search_end(Search *search);
 
 /* Let a robot (c, s, torque) join the base swarm, and ask for the next; what is known is kept. */
@@ -84,6 +90,9 @@ int search_solve(Search *search, const char *chosen, double gap, int budget, Bes
  * one, at the unit normal written. Below `enough` any upper bound will do. */
 int search_quality(Search *search, const double *wrench, double enough, double *quality,
                    double *normal);
+
+/* The length of a pool row's normal: 1, but for a criterion with a task. */
+double search_length(const Search *search, int row);
 
 /* h of the base swarm at a normal of any length. */
 double search_height(const Search *search, const double *normal);

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "sphere.h"
+#include "triangle.h"
 #include "vectors.h"
 
 #define LISTED 12        /* generators a triangle may be crossed by for its vertices to be listed */
@@ -16,7 +17,6 @@
 #define EVALUATION 4e-15 /* of sum |c_i|: what evaluations may differ by; */
 #define IDLE 100.0       /* times that: below the bound by more, a cut holds nothing up */
 #define NO_VERTEX 1e-12  /* sine of the angle between generators that have no vertex */
-#define INSIDE 1e-6      /* of a triangle's edge: by how much a vertex may lie outside */
 #define SMALLEST 1e-13   /* edge of a triangle that is a point, */
 #define DEPTH 100        /* halvings until then, and more */
 
@@ -108,62 +108,6 @@ static void at_corners(const double *scaled, const double *g, double *row) {
         row[j] = dot(g, scaled + 3 * j);
 }
 
-static double highest(double rows[][3], int count, const double *share) {
-    double value = dot(rows[0], share);
-    for (int k = 1; k < count; k++)
-        value = larger(value, dot(rows[k], share));
-    return value;
-}
-
-/* Minimise the greatest of some rows over shares of the corners: a linear program of three
- * unknowns, solved by looking at all its vertices. */
-static double relax(double rows[][3], int count, double *share) {
-    double least = INFINITY, trial[3];
-#define TRY                                              \
-    do {                                                 \
-        double value = highest(rows, count, trial);      \
-        if (value < least) {                             \
-            least = value;                               \
-            memcpy(share, trial, sizeof trial);          \
-        }                                                \
-    } while (0)
-    for (int j = 0; j < 3; j++) {
-        for (int k = 0; k < 3; k++)
-            trial[k] = k == j;
-        TRY;
-    }
-    for (int a = 0; a < count; a++)
-        for (int b = a + 1; b < count; b++) {
-            double d[3];
-            for (int k = 0; k < 3; k++)
-                d[k] = rows[a][k] - rows[b][k];
-            for (int j = 0; j < 3; j++) {
-                int i = (j + 1) % 3;
-                if (d[i] * d[j] < 0.0) {
-                    trial[i] = d[j] / (d[j] - d[i]);
-                    trial[j] = 1.0 - trial[i];
-                    trial[3 - i - j] = 0.0;
-                    TRY;
-                }
-            }
-            for (int c = b + 1; c < count; c++) {
-                double e[3], sum;
-                for (int k = 0; k < 3; k++)
-                    e[k] = rows[a][k] - rows[c][k];
-                cross(d, e, trial);
-                sum = trial[0] + trial[1] + trial[2];
-                if (sum == 0.0)
-                    continue;
-                for (int k = 0; k < 3; k++)
-                    trial[k] /= sum;
-                if (trial[0] >= 0.0 && trial[1] >= 0.0 && trial[2] >= 0.0)
-                    TRY;
-            }
-        }
-#undef TRY
-    return least;
-}
-
 /* Keep the cuts that hold the bound up. */
 static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
                       const double *share, double bound, double tolerance) {
@@ -207,23 +151,6 @@ static void tighten(Sphere *s, Cell *cell, const Local *local, const double *sca
 }
 
 /* -- the end of a cell ------------------------------------------------------------------- */
-
-/* Tell whether a direction lies in a triangle; a little outside counts too. 1, or -1 for the
- * opposite direction. */
-static int is_inside(const double *corner, const double *m) {
-    double side[3], edge = 0.0;
-    for (int j = 0; j < 3; j++) {
-        double across[3];
-        const double *a = corner + 3 * j, *b = corner + 3 * ((j + 1) % 3);
-        cross(a, b, across);
-        side[j] = dot(across, m);
-        edge = larger(edge, length(across));
-    }
-    double slack = INSIDE * edge * edge * length(m);
-    if (side[0] >= -slack && side[1] >= -slack && side[2] >= -slack)
-        return 1;
-    return side[0] <= slack && side[1] <= slack && side[2] <= slack ? -1 : 0;
-}
 
 /* Of some generators, keep those that change sign on a cell, `most` of them, and add up those that
  * are positive on it. Returns 0 if there are more. */
@@ -277,18 +204,9 @@ static void list_vertices(Sphere *s, const Cell *cell, const Local *local) {
 
 /* Halve a triangle at the middle of its longest edge. */
 static void halve(const Cell *cell, Cell *one, Cell *two) {
-    double longest = -1.0, middle[3];
-    int at = 0;
-    for (int j = 0; j < 3; j++) {
-        double edge[3];
-        for (int k = 0; k < 3; k++)
-            edge[k] = cell->corner[3 * j + k] - cell->corner[3 * ((j + 1) % 3) + k];
-        if (dot(edge, edge) > longest) {
-            longest = dot(edge, edge);
-            at = j;
-        }
-    }
-    const double *p = cell->corner + 3 * at, *q = cell->corner + 3 * ((at + 1) % 3);
+    double middle[3], edge;
+    int at = longest_edge(cell->corner, &edge), to = (at + 1) % 3;
+    const double *p = cell->corner + 3 * at, *q = cell->corner + 3 * to;
     for (int k = 0; k < 3; k++)
         middle[k] = p[k] + q[k];
     double size = length(middle);
@@ -296,7 +214,7 @@ static void halve(const Cell *cell, Cell *one, Cell *two) {
         middle[k] /= size;
     *one = *two = *cell;
     memcpy(one->corner + 3 * at, middle, sizeof middle);
-    memcpy(two->corner + 3 * ((at + 1) % 3), middle, sizeof middle);
+    memcpy(two->corner + 3 * to, middle, sizeof middle);
 }
 
 /* Corners as multiples of which every unit normal of the cell is a sum with shares >= 1. */
@@ -309,13 +227,9 @@ static void scale_corners(const Tree *tree, const Cell *cell, double *scaled) {
 }
 
 static double extent(const Cell *cell) {
-    double edge[3], most = 0.0;
-    for (int j = 0; j < 3; j++) {
-        for (int k = 0; k < 3; k++)
-            edge[k] = cell->corner[3 * j + k] - cell->corner[3 * ((j + 1) % 3) + k];
-        most = larger(most, length(edge));
-    }
-    return most;
+    double edge;
+    longest_edge(cell->corner, &edge);
+    return edge;
 }
 
 /* The tries that a cell is worth: none if only splitting can close the gap. */

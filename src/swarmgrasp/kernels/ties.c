@@ -13,6 +13,7 @@
 #define LANES 8          /* of them at a time */
 #define SOFTNESS 0.5     /* added to h, relative to its mean, before the power is taken */
 #define UNTURNED 1e-6    /* torque part of a proof's mean normal below which the contact is idle */
+#define CAPPED_BY 1e-9   /* how near to what no newcomer exceeds, relatively, the best counts as it */
 #define CHECKS 12        /* exact qualities of a large swarm that a grid may cost */
 
 typedef struct {
@@ -31,6 +32,8 @@ int search_is_tied(const Search *s, const Best *best, const Proof *proofs, doubl
      * unless v vanishes or says nothing of the torque. */
     if (best->piece < 0)
         return 1;
+    if (s->pool[s->lowest].cap * (1.0 - CAPPED_BY) <= best->quality)
+        return 1; /* no newcomer does better, and many do as well */
     for (int k = 0; k < s->many; k++)
         if (proofs[k].bound >= target) {
             double turn = 0.0;
@@ -50,7 +53,7 @@ static void fill_field(const Search *s, Field *field) {
         double z = 1.0 - (2.0 * k + 1.0) / DIRECTIONS, radius = sqrt(1.0 - z * z);
         double turn = k * PI * (3.0 - sqrt(5.0));
         double n[3] = {radius * cos(turn), radius * sin(turn), z};
-        field->height[k] = search_height(s, n);
+        field->height[k] = s->criterion ? criterion_total(s->criterion, n) : search_height(s, n);
         mean += field->height[k] / DIRECTIONS;
         for (int c = 0; c < 3; c++)
             field->m[c][k] = n[c] * s->weights[c];

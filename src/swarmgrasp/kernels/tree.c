@@ -207,17 +207,22 @@ static int is_parallel(int face, const double *a, const double *b) {
     return fabs(p[0] - q[0]) <= ALIKE && fabs(p[1] - q[1]) <= ALIKE;
 }
 
+void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count) {
+    /* forces in any unit come to a total near 1 */
+    double total = total_size(generators, count), *w = tree->whiten;
+    memset(w, 0, sizeof tree->whiten);
+    w[0] = w[2] = w[5] = total > 0.0 ? 1.0 / total : 1.0;
+    for (int step = 0; step < STEPS; step++) {
+        double better[6];
+        if (improve_whitening(better, tree, generators, count))
+            break;
+        memcpy(w, better, sizeof better);
+    }
+}
+
 int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load) {
     memset(tree, 0, sizeof *tree);
-    /* forces in any unit come to a total near 1 */
-    double total = total_size(generators, count);
-    tree->whiten[0] = tree->whiten[2] = tree->whiten[5] = total > 0.0 ? 1.0 / total : 1.0;
-    for (int step = 0; step < STEPS; step++) {
-        double w[6];
-        if (improve_whitening(w, tree, generators, count))
-            break;
-        memcpy(tree->whiten, w, sizeof w);
-    }
+    tree_whitening(tree, generators, count);
     tree_whiten(tree, load, tree->load);
     tree->weight = length(tree->load);
     size_t room = count > 0 ? (size_t)count : 1;

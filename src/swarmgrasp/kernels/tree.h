@@ -40,6 +40,9 @@ typedef struct {
 int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load);
 void tree_free(Tree *tree);
 
+/* Find M for generators (count, 3). */
+void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count);
+
 /* Turn a generator to whitened coordinates; a whitened normal back; and a normal there. */
 void tree_whiten(const Tree *tree, const double *b, double *c);
 void tree_normal(const Tree *tree, const double *m, double *n);

@@ -3,22 +3,32 @@
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
+from swarmgrasp.placement.how_many import HowMany, how_many
 from swarmgrasp.placement.many import cell_qualities, qualities_with
+from swarmgrasp.placement.moving import Move, Relocation, best_move
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import place, place_sequence
+from swarmgrasp.placement.together import Together, place_together
 from swarmgrasp.placement.verify import Verdict, verify_document
 
 __all__ = [
     "Certificate",
+    "HowMany",
+    "Move",
     "Placement",
     "Problem",
     "Proof",
+    "Relocation",
     "RunnerUp",
+    "Together",
     "Verdict",
+    "best_move",
     "cell_qualities",
+    "how_many",
     "parse_answer",
     "place",
     "place_sequence",
+    "place_together",
     "qualities_with",
     "read_answer",
     "verify_document",

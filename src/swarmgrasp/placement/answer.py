@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.reason import reason_of
+from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.robot import Robot
 from swarmgrasp.swarm import Swarm
@@ -95,6 +95,14 @@ class Placement:
     def reason(self) -> str:
         """What limits the answer, in words."""
         return reason_of(self)
+
+    @property
+    def explanation(self) -> str:
+        """What limited the swarm, what the newcomer adds, the runner-up, the bound: in sentences.
+
+        One per line; prose, and not checked by `verify`.
+        """
+        return explain_placement(self)
 
     @property
     def certificate(self) -> Certificate:

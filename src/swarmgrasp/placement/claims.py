@@ -13,19 +13,45 @@ MOST_TURNED = 1e6
 """Of any angle [rad]: beyond it, rounding eats the direction."""
 LARGEST = 1e100
 """Of any number: its cube is still one."""
+SMALLEST = 1e-100
+"""Of the largest number of a task."""
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
 Positive = Annotated[float, Field(gt=0.0, le=LARGEST)]
 Angle = Annotated[float, Field(ge=-MOST_TURNED, le=MOST_TURNED)]
 HalfAngle = Annotated[float, Field(ge=0.0, le=math.pi / 2)]
+Past = Annotated[float, Field(ge=-LARGEST, le=0.0)]
+TurnBack = Annotated[float, Field(ge=-math.pi, le=0.0)]
+TurnOn = Annotated[float, Field(ge=0.0, le=math.pi)]
 Point = tuple[Number, Number]
+Wrench = tuple[Number, Number, Number]
 
 
 class _Form(BaseModel):
     """Strict: no number from text, nothing infinite, nothing unknown."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
+
+
+class ToleranceClaim(_Form):
+    """How far a robot may be from what is said of it."""
+
+    contact: tuple[Past, Size]
+    direction: tuple[TurnBack, TurnOn]
+    least_limit: Positive | None
+    may_be_absent: bool
+
+    @property
+    def is_spread(self) -> bool:
+        """Whether contact or direction is uncertain."""
+        return (*self.contact, *self.direction) != (0.0, 0.0, 0.0, 0.0)
+
+    def certain(self, limit: float) -> float:
+        """Return what a robot of a limit [N] exerts for certain."""
+        if self.may_be_absent:
+            return 0.0
+        return limit if self.least_limit is None else min(self.least_limit, limit)
 
 
 class RobotClaim(_Form):
@@ -36,6 +62,14 @@ class RobotClaim(_Form):
     limit: Positive
     name: str
     mounted: bool
+    tolerance: ToleranceClaim | None
+
+    @model_validator(mode="after")
+    def check_mounted(self) -> Self:
+        """Refuse a mounted robot that may be elsewhere."""
+        if self.mounted and self.tolerance and self.tolerance.contact != (0.0, 0.0):
+            raise ValueError("a mounted robot's contact has no tolerance")
+        return self
 
 
 class StretchClaim(_Form):
@@ -61,6 +95,30 @@ class NewcomerClaim(_Form):
     attachment: Literal["push", "pull", "free"]
     half_angle: HalfAngle | None
     name: str
+    tolerance: ToleranceClaim | None
+
+
+class TaskClaim(_Form):
+    """Wrenches that the swarm should be able to make: vertices, or axes."""
+
+    kind: Literal["polytope", "ellipsoid"]
+    rows: list[Wrench] = Field(min_length=1)
+
+    @model_validator(mode="after")
+    def check_size(self) -> Self:
+        """Refuse a task of nothing."""
+        if max(abs(number) for row in self.rows for number in row) < SMALLEST:
+            raise ValueError(f"some number of the task's rows should be at least {SMALLEST:g}")
+        return self
+
+
+class CriterionClaim(_Form):
+    """What quality means."""
+
+    losing: int = Field(ge=0)
+    worst_case: bool
+    load: Wrench
+    task: TaskClaim | None
 
 
 class RunnerUpClaim(_Form):
@@ -74,13 +132,14 @@ class RunnerUpClaim(_Form):
 class ProofClaim(_Form):
     """A convex combination of directions."""
 
-    normals: list[tuple[Number, Number, Number]] = Field(min_length=1)
+    normals: list[Wrench] = Field(min_length=1)
     weights: list[Number] = Field(min_length=1)
 
 
 class PlacementClaim(_Form):
     """One placement with its question."""
 
+    criterion: CriterionClaim
     newcomer: NewcomerClaim
     zones: list[ZoneClaim] | None
     no_go: list[StretchClaim]
@@ -131,7 +190,7 @@ class MetricClaim(_Form):
 class Claims(_Form):
     """A whole answer file."""
 
-    format: Literal["swarmgrasp answer 1"]
+    format: Literal["swarmgrasp answer 2"]
     outline: OutlineClaim
     metric: MetricClaim
     robots: list[RobotClaim]

@@ -11,9 +11,12 @@ from swarmgrasp.files import write_whole
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement
 from swarmgrasp.placement.digest import digest_of
+from swarmgrasp.quality.criterion import Criterion
+from swarmgrasp.quality.task import Polytope
 from swarmgrasp.robot import Robot, Zone
+from swarmgrasp.tolerance import Tolerance
 
-FORMAT = "swarmgrasp answer 1"
+FORMAT = "swarmgrasp answer 2"
 LARGEST_FILE = 50_000_000
 """Bytes; an answer for 1 000 robots takes about 0.2 MB."""
 
@@ -132,6 +135,29 @@ def _robot(robot: Robot) -> dict[str, Any]:
         "limit": float(robot.limit),
         "name": robot.name,
         "mounted": robot.mounted,
+        "tolerance": _tolerance(robot.tolerance),
+    }
+
+
+def _tolerance(tolerance: Tolerance | None) -> dict[str, Any] | None:
+    if tolerance is None:
+        return None
+    return {
+        "contact": list(tolerance.offsets),
+        "direction": list(tolerance.turns),
+        "least_limit": _number(tolerance.least_limit),
+        "may_be_absent": tolerance.may_be_absent,
+    }
+
+
+def _criterion(criterion: Criterion) -> dict[str, Any]:
+    task = criterion.task
+    kind = "polytope" if isinstance(task, Polytope) else "ellipsoid"
+    return {
+        "losing": criterion.losing,
+        "worst_case": criterion.worst_case,
+        "load": list(criterion.load),
+        "task": None if task is None else {"kind": kind, "rows": task.rows.tolist()},
     }
 
 
@@ -153,11 +179,13 @@ def _zone(zone: Zone) -> dict[str, Any]:
 def _placement(answer: Placement) -> dict[str, Any]:
     problem, newcomer = answer.problem, answer.problem.newcomer
     return {
+        "criterion": _criterion(problem.criterion),
         "newcomer": {
             "limit": float(newcomer.limit),
             "attachment": newcomer.attachment,
             "half_angle": _number(newcomer.half_angle),
             "name": newcomer.name,
+            "tolerance": _tolerance(newcomer.tolerance),
         },
         "zones": None if problem.zones is None else [_zone(zone) for zone in problem.zones],
         "no_go": [_stretch(stretch) for stretch in problem.no_go],

@@ -1,22 +1,27 @@
 """The qualities that many newcomers would bring, in one call."""
 
 import math
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.crew import NAMELESS, check_contacts, checked_crew
 from swarmgrasp.errors import SwarmGraspError
-from swarmgrasp.placement.optimum import Search
-from swarmgrasp.placement.pieces import pieces_of
+from swarmgrasp.placement.optimum import search_for
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import is_whole
+from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.robot import Newcomer
 from swarmgrasp.swarm import Swarm, check_swarm, wrenches
 
 
 def qualities_with(
-    swarm: Swarm, contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike = 1.0
+    swarm: Swarm,
+    contacts: ArrayLike,
+    directions: ArrayLike,
+    limits: ArrayLike = 1.0,
+    **terms: Unpack[Terms],
 ) -> NDArray[np.float64]:
     """Compute the exact quality of a swarm with each of many newcomers, one at a time.
 
@@ -27,6 +32,8 @@ def qualities_with(
         On the boundary, in the frame of the outline's vertices.
     directions : (k,) [rad]
     limits : float or (k,) [N]
+    losing, worst_case, load, task
+        As for `Criterion`.
 
     Returns
     -------
@@ -36,6 +43,8 @@ def qualities_with(
     ------
     RobotInvalid, RobotOffBoundary
         As for `Swarm.from_arrays`, and if the swarm is none.
+    CriterionInvalid
+        If a term is outside its range.
 
     Examples
     --------
@@ -48,19 +57,22 @@ def qualities_with(
     [0.696311, 0.0]
     """
     check_swarm(swarm)
+    criterion = Criterion(**terms)
     crew = checked_crew(contacts, directions, limits, False)
     check_contacts(swarm.outline, crew, NAMELESS)
     if not len(crew.limits):
         return np.zeros(0)
     limit = float(crew.limits.max())
-    rows = pieces_of(swarm.outline, Newcomer(limit)).rows
-    search = Search(swarm.scaled_generators, swarm.scale * limit, rows)
+    problem = Problem(swarm, Newcomer(limit), criterion=criterion)
+    search = search_for(problem, problem.pieces().rows)
     arms = crew.contacts - swarm.outline.origin
     return search.qualities_with(wrenches(arms, crew.directions, crew.limits / limit))
 
 
 def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.float64]:
     """Compute the quality with the newcomer in every cell of contacts and directions.
+
+    By the problem's criterion, but for a newcomer that hits its place.
 
     Parameters
     ----------
@@ -86,9 +98,8 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
     rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
     grid = np.full(resolution, np.nan)
-    pieces, swarm = problem.pieces(), problem.swarm
-    weights = swarm.scale * problem.newcomer.limit
-    search = Search(swarm.scaled_generators, weights, pieces.rows)
+    pieces = problem.pieces()
+    search = search_for(problem, pieces.rows)
     for piece in pieces.each:
         base = float(outline.corner_arc_lengths[piece.edge])
         where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)

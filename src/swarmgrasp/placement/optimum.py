@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, Proof
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.weakest import MARGINAL, Weakest
 
 MOST_NORMALS = 200_000
@@ -58,16 +60,22 @@ class Optimum:
     _rows: bytes
     _shares: bytes
     _normals: bytes
+    _unit: float
 
     @property
     def bounds(self) -> Array:
         """(k,) [N]: what no robot on each piece exceeds."""
-        return np.frombuffer(self._bounds)
+        return np.frombuffer(self._bounds) / self._unit
+
+    @property
+    def normals_met(self) -> Array:
+        """(m, 3): unit normals that the search has met."""
+        return np.frombuffer(self._normals).reshape(-1, 3)
 
     @cached_property
     def certificate(self) -> Certificate:
         """The proofs of all bounds, each distinct one once."""
-        normals = np.frombuffer(self._normals).reshape(-1, 3)
+        normals = self.normals_met
         rows = np.frombuffer(self._rows, dtype=np.intc).reshape(-1, 4)
         shares = np.frombuffer(self._shares).reshape(-1, 4)
         proofs = {}
@@ -92,9 +100,14 @@ class Search:
         The pieces; see `Pieces`.
     load : (3,) [N]
         A wrench that is always there, in the metric's coordinates.
+    aim : Aim, optional
+        What is asked of the base swarm, other than its nominal quality; it knows the load.
+        Qualities are then in its unit, and no robot can join.
 
     Attributes
     ----------
+    aim : Aim or None
+        What is asked other than the nominal quality.
     base : Weakest
         The base swarm's quality and weakest normal.
     opposite : float [N]
@@ -109,16 +122,23 @@ class Search:
         weights: Array,
         rows: Array,
         load: tuple[float, float, float] = (0.0, 0.0, 0.0),
+        aim: Aim | None = None,
     ) -> None:
         x, y, turn = weights.tolist()
-        self._core = core.Search(generators, (x, y, turn), rows, load)
+        self.aim, self._unit = aim, 1.0 if aim is None else aim.unit
+        criterion = None if aim is None else aim.core
+        self._core = core.Search(generators, (x, y, turn), rows, load, criterion)
         self._note(rows)
 
     def _note(self, rows: Array) -> None:
         """Read what is known before any search."""
-        self.base = Weakest(self._core.quality, self._core.weakest)
-        self.opposite = self._core.height(*(-n for n in self.base.normal))
-        self.floor, self.zero = core.FLOOR * self._core.size, MARGINAL * self._core.size
+        size = self._core.size / self._unit
+        self.base = Weakest(self._core.quality / self._unit, self._core.weakest)
+        opposite = -np.array(self.base.normal)
+        self.opposite = self._core.height(*opposite.tolist())
+        if self.aim is not None:
+            self.opposite = float(self.aim.values(opposite)[0])
+        self.floor, self.zero = core.FLOOR * size, MARGINAL * size
         self._many = len(rows)
 
     def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Optimum:
@@ -136,7 +156,9 @@ class Search:
             mask = bytes(k in wanted for k in range(self._many))
         solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask, MOST_NORMALS)
         normals = self._core.normals()  # kept: joining robots change them
-        return Optimum(solved, Best(*best), bound, bounds, rows, shares, normals)
+        unit = self._unit
+        found = Best(best[0] / unit, *best[1:])
+        return Optimum(solved, found, bound / unit, bounds, rows, shares, normals, unit)
 
     def break_tie(self, found: Optimum, target: float) -> Best:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.
@@ -146,7 +168,9 @@ class Search:
         minimum of h over directions greatest, so that the robots to come are not stuck where
         this one could not help (T17).
         """
-        return Best(*self._core.break_tie(found.best, target))
+        unit, best = self._unit, found.best
+        tied = self._core.break_tie((best[0] * unit, *best[1:]), target * unit)
+        return Best(tied[0] / unit, *tied[1:])
 
     def join(self, c: float, s: float, torque: float, rows: Array) -> None:
         """Let a robot join the base swarm, a unit wrench, and go on with these pieces.
@@ -160,6 +184,7 @@ class Search:
     def quality_with(self, c: float, s: float, torque: float) -> Weakest:
         """Compute the exact quality with one robot more, a unit wrench [1, 1, m]."""
         value, normal = self._core.quality_with(c, s, torque)
+        value /= self._unit
         return Weakest(value if value > self.zero else 0.0, normal)
 
     def qualities_with(self, robots: Array) -> Array:
@@ -174,5 +199,15 @@ class Search:
         -------
         (...) [N]
         """
-        values = np.frombuffer(self._core.qualities_with(np.ascontiguousarray(robots)))
+        found = self._core.qualities_with(np.ascontiguousarray(robots))
+        values = np.frombuffer(found) / self._unit
         return np.where(values > self.zero, values, 0.0).reshape(robots.shape[:-1])
+
+
+def search_for(problem: Problem, rows: Array) -> Search:
+    """Return the search of a problem's newcomer over these pieces."""
+    swarm, aim = problem.swarm, None
+    if not problem.criterion.is_nominal:
+        aim = Aim(swarm, problem.criterion)
+    known = swarm.scaled_generators if aim is None else aim.known
+    return Search(known, swarm.scale * problem.certain_limit, rows, aim=aim)

@@ -1,11 +1,12 @@
 """The question of a placement: swarm, newcomer, and where it may attach."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from swarmgrasp.errors import ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
+from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.swarm import Swarm
 
@@ -25,6 +26,8 @@ class Problem:
         Where it may not; the ends of a stretch are allowed.
     spacing : float [m]
         Least straight-line distance to the contact of any robot that is not mounted.
+    criterion : Criterion
+        What quality means; the nominal quality when left out.
 
     Raises
     ------
@@ -46,10 +49,14 @@ class Problem:
     zones: tuple[Zone, ...] | None = None
     no_go: tuple[Stretch, ...] = ()
     spacing: float = 0.0
+    criterion: Criterion = NOMINAL
 
     def __post_init__(self) -> None:
         """Check the values."""
-        for value, kind in ((self.swarm, Swarm), (self.newcomer, Newcomer)):
+        wanted = (
+            (self.swarm, Swarm), (self.newcomer, Newcomer), (self.criterion, Criterion),
+        )  # fmt: skip
+        for value, kind in wanted:
             if not isinstance(value, kind):
                 raise ZoneInvalid(f"{value!r} is no {kind.__name__}")
         strangers: list[object] = [zone for zone in self.zones or () if not isinstance(zone, Zone)]
@@ -78,6 +85,9 @@ class Problem:
             faults.append("the zones are empty; give None for the whole boundary")
         if not (math.isfinite(self.spacing) and self.spacing >= 0.0):
             faults.append(f"the spacing is {self.spacing!r}; it should be 0 <= spacing < inf [m]")
+        tolerance = self.newcomer.tolerance
+        if self.criterion.worst_case and tolerance is not None and tolerance.may_be_absent:
+            faults.append("a newcomer that may be absent is worth nothing in the worst case")
         if faults:
             raise ZoneInvalid(faults)
 
@@ -100,4 +110,18 @@ class Problem:
 
     def with_swarm(self, swarm: Swarm) -> "Problem":
         """Return the same question for another swarm on the same outline."""
-        return Problem(swarm, self.newcomer, self.zones, self.no_go, self.spacing)
+        return replace(self, swarm=swarm)
+
+    @property
+    def certain_limit(self) -> float:
+        """What the newcomer can exert for certain by the criterion [N]."""
+        tolerance = self.newcomer.tolerance
+        if not self.criterion.worst_case or tolerance is None or tolerance.least_limit is None:
+            return self.newcomer.limit
+        return tolerance.least_limit
+
+    @property
+    def is_tolerant(self) -> bool:
+        """Whether the newcomer's own pose is uncertain by the criterion."""
+        tolerance = self.newcomer.tolerance
+        return self.criterion.worst_case and tolerance is not None and tolerance.is_spread

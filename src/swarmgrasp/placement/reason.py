@@ -1,14 +1,35 @@
 """Why an answer is what it is, in words."""
 
+import math
 from typing import TYPE_CHECKING
 
-from swarmgrasp.quality.words import wrench_words
+import numpy as np
+
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.explain import (
+    crew_words,
+    given_words,
+    limit_sentences,
+    loss_sentences,
+    value_words,
+)
+from swarmgrasp.quality.max_transfer import Quality
+from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.quality.words import share_words, wrench_words
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
+    from swarmgrasp.robot import Robot
+    from swarmgrasp.swarm import Swarm
 
 ROUNDING = 2e-13
 """Of the quality before: a difference that is none."""
+PROVEN = 1e-12
+"""Relative gap below which bound and answer count as equal."""
+SAME = 1e-3
+"""Relative difference of two qualities that is not worth telling."""
+ALL_OF_IT = 0.9995
+"""Share from which on a runner-up gives as much."""
 
 
 def reason_of(answer: "Placement") -> str:
@@ -25,10 +46,122 @@ def reason_of(answer: "Placement") -> str:
     before = answer.before.quality
     if before > 0.0 and answer.opposite <= before * (1.0 + answer.tolerance + ROUNDING):
         return (
-            f"the swarm is equally weak in {weakest} and in the opposite direction, and one "
+            f"the swarm is equally weak at {weakest} and the opposite way, and one "
             "robot can push only one way: place two"
         )
     return (
         f"no allowed robot raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"
     )
+
+
+def explain_placement(answer: "Placement") -> str:
+    """Say what limited the swarm, what the newcomer adds, and what limits it now.
+
+    Also what the runner-up would give, and how near the answer is to its bound.
+
+    Parameters
+    ----------
+    answer : Placement
+
+    Returns
+    -------
+    str
+        A sentence per line.
+    """
+    after = _quality_of(answer.swarm_after, answer.after, answer)
+    said = [_before(answer), *_gain(answer)]
+    if answer.improves:
+        said += limit_sentences(after, answer.swarm_after, now=" now")
+        said += loss_sentences(after, answer.swarm_after)
+    return "\n".join([*said, _runner_up(answer), _bound(answer)])
+
+
+def _quality_of(swarm: "Swarm", found: Weakest, answer: "Placement") -> Quality:
+    """Return a quality that the search found."""
+    return Quality(
+        found.quality, found.quality, np.array(found.normal), answer.problem.criterion, swarm
+    )
+
+
+def _value(value: float, answer: "Placement") -> str:
+    return value_words(value, answer.problem.criterion)
+
+
+def _before(answer: "Placement") -> str:
+    """Say how the swarm was, and who set that."""
+    swarm, criterion = answer.problem.swarm, answer.problem.criterion
+    if not len(swarm):
+        return "There are no robots yet."
+    words = given_words(criterion)
+    without = f"Without {_name(answer)}{f', {words},' if words else ''} the quality is"
+    way = wrench_words(answer.before.normal)
+    if answer.quality_before == 0.0:
+        return f"{without} 0: at {way} the swarm exerts nothing."
+    setters = _quality_of(swarm, answer.before, answer).facet_robots
+    by = f", set by {crew_words(setters, swarm)}" if len(setters) > 1 else ""
+    value = _value(answer.quality_before, answer)
+    return f"{without} {value}: the swarm is weakest at {way}{by}."
+
+
+def _gain(answer: "Placement") -> list[str]:
+    """Say what the newcomer adds, or why it adds nothing."""
+    turn = 180.0 - (180.0 - math.degrees(answer.robot.direction)) % 360.0
+    name = _name(answer)
+    robot = f"{_start(name)}{_at(answer.place, answer.robot)}, its force towards {turn:.1f} deg,"
+    if not answer.improves:
+        return [
+            f"No allowed place for {name} raises that: {answer.reason}.",
+            f"{robot} prepares best for the next robot.",
+        ]
+    before, after = answer.quality_before, answer.quality
+    aim = Aim(answer.swarm_after, answer.problem.criterion)
+    there = float(aim.values(np.array([answer.before.normal]))[0])
+    more = f" (+{share_words(after / before - 1.0)})" if before > 0.0 else ""
+    found = f"{_value(after, answer)}{more}"
+    if math.isfinite(there) and there > after * (1.0 + SAME):
+        return [f"{robot} raises that to {_value(there, answer)}, and the quality to {found}."]
+    return [f"{robot} raises that to {found}."]
+
+
+def _runner_up(answer: "Placement") -> str:
+    """Say what the best other place would give."""
+    if answer.runners_up:
+        runner = answer.runners_up[0]
+        share = runner.quality / answer.quality if answer.quality else 1.0
+        said = f"The runner-up{_at(runner.place, runner.robot)}, would give"
+        value = _value(runner.quality, answer)
+        if share >= ALL_OF_IT:
+            return f"{said} as much, {value}."
+        return f"{said} {value}, {share_words(share)} of it."
+    if len({piece.place for piece in answer.problem.pieces().each}) == 1:
+        return f"There is no other place for {_name(answer)}."
+    return "There is no runner-up: none was asked for, or none comes near enough."
+
+
+def _at(place: str, robot: "Robot") -> str:
+    """Say where a robot is."""
+    x, y = robot.contact
+    return f" at {place}, ({x:.4g}, {y:.4g}) m"
+
+
+def _bound(answer: "Placement") -> str:
+    """Say how near the answer is to what is proven."""
+    early = " The search stopped before it came as near as asked." if answer.stopped_early else ""
+    if answer.quality == 0.0 and not answer.stopped_early:
+        return "No allowed place gives any: that is proven."
+    if answer.gap <= PROVEN * answer.quality:
+        return f"No allowed place is better: that is proven.{early}"
+    above = f", {share_words(answer.gap / answer.quality)} above" if answer.quality else ""
+    most = f"{_value(answer.upper_bound, answer)}{above}"
+    return f"No allowed place gives more than {most}: that is proven.{early}"
+
+
+def _name(answer: "Placement") -> str:
+    """Return what the newcomer is called inside a sentence."""
+    return answer.robot.name if answer.problem.newcomer.name else f"the {answer.robot.name}"
+
+
+def _start(name: str) -> str:
+    """Return a name at the start of a sentence."""
+    return name[0].upper() + name[1:] if name.startswith("the ") else name

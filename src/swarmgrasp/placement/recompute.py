@@ -14,10 +14,6 @@ ABSOLUTE = 1e-12
 """Share of sum |b_i| that counts as rounding, and up to which a quality counts as 0."""
 ANGLE = 1e-9
 """Angle [rad] that counts as none."""
-MOST_SWEPT = 2000
-"""Robots up to which a quality is recomputed: a few seconds, growing with the square."""
-SPREAD = 500
-"""Directions in which a larger swarm's quality is bounded from above."""
 
 Array = NDArray[np.float64]
 
@@ -64,22 +60,12 @@ def exact_quality(generators: Array) -> float:
     return least if zero < least < math.inf else 0.0
 
 
-def quality_within(generators: Array, normals: Array) -> tuple[float, float]:
-    """Bound the quality [N] from both sides; they are equal for up to `MOST_SWEPT` robots.
-
-    Of a larger swarm it is known only that no direction holds less: the given unit normals
-    (k, 3), their opposites, and others spread evenly on a Fibonacci spiral.
-    """
-    if len(generators) <= MOST_SWEPT:
-        return (exact_quality(generators),) * 2
-    k = np.arange(SPREAD)
-    z = 1.0 - (2.0 * k + 1.0) / SPREAD
+def spiral(count: int) -> Array:
+    """Return unit normals (count, 3) spread evenly, on a Fibonacci spiral."""
+    k = np.arange(count)
+    z = 1.0 - (2.0 * k + 1.0) / count
     radius, turn = np.sqrt(1.0 - z * z), k * math.pi * (3.0 - math.sqrt(5.0))
-    spiral = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), z])
-    least = math.inf
-    for normal in np.concatenate([normals, -normals, spiral]):
-        least = min(least, float(np.maximum(generators @ normal, 0.0).sum()))
-    return 0.0, least
+    return np.column_stack([radius * np.cos(turn), radius * np.sin(turn), z])
 
 
 def units_of(vectors: list[tuple[float, float, float]]) -> Array | None:
@@ -93,7 +79,19 @@ def units_of(vectors: list[tuple[float, float, float]]) -> Array | None:
 
 
 def crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
-    """Return the greatest v . (F, arm x F) over unit forces in the sectors [lo, hi], (k,)."""
+    """Return the greatest v . (F, arm x F) over unit forces in the sectors [lo, hi].
+
+    Parameters
+    ----------
+    covector : (3,) or (3, m, 1) [1, 1, 1/m]
+        One, or several.
+    arms : (k, 2) [m, m]
+    lo, hi : (k,) [rad]
+
+    Returns
+    -------
+    (k,) or (m, k)
+    """
     a = covector[0] - covector[2] * arms[:, 1]
     b = covector[1] + covector[2] * arms[:, 0]
     top = np.arctan2(b, a)
@@ -139,10 +137,14 @@ def covers(stretch: "StretchClaim", arc: float, perimeter: float, slack: float) 
 
 def distance_to(point: Array, p: Array, q: Array) -> float:
     """Return the distance [m] of a point from a segment."""
+    return float(np.linalg.norm(point - p - share_along(point, p, q) * (q - p)))
+
+
+def share_along(point: Array, p: Array, q: Array) -> float:
+    """Return how far along a segment lies its point nearest to another, within [0, 1]."""
     along = q - p
     square = float(along @ along)
-    share = min(max(float((point - p) @ along) / square, 0.0), 1.0) if square > 0.0 else 0.0
-    return float(np.linalg.norm(point - p - share * along))
+    return min(max(float((point - p) @ along) / square, 0.0), 1.0) if square > 0.0 else 0.0
 
 
 def turns_into(angle: float, lo: float, hi: float) -> bool:

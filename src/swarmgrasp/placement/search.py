@@ -2,21 +2,26 @@
 
 import math
 from collections.abc import Callable, Iterable
-from typing import TypeGuard
+from typing import TypeGuard, Unpack
 
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, RunnerUp
-from swarmgrasp.placement.optimum import Best, Optimum, Search
+from swarmgrasp.placement.optimum import Best, Optimum, search_for
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.tolerant import Found, TolerantSearch
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.swarm import Swarm
 
 EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
+ROUGH = 1e-3
+"""Relative gap to which the other places of a newcomer are found that cannot hit its place."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 
@@ -30,6 +35,7 @@ def place(
     spacing: float = 0.0,
     gap: float = 1e-6,
     runners_up: float | None = None,
+    **terms: Unpack[Terms],
 ) -> Placement:
     """Find where the newcomer should attach and which way it should push.
 
@@ -50,6 +56,9 @@ def place(
     runners_up : float, optional
         Also report the best place on each other edge or zone whose quality is at least
         this fraction of the best, within [0, 1].
+    losing, worst_case, load, task
+        As for `Criterion`: what quality means. In the worst case a newcomer with a tolerance
+        aims at the place that is best for the worst of those it may end up in.
 
     Returns
     -------
@@ -59,6 +68,8 @@ def place(
     ------
     ZoneInvalid, NowhereToAttach
         If a zone leaves the boundary, or no allowed point is left.
+    CriterionInvalid
+        If a term is outside its range.
     SwarmGraspError
         If `gap` or `runners_up` is outside its range.
 
@@ -75,13 +86,12 @@ def place(
     >>> bool(answer.verify())
     True
     """
-    problem = Problem(
-        swarm, newcomer, None if zones is None else tuple(zones), tuple(no_go), spacing
-    )
+    places = None if zones is None else tuple(zones)
+    problem = Problem(swarm, newcomer, places, tuple(no_go), spacing, Criterion(**terms))
     faults = _fraction_faults(gap, runners_up)
     if faults:
         raise SwarmGraspError(faults)
-    return _Placing(problem, gap).placement(runners_up)
+    return _placing(problem, gap).placement(runners_up)
 
 
 def place_sequence(
@@ -144,7 +154,7 @@ def place_sequence(
         faults.insert(0, f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
     if faults:
         raise SwarmGraspError(faults)
-    placing = _Placing(problem, gap)
+    placing = _placing(problem, gap)
     answers: list[Placement] = []
     for index in range(1, count + 1):
         try:
@@ -166,22 +176,19 @@ class _Placing:
     def __init__(self, problem: Problem, gap: float) -> None:
         self.problem, self.gap = problem, float(gap)
         self.pieces = problem.pieces()
-        swarm = problem.swarm
-        weights = swarm.scale * problem.newcomer.limit
-        self.search = Search(swarm.scaled_generators, weights, self.pieces.rows)
+        self.search = search_for(problem, self.pieces.rows)
         # half of the gap is the search's, the other half the tie-break's
         self.half = math.sqrt(1.0 + self.gap) - 1.0
 
     def placement(self, fraction: float | None, index: int | None = None) -> Placement:
         """Answer the problem."""
         search, before = self.search, self.search.base
+        if search.aim is not None:
+            before, _ = search.aim.weakest()
         found = search.solve(self.half)
-        target = min(
-            found.best.quality / (1.0 + self.half), found.best.quality - 0.5 * search.floor
-        )
         name = self.problem.newcomer.name or "newcomer"
         name = name if index is None else f"{name} {index}"
-        winner, after = self.candidate(search.break_tie(found, target), name)
+        winner, after, upper_bound = self.winner(found, name)
         runners = []
         if fraction is not None:
             runners = self.others(found, winner, name, fraction)
@@ -197,9 +204,9 @@ class _Placing:
             before=before,
             after=after,
             opposite=search.opposite,
-            upper_bound=max(found.upper_bound, winner.quality),
+            upper_bound=max(upper_bound, winner.quality),
             tolerance=self.gap,
-            stopped_early=found.upper_bound > asked_for + (0.0 if winner.quality else search.zero),
+            stopped_early=upper_bound > asked_for + (0.0 if winner.quality else search.zero),
             improves=winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero,
             runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),
             _found=found,
@@ -215,7 +222,10 @@ class _Placing:
         """
         self.problem = self.problem.with_swarm(answer.swarm_after)
         self.pieces = self.problem.pieces()
-        self.search.join(*self.wrench(answer.robot), self.pieces.rows)
+        if self.search.aim is None:
+            self.search.join(*self.wrench(answer.robot), self.pieces.rows)
+        else:
+            self.search = search_for(self.problem, self.pieces.rows)
 
     def wrench(self, robot: Robot) -> tuple[float, float, float]:
         """Return the unit wrench [1, 1, m] of a robot in contact."""
@@ -223,12 +233,27 @@ class _Placing:
         (x, y), c, s = robot.contact, math.cos(robot.direction), math.sin(robot.direction)
         return c, s, (x - x0) * s - (y - y0) * c
 
+    def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+        """Return the best robot, its quality, and what no robot exceeds."""
+        search, best = self.search, found.best.quality
+        target = min(best / (1.0 + self.half), best - 0.5 * search.floor)
+        return (*self.candidate(search.break_tie(found, target), name), found.upper_bound)
+
     def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:
-        """Turn a wrench on a piece into a robot in contact, with its exact quality."""
+        """Turn a wrench on a piece into a robot in contact, with its quality."""
         contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
-        robot = Robot(contact, angle, self.problem.newcomer.limit, name)
-        after = self.search.quality_with(*self.wrench(robot))
+        robot = self.robot(contact, angle, name)
+        if self.search.aim is None:
+            after = self.search.quality_with(*self.wrench(robot))
+        else:
+            swarm = self.problem.swarm.with_robot(robot)
+            after, _ = Aim(swarm, self.problem.criterion).weakest()
         return RunnerUp(robot, after.quality, self.pieces.each[best.piece].place), after
+
+    def robot(self, contact: tuple[float, float], direction: float, name: str) -> Robot:
+        """Return the newcomer in contact."""
+        newcomer = self.problem.newcomer
+        return Robot(contact, direction, newcomer.limit, name, tolerance=newcomer.tolerance)
 
     def others(
         self, found: Optimum, winner: RunnerUp, name: str, fraction: float
@@ -244,6 +269,38 @@ class _Placing:
             if best.piece >= 0:  # otherwise nothing there betters the swarm as it is
                 runners.append(self.candidate(best, name))
         return [pair for pair in runners if pair[0].quality >= least]
+
+
+class _Aiming(_Placing):
+    """One problem whose newcomer cannot hit its place exactly."""
+
+    def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+        """Return the best robot, its quality, and what no robot exceeds."""
+        best = TolerantSearch(self.problem, self.pieces, found).solve(self.gap)
+        return (*self.aimed(best, name), best.upper_bound)
+
+    def aimed(self, best: Found, name: str) -> tuple[RunnerUp, Weakest]:
+        """Turn a place into a robot in contact, with its quality."""
+        robot = self.robot(best.contact, best.direction, name)
+        place = self.pieces.each[best.piece].place
+        return RunnerUp(robot, best.after.quality, place), best.after
+
+    def others(
+        self, found: Optimum, winner: RunnerUp, name: str, fraction: float
+    ) -> list[tuple[RunnerUp, Weakest]]:
+        """Find a good robot in every other place that is nearly as good."""
+        search, least = TolerantSearch(self.problem, self.pieces, found), fraction * winner.quality
+        runners = []
+        for place in dict.fromkeys(piece.place for piece in self.pieces.each):
+            chosen = {k for k, piece in enumerate(self.pieces.each) if piece.place == place}
+            if place != winner.place and found.bounds[list(chosen)].max() >= least:
+                runners.append(self.aimed(search.solve(ROUGH, chosen), name))
+        return [pair for pair in runners if pair[0].quality >= least]
+
+
+def _placing(problem: Problem, gap: float) -> _Placing:
+    """Put a problem on its way."""
+    return (_Aiming if problem.is_tolerant else _Placing)(problem, gap)
 
 
 def is_whole(value: object) -> bool:

@@ -1,8 +1,19 @@
-"""Pictures: the plan view, the wrench sets, and the landscape a newcomer chooses from."""
+"""Pictures: plan view, wrench sets, a newcomer's landscape, capability, sensitivities."""
 
+from swarmgrasp.plot.capability import capability_diagram
+from swarmgrasp.plot.forces import forces_plan
 from swarmgrasp.plot.landscape import landscape
 from swarmgrasp.plot.plan import plan
 from swarmgrasp.plot.save import save
+from swarmgrasp.plot.sensitivity import sensitivity_plan
 from swarmgrasp.plot.wrenches import wrench_sets
 
-__all__ = ["landscape", "plan", "save", "wrench_sets"]
+__all__ = [
+    "capability_diagram",
+    "forces_plan",
+    "landscape",
+    "plan",
+    "save",
+    "sensitivity_plan",
+    "wrench_sets",
+]

@@ -33,12 +33,15 @@ class Arrows:
     ----------
     outline : Outline
     robots, newcomers, runners_up : tuple of Robot
+    others : tuple of Robot
+        Further poses of theirs.
     """
 
     outline: Outline
     robots: tuple[Robot, ...]
     newcomers: tuple[Robot, ...] = ()
     runners_up: tuple[Robot, ...] = ()
+    others: tuple[Robot, ...] = ()
 
     @property
     def strongest(self) -> float:
@@ -54,7 +57,7 @@ class Arrows:
     @property
     def everyone(self) -> tuple[Robot, ...]:
         """Every robot with an arrow."""
-        return (*self.robots, *self.newcomers, *self.runners_up)
+        return (*self.robots, *self.newcomers, *self.runners_up, *self.others)
 
     def length(self, force: float) -> float:
         """Return the length [m] of the arrow of a force [N]."""
@@ -137,11 +140,23 @@ def draw_turn(
 
 
 class ArrowEntry(Patch):
-    """A legend entry to be drawn as an arrow."""
+    """A legend entry to be drawn as an arrow.
+
+    Parameters
+    ----------
+    breadth : float
+        Of its shaft, relative to a robot's.
+    **look
+        `facecolor`, `label` and whatever else a patch takes.
+    """
+
+    def __init__(self, breadth: float = 1.0, **look: Any) -> None:
+        super().__init__(**({"linewidth": 0.0} | look))
+        self.breadth = breadth
 
 
 class ArrowInLegend(HandlerPatch):
-    """Draw a legend entry as an arrow of its patch's colour."""
+    """Draw an `ArrowEntry`."""
 
     def create_artists(
         self,
@@ -161,9 +176,9 @@ class ArrowInLegend(HandlerPatch):
             0.5 * height - ydescent,
             width,
             0.0,
-            width=0.26 * height,
-            head_width=height,
-            head_length=0.45 * width,
+            width=0.26 * height * orig_handle.breadth,
+            head_width=height * orig_handle.breadth**0.5,
+            head_length=0.45 * width * orig_handle.breadth**0.5,
             length_includes_head=True,
         )
         shape.update_from(orig_handle)

@@ -1,13 +1,14 @@
-"""Wrench sets and the ball as polygons in the metric's coordinates."""
+"""Wrench sets, and what fits into them, as polygons in the metric's coordinates."""
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.quality import quality
+from swarmgrasp.plot.tasks import Solid, solid
+from swarmgrasp.quality import Criterion, quality
+from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
 
@@ -15,29 +16,38 @@ Vectors = NDArray[np.float64]
 Piece = tuple[Vectors, Vectors]
 """A polygon (k, 3) [N, N, N] and its colour (4,)."""
 
-BALL_STEPS: Final = (16, 32)
-"""Parts of the ball from pole to pole and around."""
+LEVEL = 1e-9
+"""Difference of two faces' distances that is rounding, relative to the set."""
+ALIGNED = 1.0 - 1e-4
+"""Cosine between the weakest direction and a face's normal from which on they are one."""
 
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A wrench set in the metric's coordinates, with its largest ball about the origin.
+    """The wrenches on an object in the worst case, in the metric's coordinates.
 
     Attributes
     ----------
     vertices : (v, 3) [N, N, N]
+        Of the wrench set, moved by the load.
     faces : tuple of tuple of int
     edges : tuple of (int, int)
     normals : (f, 3)
         Unit outward normals.
     offsets : (f,) [N]
-        Distances of the faces from the origin.
-    radius : float [N]
-        Of the ball: the quality.
+        Distances of the faces from no wrench; negative beyond a face.
+    robots : int
+        How many exert them.
+    quality : float [N]
+        With a task, without a unit.
+    held : Solid
+        The largest ball about no wrench, or the task times the quality.
     touching : (3,) [N, N, N]
-        Where the ball touches the boundary; the origin when the radius is 0.
+        Where that touches the boundary; no wrench when the quality is 0.
     facet : tuple of int
-        The vertices of the face it touches, none when there are no faces.
+        The vertices of the face it touches; none when there are no faces, or when a flat set is
+        touched at its rim. With a quality of 0 the face through no wrench, or the one that this
+        is farthest beyond.
     """
 
     vertices: Vectors
@@ -45,7 +55,9 @@ class Body:
     edges: tuple[tuple[int, int], ...]
     normals: Vectors
     offsets: Vectors
-    radius: float
+    robots: int
+    quality: float
+    held: Solid
     touching: Vectors
     facet: tuple[int, ...]
 
@@ -57,64 +69,65 @@ class Body:
         normal: Vectors = self.normals[self.faces.index(self.facet)]
         return normal
 
+    @property
+    def is_beyond(self) -> bool:
+        """Whether no wrench is outside: the load alone is not held."""
+        size = float(np.abs(self.vertices).max())
+        return bool((self.offsets < -LEVEL * size).any())
 
-def body(swarm: Swarm) -> Body:
-    """Return the wrench set of a swarm, with the ball that measures its quality (T1).
+
+def body(swarm: Swarm, criterion: Criterion = NOMINAL) -> Body:
+    """Return the wrenches a swarm leaves possible by a criterion, and what measures them (T1, T16).
+
+    Of robots that may be lost, and of poses that are not certain, those of the worst case are
+    drawn: robots in these poses have exactly the quality.
 
     Parameters
     ----------
     swarm : Swarm
+    criterion : Criterion
 
     Returns
     -------
     Body
     """
-    mesh = WrenchSet(swarm).mesh()
-    limit = quality(swarm)
+    limit = quality(swarm, **criterion.terms)
+    worst = swarm if criterion.is_nominal else limit.worst_swarm
+    mesh = WrenchSet(worst).mesh()
+    load = np.array(criterion.load) * swarm.scale
+    offsets = mesh.offsets + mesh.normals @ load
     facet: tuple[int, ...] = ()
     if mesh.faces:
-        facet = mesh.faces[int((mesh.normals @ limit.direction).argmax())]
+        along = mesh.normals @ limit.direction
+        least = ALIGNED
+        if limit.value == 0.0:
+            lowest = offsets.min() + LEVEL * float(np.abs(mesh.vertices * swarm.scale).max())
+            along, least = np.where(offsets <= lowest, along, -np.inf), -1.0
+        best = int(along.argmax())
+        facet = mesh.faces[best] if along[best] >= least else ()
     return Body(
-        vertices=mesh.vertices * swarm.scale,
+        vertices=mesh.vertices * swarm.scale + load,
         faces=mesh.faces,
         edges=mesh.edges,
         normals=mesh.normals,
-        offsets=mesh.offsets,
-        radius=limit.value,
-        touching=limit.value * limit.direction,
+        offsets=offsets,
+        robots=len(worst),
+        quality=limit.value,
+        held=solid(criterion, swarm.scale).times(limit.value),
+        touching=limit.weakest_wrench * swarm.scale,
         facet=facet,
     )
 
 
-def unit_ball() -> tuple[Vectors, Vectors]:
-    """Return the unit ball as quadrangles.
-
-    Returns
-    -------
-    patches : (q, 4, 3)
-    normals : (q, 3)
-        Unit outward normals.
-    """
-    rows, columns = BALL_STEPS
-    tilt, turn = np.meshgrid(
-        np.linspace(0.0, math.pi, rows + 1),
-        np.linspace(0.0, 2.0 * math.pi, columns + 1),
-        indexing="ij",
-    )
-    grid = np.stack([np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt)], -1)
-    corners = [grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]]
-    patches = np.stack(corners, axis=2).reshape(-1, 4, 3)
-    normals = patches.mean(axis=1)
-    return patches, normals / np.linalg.norm(normals, axis=1, keepdims=True)
-
-
-def split(patches: Vectors, colours: Vectors, shape: Body) -> tuple[list[Piece], list[Piece]]:
+def split(
+    patches: Sequence[Vectors], colours: Vectors, shape: Body
+) -> tuple[list[Piece], list[Piece]]:
     """Cut polygons at a convex body.
 
     Parameters
     ----------
-    patches : (k, c, 3) [N, N, N]
-        Convex polygons of c corners.
+    patches : sequence of k (c, 3) [N, N, N]
+        Convex polygons.
     colours : (k, 4)
     shape : Body
 
@@ -125,9 +138,8 @@ def split(patches: Vectors, colours: Vectors, shape: Body) -> tuple[list[Piece],
     """
     inside: list[Piece] = []
     outside: list[Piece] = []
-    heights = patches @ shape.normals.T - shape.offsets
-    for patch, colour, height in zip(patches, colours, heights, strict=True):
-        rest = patch
+    for patch, colour in zip(patches, colours, strict=True):
+        rest, height = patch, patch @ shape.normals.T - shape.offsets
         for plane in np.flatnonzero((height > 0.0).any(axis=0)):
             beyond, rest = _cut(rest, shape.normals[plane], shape.offsets[plane])
             outside += [(beyond, colour)] if len(beyond) > 2 else []

@@ -31,6 +31,9 @@ CROWDED: Final = 6.0
 ALONG: Final = 7.0
 """Gap [pt] between a line and a label along it: the line may be half of a strip."""
 
+ROUND: Final = np.array([(math.cos(a), math.sin(a)) for a in np.arange(0.0, math.tau, 0.8)])
+"""Samples of a dot, of radius 1."""
+
 STEP: Final = 0.7
 """Distance between the places tried all over the page, in heights of the label."""
 
@@ -59,16 +62,20 @@ class Page:
         return float(self.ax.get_figure(root=True).dpi) / 72.0  # type: ignore[union-attr]
 
     def keep_clear(self, start: ArrayLike, end: ArrayLike, breadth: float = 0.0) -> None:
-        """Note a straight line as taken.
+        """Note a straight line as taken, or a dot.
 
         Parameters
         ----------
         start, end : (2,) [m, m]
         breadth : float [pt]
-            Of the line; 0 for a thin one.
+            Of the line; 0 for a thin one. Of the dot where start and end are the same.
         """
         ends = self.ax.transData.transform(np.array([start, end], dtype=float))
         way = ends[1] - ends[0]
+        if breadth and not way.any():
+            radius = 0.5 * breadth * self.point_size
+            self.points.append(ends[0] + radius * ROUND)
+            return
         count = 2 + int(np.linalg.norm(way) / (2.5 * self.point_size))
         line = np.linspace(ends[0], ends[1], count)
         if breadth:
@@ -222,7 +229,7 @@ class Page:
         price = 1.5 * np.count_nonzero(within.all(axis=1))
         half = np.abs([[c, -s], [s, c]]) @ half
         (left, bottom), (right, top) = centre - half, centre + half
-        apart = 2.5 * self.point_size  # more between two labels, lest they read as one
+        apart = 4.0 * self.point_size  # more between two labels, lest they read as one
         for a, b, c, d in self.boxes:
             overlap = max(0.0, min(right, c + apart) - max(left, a - apart)) * max(
                 0.0, min(top, d) - max(bottom, b)
@@ -234,10 +241,9 @@ class Page:
 
     def _crossed(self, anchor: Vector, centre: Vector, taken: Vector) -> float:
         """Return the price of the labels and lines that a line from anchor to label would cross."""
-        line = np.linspace(anchor, centre, 9)
-        price = 1.5 * sum(
-            np.count_nonzero(((line >= box[:2]) & (line <= box[2:])).all(axis=1))
-            for box in self.boxes
+        line = np.linspace(anchor, centre, 33)
+        price = 5.0 * sum(
+            bool(((line >= box[:2]) & (line <= box[2:])).all(axis=1).any()) for box in self.boxes
         )
         way = centre - anchor
         length = float(np.hypot(*way))

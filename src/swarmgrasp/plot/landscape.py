@@ -1,6 +1,7 @@
 """The landscape: the quality a newcomer would bring, over every contact and direction."""
 
 import math
+from collections.abc import Sequence
 from typing import Any, Final, cast
 
 import numpy as np
@@ -21,9 +22,14 @@ COLOURS: Final = "cividis"
 LEVELS: Final = 7
 """Contour lines, about."""
 
-HEIGHT: Final = 3.6
-BOX: Final = (0.115, 0.195, 0.735, 0.665)
-"""Left, bottom, width and height of the axes, in shares of the figure."""
+BOX: Final = (0.6, 0.58, 3.82, 2.4)
+"""Left, bottom, width and height of the axes [in], before title and small print."""
+
+ABOVE: Final = (0.44, 0.16)
+"""Room for the names of the edges and a title, and for a line of words below it [in]."""
+
+PRINT_ROW: Final = 0.132
+"""Height of a line of the small print [in]."""
 
 RIGHT: Final = 0.99
 """Where the label of the colour bar ends, in shares of the figure."""
@@ -72,10 +78,9 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
     low, high = float(np.nanmin(grid)), float(np.nanmax(grid))
     if placement is not None:  # the best place may lie between the middles of cells
         low, high = min(low, placement.quality_before), max(high, placement.quality)
-    factor, unit = style.force_unit(high)
+    factor, unit = style.quality_unit(high, problem.criterion)
     with style.settings():
-        figure = Figure(figsize=(style.WIDTH, HEIGHT))
-        ax = figure.add_axes(BOX)
+        ax = _new_axes(_title(subject), problem.criterion.words, _small_print(subject))
         _draw_values(ax, grid * factor, (low * factor, high * factor), outline.perimeter, unit)
         _draw_normals(ax, outline)
         _name_boundary(ax, outline)
@@ -84,13 +89,50 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
         ax.set_ylabel("direction of the force [°]")
         ax.set_yticks(range(-180, 181, 90))
         ax.set_yticks(range(-180, 181, 30), minor=True)
-        title = f"+{style.force(problem.newcomer.limit)}, {problem.newcomer.attachment}"
-        if placement is not None:
-            title += f": {style.gain(placement.quality_before, placement.quality)}"
-        figure.text(BOX[0], 0.945, title)
-        small_print = f"Quality with {problem.swarm.metric_sentence}. White: inward normal."
-        figure.text(BOX[0], 0.02, small_print, fontsize=7.0, color=style.GREY)
-    return figure
+    return cast(Figure, ax.figure)
+
+
+def _new_axes(title: str, words: str, small_print: Sequence[str]) -> Axes:
+    """Return an axes in a figure, with what is written above and below it."""
+    left, bottom, width, height = BOX
+    bottom += PRINT_ROW * len(small_print)
+    top = bottom + height
+    total = top + ABOVE[0] + (ABOVE[1] if words else 0.0)
+    figure = Figure(figsize=(style.WIDTH, total))
+    across, up = 1.0 / style.WIDTH, 1.0 / total
+    figure.text(left * across, 1.0 - 0.2 * up, title)
+    look: dict[str, Any] = {"color": style.GREY, "gid": "criterion"}
+    figure.text(left * across, 1.0 - 0.36 * up, words, fontsize=7.5, **look)
+    print_ = "\n".join(small_print)
+    figure.text(left * across, 0.06 * up, print_, fontsize=7.0, color=style.GREY, linespacing=1.2)
+    return figure.add_axes((left * across, bottom * up, width * across, height * up))
+
+
+def _title(subject: Placement | Problem) -> str:
+    """Return the picture in a line."""
+    problem = subject.problem if isinstance(subject, Placement) else subject
+    title = f"+{style.force(problem.newcomer.limit)}, {problem.newcomer.attachment}"
+    if not isinstance(subject, Placement):
+        return title
+    gain = style.gain(subject.quality_before, subject.quality, problem.criterion)
+    return f"{title}: {gain}"
+
+
+def _small_print(subject: Placement | Problem) -> list[str]:
+    """Return what the picture's numbers and marks mean, in lines."""
+    problem = subject.problem if isinstance(subject, Placement) else subject
+    lines = [f"Quality with {problem.swarm.metric_sentence}."]
+    if problem.criterion.has_load:
+        lines.append(style.load_sentence(problem.criterion.load))
+    marks = "White lines: inward normals."
+    if isinstance(subject, Placement):
+        others = ", dots: runners-up" if subject.runners_up else ""
+        marks = f"Star: the answer{others}. {marks}"
+    lines.append(marks)
+    if problem.is_tolerant:
+        lines.append("Colours: as if the newcomer hit its place exactly; the answer's quality is")
+        lines.append("the worst of where it may end up.")
+    return lines
 
 
 def _draw_values(
@@ -129,7 +171,8 @@ def _draw_values(
         return
     room = ax.inset_axes((1.03, 0.0, 0.035, 1.0))
     bar = cast(Figure, ax.figure).colorbar(image, cax=room)
-    bar.set_label(f"quality with the newcomer [{unit}]")
+    label = "quality with the newcomer"
+    bar.set_label(label if unit == style.TIMES else f"{label} [{unit}]")
     bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
     _make_room(ax, room)
     levels = np.asarray(MaxNLocator(LEVELS).tick_values(low, high))

@@ -10,15 +10,18 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn
 from swarmgrasp.plot.labels import Page
-from swarmgrasp.plot.sheet import draw_force_key, frame, new_axes, write_legend, write_title
+from swarmgrasp.plot.poses import HOLLOW, WorstCase, draw_poses, pose_entries, worst_case
+from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
 from swarmgrasp.plot.strips import BOLLARD, STRIP, STRIPES, draw_strips, name_bollards, name_strips
 from swarmgrasp.quality import Quality
+from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.robot import Robot, Zone
 from swarmgrasp.swarm import Swarm
 
@@ -67,6 +70,10 @@ def plan(
     An arrow is the force a robot can exert on the object, its length in proportion to the
     robot's limit: a push ends at the contact, a pull starts there.
 
+    By a criterion of the worst case, robots that have a tolerance are drawn with all their
+    contacts and directions and in their worst poses, and robots lost are drawn hollow: of the
+    quality given, or with the newcomers of the placements.
+
     Parameters
     ----------
     swarm : Swarm
@@ -91,35 +98,40 @@ def plan(
         zones = zones or placements[0].problem.zones or ()
         no_go = no_go or placements[0].problem.no_go
     strips = [zone.stretch for zone in zones]
+    case = worst_case(swarm, quality, placements)
     arrows = Arrows(
         swarm.outline,
         swarm.robots,
         tuple(p.robot for p in placements),
         tuple(runner.robot for p in placements for runner in p.runners_up),
+        case.outermost,
     )
     with style.settings():
-        limit = quality if len(swarm) and _in_view(arrows) else None
-        entries = _legend_entries(arrows, limit is not None, strips, no_go)
-        ax = new_axes(arrows, len(entries)) if ax is None else ax
+        limit = quality if len(swarm) and in_view(arrows) else None
+        entries = _legend_entries(arrows, limit is not None, case, strips, no_go)
+        caption = _caption(swarm, quality, placements, entries)
+        ax = new_axes(arrows, caption) if ax is None else ax
         page = frame(ax, arrows)
-        _draw_object(page, swarm.outline)
+        draw_object(page, swarm.outline)
         draw_strips(page, swarm.outline, strips, no_go)
-        _draw_robots(page, arrows)
+        draw_poses(page, arrows, case)
+        draw_robots(page, arrows, case.missing)
         if limit is not None:
-            _draw_weakest(page, swarm, limit, " before" if placements else "")
+            radius = _draw_wrench(page, swarm, limit)
         _label_newcomers(page, arrows, placements)
         name_bollards(page, swarm.outline, strips)
-        _label_robots(page, arrows)
+        if limit is not None:
+            _label_wrench(page, swarm, limit, radius, " before" if placements else "")
+        label_robots(page, arrows)
         name_strips(page, swarm.outline, strips, no_go)
-        _label_edges(page, swarm.outline)
+        label_edges(page, swarm.outline)
         _label_runners_up(page, arrows, placements)
-        write_title(page, _title(swarm, quality, placements))
         draw_force_key(page, arrows)
-        write_legend(page, entries, f"Quality with {swarm.metric_sentence}.")
+        write_caption(page, caption)
         return cast(Figure, ax.get_figure(root=True))
 
 
-def _draw_object(page: Page, outline: Outline) -> None:
+def draw_object(page: Page, outline: Outline) -> None:
     """Draw the outline and the mark of its origin."""
     ax = page.ax
     ax.fill(*outline.vertices.T, facecolor=style.PALE, zorder=2, gid="object")
@@ -134,50 +146,67 @@ def _draw_object(page: Page, outline: Outline) -> None:
         )  # fmt: skip
 
 
-def _kinds(arrows: Arrows) -> dict[str, list[Robot]]:
-    """Return the robots of each kind in `LOOKS`."""
-    return {
-        "runner-up": list(arrows.runners_up),
-        "robot": [r for r in arrows.robots if not r.mounted],
-        "thruster": [r for r in arrows.robots if r.mounted],
-        "newcomer": list(arrows.newcomers),
+def _kinds(arrows: Arrows, missing: frozenset[int]) -> dict[tuple[str, bool], list[Robot]]:
+    """Return the robots of each kind in `LOOKS`, and whether those are missing."""
+    kinds: dict[tuple[str, bool], list[Robot]] = {
+        (kind, gone): [] for kind in LOOKS for gone in (False, True)
     }
+    kinds["runner-up", False] += arrows.runners_up
+    for index, robot in enumerate(arrows.robots + arrows.newcomers):
+        kind = "thruster" if robot.mounted else "robot"
+        kind = kind if index < len(arrows.robots) else "newcomer"
+        kinds[kind, index in missing].append(robot)
+    return {key: robots for key, robots in kinds.items() if robots}
 
 
-def _draw_robots(page: Page, arrows: Arrows) -> None:
-    """Draw every arrow, and a mark at every contact: an arrow may be too short to see."""
+def draw_robots(page: Page, arrows: Arrows, missing: frozenset[int]) -> None:
+    """Draw every arrow, and a mark at every contact: an arrow may be too short to see.
+
+    Robots that are missing have a hollow arrow and a cross.
+    """
     many = len(arrows.robots) > MOST_LABELS
-    for kind, robots in _kinds(arrows).items():
+    for (kind, gone), robots in _kinds(arrows, missing).items():
         colour, width = LOOKS[kind]
         ends = [arrows.ends(robot) for robot in robots]
-        draw_arrows(page.ax, ends, color=colour, width=0.6 * width if many else width, gid=kind)
         for tail, tip in ends:
             page.keep_clear(tail, tip, breadth=HEAD * width)
+        look = HOLLOW | {"edgecolor": colour} if gone else {"color": colour}
+        width *= 0.6 if many else 1.0
+        draw_arrows(page.ax, ends, **look, width=width, gid="missing" if gone else kind)
+        marker = "X" if gone else "s" if kind == "thruster" else "o"
+        size = 2.2 if many or kind == "runner-up" else 3.8
         page.ax.plot(
             *np.reshape([robot.contact for robot in robots], (-1, 2)).T,
-            "s" if kind == "thruster" else "o",
-            markersize=2.2 if many or kind == "runner-up" else 3.8,
+            marker,
+            markersize=1.7 * size if gone else size,
             color=colour,
             markeredgecolor="white",
             markeredgewidth=0.4,
+            linestyle="none",
             zorder=5,
         )
 
 
-def _in_view(arrows: Arrows) -> bool:
+def in_view(arrows: Arrows) -> bool:
     """Tell whether the origin is among what is drawn: moments may be taken about any point."""
     low, high = arrows.box()
     origin = arrows.outline.origin
     return bool(((low <= origin) & (origin <= high)).all())
 
 
-def _draw_weakest(page: Page, swarm: Swarm, quality: Quality, when: str) -> None:
+def draw_weakest(page: Page, swarm: Swarm, quality: Quality, when: str) -> None:
     """Draw the wrench the swarm is weakest at, and say how weak it is or was."""
+    _label_wrench(page, swarm, quality, _draw_wrench(page, swarm, quality), when)
+
+
+def _draw_wrench(page: Page, swarm: Swarm, quality: Quality) -> float:
+    """Draw the wrench the swarm is weakest at; return the radius [m] of its turn."""
     ax, origin = page.ax, swarm.outline.origin
     inverse = ax.transData.inverted()
     metres = page.point_size * float(np.ptp(inverse.transform([(0.0, 0.0), (1.0, 0.0)])[:, 0]))
     length, radius = (size * metres for size in WEAKEST_SIZES)
-    force, torque = np.asarray(quality.direction[:2]), float(quality.direction[2])
+    wrench = _weakest(swarm, quality)
+    force, torque = wrench[:2], float(wrench[2])
     way = force / swarm.scale[:2]
     bearing = math.atan2(way[1], way[0])
     if np.hypot(*force) > LEAST_PART:
@@ -188,16 +217,43 @@ def _draw_weakest(page: Page, swarm: Swarm, quality: Quality, when: str) -> None
         sweep = math.copysign(0.6 + 4.0 * abs(torque), torque)
         look = {"color": style.PURPLE, "linewidth": 2.0, "gid": "weakest"}
         draw_turn(ax, origin, radius, bearing + math.pi, sweep, **look)
-    for turn in np.linspace(0.0, math.pi, 6)[:-1]:
+    for turn in np.linspace(0.0, math.pi, 9)[:-1]:
         reach = 1.3 * radius * np.array([math.cos(turn), math.sin(turn)])
         page.keep_clear(origin - reach, origin + reach)
-    text = f"not force closed{when}"
-    if quality.value > 0.0:
-        text = f"weakest{when}: {style.force(quality.value)}"
-    side = 1.0 if way[1] < 0.0 else -1.0  # off the arrow
+    return radius
+
+
+def _label_wrench(page: Page, swarm: Swarm, quality: Quality, radius: float, when: str) -> None:
+    """Say beside the weakest wrench how weak the swarm is or was."""
+    origin = swarm.outline.origin
+    side = 1.0 if _weakest(swarm, quality)[1] < 0.0 else -1.0  # off the arrow
     bearings = np.array([side, -side, 0.0, 2.0]) * 0.5 * math.pi
     beside = origin + 1.4 * radius * np.column_stack([np.cos(bearings), np.sin(bearings)])
+    text = _weakness(quality, when)
     page.label(text, beside, bearings, fontsize=8.0, color=style.WINE, gid="weakest-label")
+
+
+def _weakest(swarm: Swarm, quality: Quality) -> NDArray[np.float64]:
+    """Return the direction (3,) in the metric's coordinates of the wrench that is weakest.
+
+    Of a ball it is the normal of the weakest facet; of a task the wrench that reaches it first.
+    """
+    task = quality.criterion.task
+    if task is None:
+        return np.asarray(quality.direction)
+    farthest = task.farthest(quality.direction * swarm.scale) * swarm.scale
+    size = float(np.linalg.norm(farthest))
+    return np.asarray(farthest / size if size > 0.0 else quality.direction)
+
+
+def _weakness(quality: Quality, when: str) -> str:
+    """Say how weak a swarm is or was."""
+    criterion = quality.criterion
+    if quality.value > 0.0:
+        return f"weakest{when}: {style.quality(quality.value, criterion)}"
+    if criterion.has_load:
+        return f"load not held{when}"
+    return f"not force closed{when}" if criterion.task is None else f"task not possible{when}"
 
 
 def _label_newcomers(page: Page, arrows: Arrows, placements: Sequence[Placement]) -> None:
@@ -205,9 +261,10 @@ def _label_newcomers(page: Page, arrows: Arrows, placements: Sequence[Placement]
     for placement in placements:
         robot = placement.robot
         name = f"{robot.name}, " if robot.name else "+"
-        gain = style.gain(placement.quality_before, placement.quality)
+        criterion = placement.problem.criterion
+        gain = style.gain(placement.quality_before, placement.quality, criterion)
         text = f"{name}{style.force(robot.limit)}\n{gain}"
-        spots, bearing = _outer_spots(arrows, robot)
+        spots, bearing = outer_spots(arrows, robot)
         page.label(text, spots, bearing, fontsize=8.0, color=style.VERMILION, gid="newcomer-label")
 
 
@@ -215,15 +272,17 @@ def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement
     """Say what the best runners-up would have brought, where there is room."""
     for placement in placements:
         for runner in placement.runners_up[:MOST_RUNNERS_UP]:
-            spots, bearing = _outer_spots(arrows, runner.robot)
-            text = style.force(runner.quality, placement.quality)
+            spots, bearing = outer_spots(arrows, runner.robot)
+            text = style.quality(
+                runner.quality, placement.problem.criterion, placement.quality
+            ).removesuffix(f" {style.TIMES}")
             page.label(
                 text, spots, bearing, optional=True,
                 fontsize=7.0, color=style.GREY, gid="runner-up-label",
             )  # fmt: skip
 
 
-def _label_robots(page: Page, arrows: Arrows) -> None:
+def label_robots(page: Page, arrows: Arrows) -> None:
     """Write the name of every robot, or its number, unless there are too many.
 
     The two halves of a thruster that pushes either way, "bow +" and "bow -" at one
@@ -242,7 +301,7 @@ def _label_robots(page: Page, arrows: Arrows) -> None:
         if (name, robot.contact) in done:
             continue
         done.add((name, robot.contact))
-        spots, bearing = _outer_spots(arrows, robot)
+        spots, bearing = outer_spots(arrows, robot)
         if both:  # beside their arrows
             spots += [0.5 * np.sum(arrows.ends(half), axis=0) for half in halves]
             bearing += 0.5 * math.pi
@@ -251,7 +310,7 @@ def _label_robots(page: Page, arrows: Arrows) -> None:
         page.label(name, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
 
-def _outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
+def outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
     """Return where a robot's label may sit, best first, and the bearing [rad] it prefers.
 
     The outer end of the arrow and its middle; a thruster's at the contact, off the arrow:
@@ -266,7 +325,7 @@ def _outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
     return [outer, 0.5 * (tail + tip)], math.atan2(way[1], way[0])
 
 
-def _label_edges(page: Page, outline: Outline) -> None:
+def label_edges(page: Page, outline: Outline) -> None:
     """Write the names of edges just outside them, where each is nearest to its own."""
     named = [edge for edge, name in enumerate(outline.edge_names) if name]
     for edge in named if len(named) <= MOST_LABELS else []:
@@ -286,27 +345,46 @@ def _is_beside(outline: Outline, edge: int, point: Any) -> bool:
     return bool(start < nearest < end)
 
 
-def _title(swarm: Swarm, quality: Quality | None, placements: Sequence[Placement]) -> str:
-    """Return the picture in a line."""
-    crew = style.count(len(swarm))
+def _caption(
+    swarm: Swarm,
+    quality: Quality | None,
+    placements: Sequence[Placement],
+    entries: Sequence[Any],
+) -> Caption:
+    """Return what is written round the picture."""
+    criterion = NOMINAL if quality is None else quality.criterion
+    title = style.count(len(swarm))
     if placements:
-        gain = style.gain(placements[0].quality_before, placements[-1].quality)
-        return f"{crew} + {len(placements)}: {gain}"
-    return crew if quality is None else f"{crew}: quality {style.force(quality.value)}"
+        criterion = placements[0].problem.criterion
+        ends = placements[0].quality_before, placements[-1].quality
+        title += f" + {len(placements)}: {style.gain(*ends, criterion)}"
+    elif quality is not None:
+        title += f": quality {style.quality(quality.value, criterion)}"
+    small_print = [f"Quality with {swarm.metric_sentence}."]
+    if criterion.has_load:
+        small_print.append(style.load_sentence(criterion.load))
+    if placements and (criterion.losing or criterion.worst_case):
+        small_print.append("The worst case is that with every newcomer there.")
+    return Caption(title, criterion.words, tuple(entries), tuple(small_print))
 
 
 def _legend_entries(
-    arrows: Arrows, weakest: bool, zones: Sequence[Stretch], no_go: Sequence[Stretch]
+    arrows: Arrows,
+    weakest: bool,
+    case: WorstCase,
+    zones: Sequence[Stretch],
+    no_go: Sequence[Stretch],
 ) -> list[Any]:
     """Return a legend entry for everything that is drawn."""
-    kinds = _kinds(arrows)
+    kinds = {kind for kind, _ in _kinds(arrows, frozenset())}
     entries: list[Any] = [
-        ArrowEntry(color=LOOKS[kind][0], label=kind, linewidth=0.0)
+        ArrowEntry(facecolor=LOOKS[kind][0], label=kind)
         for kind in ("robot", "thruster", "newcomer", "runner-up")
-        if kinds[kind]
+        if kind in kinds
     ]
+    entries += pose_entries(case)
     if weakest:
-        entries.append(ArrowEntry(color=style.PURPLE, label="weakest wrench", linewidth=0.0))
+        entries.append(ArrowEntry(facecolor=style.PURPLE, label="weakest wrench"))
     strip = STRIP | {"linewidth": 6.0}
     if any(not z.is_point for z in zones):
         entries.append(Line2D([], [], **strip, color=style.GREEN, label="zone"))

@@ -1,7 +1,9 @@
 """What surrounds a plan view: its frame, title, force key, legend and small print."""
 
 import math
-from collections.abc import Sequence
+import textwrap
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Final
 
 import numpy as np
@@ -22,21 +24,69 @@ PADDING: Final = 24.0
 """Room for labels around what is drawn [pt]."""
 
 LEGEND_ROW: Final = 0.17
-LEGEND_COLUMNS: Final = 4
+LEGEND_COLUMNS: Final = (4, 3, 2)
+LEGEND_WIDTHS: Final = (31.0, 4.65)
+"""Width of an entry [pt]: of its picture and the gap to the next, and of a letter."""
+
+WORDS_WIDTHS: Final = (76, 46)
+"""Letters in a line below the title, and in the last one: the force key stands on its right."""
+
+WORDS_ROW: Final = 10.5
+PRINT_ROW: Final = 9.5
+"""Heights of a line below the title and of the small print [pt]."""
 
 
-def new_axes(arrows: Arrows, entries: int) -> Axes:
-    """Return an axes in a figure whose height suits what is to be drawn.
+@dataclass(frozen=True)
+class Caption:
+    """What is written round a plan view.
 
-    Parameters
+    Attributes
     ----------
-    arrows : Arrows
-    entries : int
-        How many entries the legend will have.
+    title : str
+    words : str
+        What the quality means, below the title; empty if it is the nominal one.
+    entries : tuple
+        Of the legend.
+    small_print : tuple of str
+        Its lines.
     """
+
+    title: str
+    words: str
+    entries: tuple[Any, ...]
+    small_print: tuple[str, ...]
+
+    @cached_property
+    def lines(self) -> list[str]:
+        """The words in lines, broken between terms; the last one ends before the force key."""
+        terms = [term.replace(" ", "\xa0") for term in self.words.split(", ")]
+        lines = textwrap.wrap(", ".join(terms), WORDS_WIDTHS[0])
+        return [*lines, ""] if lines and len(lines[-1]) > WORDS_WIDTHS[1] else lines
+
+    @cached_property
+    def columns(self) -> int:
+        """Columns of the legend, about as many as the page is wide enough for."""
+        fixed, letter = LEGEND_WIDTHS
+        lengths = np.array([len(entry.get_label()) for entry in self.entries])
+        room = 72.0 * (style.WIDTH - MARGINS[0])
+        for columns in LEGEND_COLUMNS:
+            parts = [part for part in np.array_split(lengths, columns) if len(part)]
+            if sum(fixed + letter * part.max() for part in parts) <= room:
+                break
+        return columns
+
+    @property
+    def rows(self) -> int:
+        """Rows of the legend."""
+        return math.ceil(len(self.entries) / self.columns)
+
+
+def new_axes(arrows: Arrows, caption: Caption) -> Axes:
+    """Return an axes in a figure whose height suits what is to be drawn and written."""
     low, high = arrows.box()
     left, right, top, bottom = MARGINS
-    bottom += LEGEND_ROW * math.ceil(entries / LEGEND_COLUMNS)
+    top += len(caption.lines) * WORDS_ROW / 72.0
+    bottom += LEGEND_ROW * caption.rows + (len(caption.small_print) - 1) * PRINT_ROW / 72.0
     width = style.WIDTH - left - right
     room = 2.0 * PADDING / 72.0
     height = (width - room) * float((high - low)[1] / (high - low)[0]) + room
@@ -58,19 +108,43 @@ def frame(ax: Axes, arrows: Arrows) -> Page:
     (left, bottom), (right, top) = 0.5 * (low + high) - half, 0.5 * (low + high) + half
     ax.set(xlim=(left, right), ylim=(bottom, top))
     ax.set_aspect("equal", adjustable="box")
-    ax.set_xlabel("x [m]", labelpad=2.0)
-    ax.set_ylabel("y [m]", labelpad=3.0)
+    size = style.RC["axes.labelsize"]  # axes of others have their own settings
+    ax.set_xlabel("x [m]", labelpad=2.0, fontsize=size)
+    ax.set_ylabel("y [m]", labelpad=3.0, fontsize=size)
     ax.spines[["top", "right"]].set_visible(False)
-    ax.tick_params(length=3.0)
+    ax.tick_params(length=3.0, labelsize=style.RC["xtick.labelsize"])
     ax.locator_params(axis="y", nbins=6)
     return page
 
 
-def write_title(page: Page, title: str) -> None:
-    """Write the line above the picture, on the left."""
+def write_caption(page: Page, caption: Caption) -> None:
+    """Write title and words above the picture, on the left, legend and small print below it."""
+    look: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points"}
+    words = "\n".join(caption.lines)
+    raised = 9.0 + WORDS_ROW * len(caption.lines)
+    page.ax.annotate(caption.title, (0.0, 1.0), xytext=(0.0, raised), va="baseline", **look)
     page.ax.annotate(
-        title, (0.0, 1.0), xytext=(0.0, 9.0), xycoords="axes fraction",
-        textcoords="offset points", va="baseline",
+        words, (0.0, 1.0), xytext=(0.0, raised - 4.0), va="top", linespacing=1.2,
+        fontsize=7.5, color=style.GREY, gid="criterion", **look,
+    )  # fmt: skip
+    height = page.ax.bbox.height / page.point_size
+    page.ax.legend(
+        handles=list(caption.entries),
+        ncols=caption.columns,
+        loc="upper left",
+        bbox_to_anchor=(0.0, -34.0 / height),
+        handler_map={ArrowEntry: ArrowInLegend()},
+        columnspacing=1.3,
+        handlelength=1.8,
+        handletextpad=0.6,
+        labelspacing=0.35,
+        borderaxespad=0.0,
+        borderpad=0.0,
+    )
+    below = -40.0 - 72.0 * LEGEND_ROW * caption.rows
+    page.ax.annotate(
+        "\n".join(caption.small_print), (0.0, 0.0), xytext=(0.0, below), va="top",
+        fontsize=7.0, color=style.GREY, linespacing=1.2, **look,
     )  # fmt: skip
 
 
@@ -87,28 +161,4 @@ def draw_force_key(page: Page, arrows: Arrows) -> None:
         style.force(value), (float(tail[0]), float(tail[1])),
         xytext=(-4.0, 0.0), textcoords="offset points", annotation_clip=False,
         ha="right", va="center", fontsize=8.0,
-    )  # fmt: skip
-
-
-def write_legend(page: Page, entries: Sequence[Any], small_print: str) -> None:
-    """Write the legend below the picture, and the metric below the legend."""
-    height = page.ax.bbox.height / page.point_size
-    page.ax.legend(
-        handles=list(entries),
-        ncols=LEGEND_COLUMNS,
-        loc="upper left",
-        bbox_to_anchor=(0.0, -34.0 / height),
-        handler_map={ArrowEntry: ArrowInLegend()},
-        columnspacing=1.3,
-        handlelength=1.8,
-        handletextpad=0.6,
-        labelspacing=0.35,
-        borderaxespad=0.0,
-        borderpad=0.0,
-    )
-    rows = math.ceil(len(entries) / LEGEND_COLUMNS)
-    page.ax.annotate(
-        small_print, (0.0, 0.0), xytext=(0.0, -40.0 - 72.0 * LEGEND_ROW * rows),
-        xycoords="axes fraction", textcoords="offset points", va="top",
-        fontsize=7.0, color=style.GREY,
     )  # fmt: skip

@@ -8,6 +8,9 @@ from typing import Any, Final
 
 import matplotlib as mpl
 
+from swarmgrasp.quality import Criterion
+from swarmgrasp.quality.criterion import NOMINAL
+
 BLUE: Final = "#0072B2"
 SKY: Final = "#56B4E9"
 GREEN: Final = "#009E73"
@@ -64,6 +67,9 @@ UNITS: Final = (
     (0.0, 1e9, "nN"),
 )
 """Least force [N] shown in a unit, numbers in it per newton, and its name."""
+
+TIMES: Final = "times the task"
+"""The unit of a quality that has none."""
 
 
 @contextmanager
@@ -152,12 +158,46 @@ def round_below(value: float) -> float:
     )
 
 
-def gain(before: float, after: float) -> str:
+def quality_unit(value: float, criterion: Criterion = NOMINAL) -> tuple[float, str]:
+    """Choose the unit a quality of this size reads best in; with a task it has none.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality import Polytope
+    >>> quality_unit(12_000.0), quality_unit(1.2, Criterion(task=Polytope([(1e3, 0, 0)])))
+    ((0.001, 'kN'), (1.0, 'times the task'))
+    """
+    return force_unit(value) if criterion.task is None else (1.0, TIMES)
+
+
+def quality(value: float, criterion: Criterion = NOMINAL, reference: float | None = None) -> str:
+    """Write a quality: a force, or with a task how many times that.
+
+    Parameters
+    ----------
+    value : float [N]
+    criterion : Criterion
+    reference : float [N], optional
+        Its size chooses the unit, instead of the quality's own.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality import Polytope
+    >>> quality(250.0, reference=4e4), quality(1.2, Criterion(task=Polytope([(1e3, 0, 0)])))
+    ('0.25 kN', '1.2 times the task')
+    """
+    factor, unit = quality_unit(value if reference is None else reference, criterion)
+    return f"{number(value * factor)} {unit}"
+
+
+def gain(before: float, after: float, criterion: Criterion = NOMINAL) -> str:
     """Write how a quality changes, with the same decimals before and after.
 
     Parameters
     ----------
     before, after : float [N]
+        With a task, without a unit.
+    criterion : Criterion
 
     Examples
     --------
@@ -165,8 +205,11 @@ def gain(before: float, after: float) -> str:
     ('quality 0 → 2.10 kN', 'quality stays 0.696 N')
     >>> gain(134_648.0, 311_200.0), gain(134_648.0, 135_268.0)
     ('quality 135 → 311 kN', 'quality 134.65 → 135.27 kN')
+    >>> from swarmgrasp.quality import Polytope
+    >>> gain(0.81, 1.24, Criterion(task=Polytope([(1e3, 0, 0)])))
+    'quality 0.810 → 1.240 times the task'
     """
-    factor, unit = force_unit(max(before, after))
+    factor, unit = quality_unit(max(before, after), criterion)
     if abs(after - before) <= 1e-9 * max(before, after):
         return f"quality stays {number(after * factor)} {unit}"
     old, new = before * factor, after * factor
@@ -176,6 +219,18 @@ def gain(before: float, after: float) -> str:
         decimals = max(decimals, min(_decimals(old, 3), least + 2))
     first = f"{old:.{decimals}f}" if old > 0.0 else "0"
     return f"quality {first} → {new:.{decimals}f} {unit}"
+
+
+def load_sentence(load: tuple[float, float, float]) -> str:
+    """Write a steady wrench on the object [N, N, N m].
+
+    Examples
+    --------
+    >>> load_sentence((0.0, -20e3, 1.5e6))
+    'Load on the object: surge 0, sway −20 kN, yaw 1.5 MN m.'
+    """
+    surge, sway, yaw = (force(part).replace("-", "\u2212") if part else "0" for part in load)
+    return f"Load on the object: surge {surge}, sway {sway}, yaw {yaw}{' m' if load[2] else ''}."
 
 
 def _decimals(value: float, digits: int) -> int:

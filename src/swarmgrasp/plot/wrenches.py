@@ -1,26 +1,24 @@
-"""The wrench sets before and after, and the largest ball inside: the quality in 3-D."""
+"""The wrench sets before and after, and the largest ball or task inside: the quality in 3-D."""
 
-import itertools
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, Final, cast
 
 import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.path import Path
-from matplotlib.text import Text
-from matplotlib.ticker import MaxNLocator
-from matplotlib.transforms import Bbox
-from mpl_toolkits.mplot3d import proj3d  # type: ignore[import-untyped]
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 from mpl_toolkits.mplot3d.axes3d import Axes3D  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 
 from swarmgrasp.plot import style
-from swarmgrasp.plot.bodies import Body, body, split, unit_ball
+from swarmgrasp.plot.bodies import Body, body, split
+from swarmgrasp.plot.fit import fit
+from swarmgrasp.quality import Criterion
+from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm
 
 ASIDE: Final = 38.0
@@ -33,32 +31,48 @@ TILTS: Final = (18.0, 32.0)
 TURNS: Final = (25.0, 65.0)
 """Azimuth of the eye within its quadrant [deg]: no axis is seen end on."""
 
-ROOM: Final = (0.03, 0.07, 0.97, 0.88)
-"""Left, bottom, right and top of the part of the figure the 3-D box and its labels fill."""
+SIDES: Final = (0.03, 0.97)
+"""Left and right end of the 3-D box and its labels, in shares of the figure."""
 
-LABEL_PADS: Final = tuple(np.arange(2.0, 22.0, 2.0))
-"""Distances of the names of the axes from their axes [pt], the first that has room."""
+BOX: Final = 3.48
+"""Height of the 3-D box and its labels [in]."""
+
+LEGEND: Final = (0.17, 0.173)
+PRINT: Final = (0.17, 0.132)
+WORDS: Final = 0.2
+"""Heights of legend and small print, without and for each line, and of the words [in]."""
 
 SOLID: Final = "#C9CDD2"
+LOAD: Final[dict[str, Any]] = {"color": style.PURPLE, "linewidth": 2.0, "marker": "D"}
+TASK: Final[dict[str, Any]] = {"color": style.BLUE, "linewidth": 2.4}
 WIRES_SEEN: Final[dict[str, Any]] = {"linewidth": 0.9, "zorder": 3}
 WIRES_HIDDEN: Final[dict[str, Any]] = {"linewidth": 0.5, "alpha": 0.35, "zorder": 1}
 
 
 def wrench_sets(
-    before: Swarm, after: Swarm | None = None, *, eye: tuple[float, float] | None = None
+    before: Swarm,
+    after: Swarm | None = None,
+    *,
+    criterion: Criterion = NOMINAL,
+    eye: tuple[float, float] | None = None,
 ) -> Figure:
     """Draw what a swarm can exert on the object, before and after a change.
 
     The axes are the metric's coordinates, force and torque over the characteristic
     length, so that the quality is the radius of a round ball: the largest about the
     origin that fits into the last of the two sets. The face it touches is the weakest.
+    By a criterion the sets are those of the worst case, moved by the load, and a task takes
+    the place of the ball, scaled by the quality.
 
     Parameters
     ----------
     before : Swarm
         Drawn solid.
     after : Swarm, optional
-        Drawn as a wire frame, with the metric of `before`.
+        Drawn as a wire frame, with the metric of `before`. When left out, and the criterion
+        loses robots or takes the worst poses, the wire frame is that of `before` as it stands.
+    criterion : Criterion
+        What quality means.
     eye : tuple of float [deg, deg], optional
         Elevation and azimuth to look from; by default the touching point faces the eye.
 
@@ -71,13 +85,19 @@ def wrench_sets(
     WrenchSetTooLarge
         If a set has too many faces to draw.
     """
-    first = last = body(before)
+    first = last = body(before, criterion)
+    wires = None
     if after is not None:
         metric = before.characteristic_length, before.force_weights
-        last = body(Swarm(after.outline, after.robots, *metric))
-    factor, unit = style.force_unit(float(np.abs(last.vertices).max()))
+        wires = last = body(Swarm(after.outline, after.robots, *metric), criterion)
+    elif criterion.losing or criterion.worst_case:
+        wires = body(before, replace(criterion, losing=0, worst_case=False))
+    shapes = (first, last) if wires is None else (first, last, wires)
+    factor, unit = style.force_unit(float(max(np.abs(s.vertices).max() for s in shapes)))
+    load = factor * np.array(criterion.load) * before.scale
     with style.settings():
-        figure = Figure(figsize=(style.WIDTH, 4.3))
+        entries = _legend_entries(first, last, wires, criterion)
+        figure, room = _new_figure(entries, criterion, _small_print(before, criterion))
         ax = cast(
             Axes3D,
             figure.add_axes(
@@ -87,17 +107,20 @@ def wrench_sets(
         elevation, azimuth = _eye(last.weakest) if eye is None else eye
         ax.view_init(elevation, azimuth)
         towards = _towards(elevation, azimuth)
-        if after is not None:
-            _draw_wires(ax, last, factor, towards, front=False)
+        colour = {"color": style.VERMILION if after is not None else style.BLUE}
+        if wires is not None:
+            _draw_wires(ax, wires, factor, towards, front=False, **colour)
         _draw_solids(ax, first, last, factor, towards)
         if not first.faces:
             _draw_wires(ax, first, factor, towards, front=True, color=style.GREY)
-        if after is not None:
-            _draw_wires(ax, last, factor, towards, front=True)
+        if wires is not None:
+            _draw_wires(ax, wires, factor, towards, front=True, **colour)
         _draw_facet(ax, last, factor)
-        _set_axes(ax, (first, last), factor, unit, before)
-        _write_round(figure, before, after, (first, last))
-        _fit(figure, ax)
+        if criterion.has_load:
+            arm = np.vstack([np.zeros(3), load])
+            ax.plot(*arm.T, **LOAD, markersize=4.5, markevery=[1], zorder=5.5, gid="load")
+        _set_axes(ax, shapes, factor, unit, before)
+        fit(figure, ax, room)
     return figure
 
 
@@ -143,16 +166,22 @@ def _draw_solids(
     seen = _front(first, towards)
     faces = [first.vertices[list(f)] for f, s in zip(first.faces, seen, strict=True) if s]
     colours = _shade(first.normals[seen], towards, SOLID)
-    colours[:, 3] = 0.5 if last.radius > 0.0 else 0.9
+    colours[:, 3] = 0.5 if last.quality > 0.0 else 0.9
     _add(ax, faces, factor, colours, mpl.colors.to_rgba(style.GREY, 0.9), zorder=2.2, gid="before")
-    if last.radius > 0.0:
-        patches, normals = unit_ball()
-        shown = normals @ towards > -0.05
-        patches, normals = last.radius * patches[shown], normals[shown]
-        colours = _shade(normals, towards, style.SKY)
+    if last.quality > 0.0:
+        held = last.held
+        seen = held.normals @ towards > (1e-9 if held.is_angular else -0.05)
+        patches = [patch for patch, shown in zip(held.patches, seen, strict=True) if shown]
+        colours = _shade(held.normals[seen], towards, style.SKY)
+        gid = "ball" if held.is_ball else "task"
         for part, zorder in zip(split(patches, colours, first), (2.1, 2.3), strict=True):
             polygons, shades = [p for p, _ in part], [c for _, c in part]
-            _add(ax, polygons, factor, shades, shades, zorder=zorder, gid="ball")
+            _add(ax, polygons, factor, shades, shades, zorder=zorder, gid=gid)
+        rims = [patch[[*range(len(patch)), 0]] for patch in patches if held.is_angular]
+        for rim in rims:
+            ax.plot(*(factor * rim).T, color=style.BLUE, linewidth=0.8, zorder=2.4)
+        if held.segment is not None:
+            ax.plot(*(factor * held.segment).T, **TASK, zorder=4.5, gid=gid)
 
 
 def _add(ax: Axes3D, polygons: Any, factor: float, colours: Any, edges: Any, **look: Any) -> None:
@@ -196,16 +225,15 @@ def _draw_facet(ax: Axes3D, shape: Body, factor: float) -> None:
         look = {"linewidths": 1.2, "zorder": 4, "gid": "facet"}
         colour = mpl.colors.to_rgba(style.ORANGE, 0.45)
         _add(ax, [shape.vertices[list(shape.facet)]], factor, [colour], style.INK, **look)
-    if shape.radius > 0.0:
+    if shape.quality > 0.0:
         arm = np.vstack([np.zeros(3), shape.touching]) * factor
-        ax.plot(*arm.T, color=style.INK, linewidth=1.0, linestyle=(0, (3, 2)), zorder=5)
+        if shape.held.segment is None:
+            ax.plot(*arm.T, color=style.INK, linewidth=1.0, linestyle=(0, (3, 2)), zorder=5)
         ax.plot(*arm[1:].T, "o", color=style.INK, markersize=4.5, zorder=6, gid="touching")
     ax.plot([0.0], [0.0], [0.0], "+", color=style.INK, markersize=7.0, zorder=6, gid="origin")
 
 
-def _set_axes(
-    ax: Axes3D, shapes: tuple[Body, Body], factor: float, unit: str, swarm: Swarm
-) -> None:
+def _set_axes(ax: Axes3D, shapes: Sequence[Body], factor: float, unit: str, swarm: Swarm) -> None:
     """Give all three axes the same scale, so that a ball is round, and name them."""
     corners = np.concatenate([*(s.vertices for s in shapes), np.zeros((1, 3))]) * factor
     low, high = corners.min(axis=0), corners.max(axis=0)
@@ -224,107 +252,74 @@ def _set_axes(
     ax.locator_params(nbins=5)
 
 
-def _fit(figure: Figure, ax: Axes3D) -> None:
-    """Enlarge and move the 3-D box until it fills its room with all its labels.
-
-    Labels keep their size, so a second look corrects what the first one estimated.
-    """
-    low, high = np.transpose([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
-    left, bottom, right, top = ROOM
-    zoom = 1.0
-    for _ in range(3):
-        drawn = _drawn_box(figure, ax, low, high)
-        zoom *= min((right - left) / drawn.width, (top - bottom) / drawn.height)
-        place = ax.get_position()
-        x = place.x0 + 0.5 * (left + right - drawn.x0 - drawn.x1)
-        y = place.y0 + 0.5 * (bottom + top - drawn.y0 - drawn.y1)
-        ax.set_position((x, y, place.width, place.height))
-        ax.set_box_aspect(tuple(high - low), zoom=zoom)
-    everything = [*ax.get_children(), *(axis.gridlines for axis in (ax.xaxis, ax.yaxis, ax.zaxis))]
-    for artist in everything:  # the moved axes no longer cover the figure
-        artist.set_clip_on(False)
-
-
-def _clear_ticks(figure: Figure, ax: Axes3D) -> None:
-    """Move the names of the axes outward until they clear all numbers and each other.
-
-    Where the numbers of an axis touch, fewer are written.
-    """
-    axes = ax.xaxis, ax.yaxis, ax.zaxis
-    for axis in axes:
-        axis.labelpad = LABEL_PADS[0]
-    for _ in LABEL_PADS[1:]:
-        figure.draw_without_rendering()  # places the labels
-        names = [text_area(axis.label) for axis in axes]
-        rows = [
-            [text_area(t.label1) for t in axis.get_major_ticks() if t.label1.get_text()]
-            for axis in axes
-        ]
-        numbers = [number for row in rows for number in row]
-        crowded = [
-            any(name.intersects_path(other) for other in [*numbers, *names[:i], *names[i + 1 :]])
-            for i, name in enumerate(names)
-        ]
-        tight = [any(a.intersects_path(b) for a, b in itertools.pairwise(row)) for row in rows]
-        if not any(crowded + tight):
-            return
-        for axis, is_tight in zip(axes, tight, strict=True):
-            if is_tight:
-                axis.set_major_locator(MaxNLocator(3))
-        for axis, is_crowded in zip(axes, crowded, strict=True):
-            axis.labelpad += (LABEL_PADS[1] - LABEL_PADS[0]) * is_crowded
-    figure.draw_without_rendering()
-
-
-def text_area(text: Text) -> Path:
-    """Return the turned box [px] a text fills."""
-    turn = text.get_rotation()
-    centre = text.get_window_extent().get_points().mean(axis=0)
-    text.set_rotation(0.0)
-    half = np.array(text.get_window_extent().size) / 2.0
-    text.set_rotation(turn)
-    corners = half * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
-    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
-    return Path(centre + corners @ np.array([[c, s], [-s, c]]), closed=True)
-
-
-def _drawn_box(
-    figure: Figure, ax: Axes3D, low: NDArray[np.float64], high: NDArray[np.float64]
-) -> Bbox:
-    """Return the box round the 3-D box and its labels, in shares of the figure."""
-    _clear_ticks(figure, ax)
-    renderer = FigureCanvasAgg(figure).get_renderer()  # type: ignore[no-untyped-call]
-    corners = np.array(list(itertools.product(*zip(low, high, strict=True))))
-    x, y, _ = proj3d.proj_transform(*corners.T, ax.get_proj())
-    boxes = [Bbox.null()]
-    boxes[0].update_from_data_xy(ax.transData.transform(np.column_stack([x, y])))
-    boxes += [axis.get_tightbbox(renderer) for axis in (ax.xaxis, ax.yaxis, ax.zaxis)]
-    return Bbox.union(boxes).transformed(figure.transFigure.inverted())
-
-
-def _write_round(
-    figure: Figure, before: Swarm, after: Swarm | None, shapes: tuple[Body, Body]
-) -> None:
-    """Write the legend above the picture and the metric below it."""
-    largest = max(shape.radius for shape in shapes)
-    texts = [
-        f"{style.count(len(swarm))}, quality {style.force(shape.radius, largest)}"
-        for swarm, shape in zip((before, after or before), shapes, strict=True)
+def _legend_entries(first: Body, last: Body, wires: Body | None, criterion: Criterion) -> list[Any]:
+    """Return a legend entry for everything that is drawn."""
+    entries: list[Any] = [
+        Patch(facecolor=SOLID, edgecolor=style.GREY, label=_measured(first, last, criterion))
     ]
-    entries: list[Any] = [Patch(facecolor=SOLID, edgecolor=style.GREY, label=texts[0])]
-    if after is not None:
-        entries.append(Line2D([], [], color=style.VERMILION, linewidth=1.2, label=texts[1]))
-    if shapes[1].radius > 0.0:
-        look: dict[str, Any] = {"marker": "o", "linestyle": "none", "markersize": 8.0}
+    if wires is last:
+        look: dict[str, Any] = {"color": style.VERMILION, "linewidth": 1.2}
+        entries.append(Line2D([], [], **look, label=_measured(last, first, criterion)))
+    elif wires is not None:
+        text = f"as they stand: {style.quality(wires.quality, criterion)}"
+        entries.append(Line2D([], [], color=style.BLUE, linewidth=1.2, label=text))
+    if last.quality > 0.0 and criterion.task is None:
+        look = {"marker": "o", "linestyle": "none", "markersize": 8.0}
         label = "largest ball: its radius is the quality"
         entries.append(Line2D([], [], **look, color=style.SKY, label=label))
-    if shapes[1].facet:
-        label = "weakest face" if shapes[1].radius > 0.0 else "face through the origin"
+    elif last.quality > 0.0:
+        label = "the task, times the quality"
+        body_of_it = Patch(facecolor=style.SKY, edgecolor=style.BLUE, label=label)
+        is_line = last.held.segment is not None
+        entries.append(Line2D([], [], **TASK, label=label) if is_line else body_of_it)
+    if last.facet:
+        label = "weakest face"
+        if last.quality == 0.0:
+            label = "face the load is beyond" if last.is_beyond else "face through the origin"
         face: dict[str, Any] = {"facecolor": style.ORANGE, "alpha": 0.6, "edgecolor": style.INK}
         entries.append(Patch(**face, label=label))
+    if criterion.has_load:
+        entries.append(Line2D([], [], **LOAD, markersize=4.5, markevery=[1], label="load"))
+    return entries
+
+
+def _measured(shape: Body, other: Body, criterion: Criterion) -> str:
+    """Write how good one of two swarms is."""
+    largest = max(shape.quality, other.quality)
+    found = style.quality(shape.quality, criterion, largest)
+    crew = style.count(shape.robots)
+    return f"{crew}, quality {found}" if criterion.task is None else f"{crew}: {found}"
+
+
+def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
+    """Return what the picture's numbers mean, in lines."""
+    lines = [f"Metric: {swarm.metric_sentence}."]
+    if criterion.has_load:
+        lines.append(style.load_sentence(criterion.load))
+    if criterion.losing or criterion.worst_case:
+        drawn = "robots left" if criterion.losing else "robots"
+        where = " in their worst poses" if criterion.worst_case else ""
+        lines.append(f"The quality is that of the {drawn}{where}, whose wrench set is drawn.")
+    return lines
+
+
+def _new_figure(
+    entries: Sequence[Any], criterion: Criterion, small_print: Sequence[str]
+) -> tuple[Figure, tuple[float, float, float, float]]:
+    """Return a figure with all that is written round the 3-D box, and the room that is left."""
+    above = LEGEND[0] + LEGEND[1] * math.ceil(len(entries) / 2)
+    below = PRINT[0] + PRINT[1] * len(small_print)
+    words = WORDS if criterion.words else 0.0
+    height = below + BOX + above + words
+    figure = Figure(figsize=(style.WIDTH, height))
+    title = f"Quality {criterion.words}" if words else ""
+    figure.text(SIDES[0], 1.0 - 0.18 / height, title, fontsize=8.0, gid="criterion")
     figure.legend(
-        handles=entries, loc="upper center", ncols=2, columnspacing=2.0, handlelength=1.6,
-        handletextpad=0.6, labelspacing=0.4,
+        handles=list(entries), loc="upper center", ncols=2, columnspacing=2.0, handlelength=1.6,
+        handletextpad=0.6, labelspacing=0.4, bbox_to_anchor=(0.5, 1.0 - words / height),
     )  # fmt: skip
-    small_print = f"Metric: {before.metric_sentence}."
-    figure.text(0.03, 0.02, small_print, fontsize=7.0, color=style.GREY)
+    figure.text(
+        SIDES[0], 0.086 / height, "\n".join(small_print), fontsize=7.0, color=style.GREY,
+        linespacing=1.2,
+    )  # fmt: skip
+    return figure, (SIDES[0], below / height, SIDES[1], 1.0 - (above + words) / height)

@@ -1,20 +1,23 @@
-"""Max-Transfer quality: the largest ball of wrenches a swarm can make (T1, T2)."""
+"""Max-Transfer quality: the largest ball, or task, of wrenches a swarm can make (T1, T2, T16)."""
 
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.linear import minimise
-from swarmgrasp.quality.weakest import MARGINAL, weakest_of
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
+from swarmgrasp.quality.explain import explain_quality
+from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of
 from swarmgrasp.swarm import Swarm, check_swarm
 
 SEPARATED = 1e-9
 """Cosine by which a direction opposes all robots where force closure is clearly lacking."""
-ON_FACET = 1e-9
-"""Sine of the angle to a facet within which a generator counts as lying in it."""
 
 
 class ForceClosure(StrEnum):
@@ -28,38 +31,66 @@ class ForceClosure(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Quality:
-    """The exact quality of a swarm, and what limits it.
+    """The quality of a swarm by a criterion, and what limits it.
 
     Attributes
     ----------
     value : float [N]
-        Radius of the largest ball in the wrench set, in the metric.
+        Radius of the largest ball in the wrench set, in the metric; with a task the largest
+        factor by which it may grow, without a unit.
+    bound : float [N]
+        What the quality is at least: the value itself, or next to it with uncertain poses.
     direction : (3,)
         Unit normal of the weakest facet, in the metric's coordinates.
+    criterion : Criterion
     """
 
     value: float
+    bound: float
     direction: NDArray[np.float64]
+    criterion: Criterion
     _swarm: Swarm = field(repr=False)
 
     @property
     def weakest_wrench(self) -> NDArray[np.float64]:
-        """(3,) [N, N, N m]: the smallest wrench on the boundary, where the ball touches it."""
-        return self.value * self.direction / self._swarm.scale
+        """(3,) [N, N, N m]: the smallest wrench on the boundary, where ball or task touches it."""
+        scale, task = self._swarm.scale, self.criterion.task
+        if task is None:
+            return self.value * self.direction / scale
+        return self.value * task.farthest(self.direction * scale)
+
+    @cached_property
+    def lost(self) -> tuple[int, ...]:
+        """Indices of the robots whose loss hurts most, the worst first."""
+        return self._aim.lost_at(self._normal) if self.criterion.losing else ()
+
+    @cached_property
+    def worst_swarm(self) -> Swarm:
+        """The swarm in the worst case: without the robots lost, and in the worst poses."""
+        return self._aim.worst_swarm(self._normal)
 
     @cached_property
     def facet_robots(self) -> tuple[int, ...]:
-        """Indices of the robots whose generators span that facet."""
-        generators, sizes = self._swarm.scaled_generators, self._sizes
+        """Indices of the robots whose generators span that facet, in their worst poses."""
+        generators = self._swarm.scaled_generators
+        if self.criterion.worst_case:
+            generators = self._aim.worst_generators(self._normal)
+        sizes = _sizes(generators)
         facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
         return tuple(np.flatnonzero(facet).tolist())
 
     @cached_property
     def force_closure(self) -> ForceClosure:
-        """Whether the swarm can resist a disturbance in every direction."""
+        """Whether the swarm, in the worst case, can resist a disturbance in every direction."""
+        if self.criterion.task is not None or self.criterion.has_load:
+            losing, worst_case = self.criterion.losing, self.criterion.worst_case
+            return quality(self._swarm, losing=losing, worst_case=worst_case).force_closure
         if self.value > 0.0:
             return ForceClosure.YES
-        return _without_closure(self._swarm.scaled_generators, self._sizes)
+        generators = self._swarm.scaled_generators
+        if not self.criterion.is_nominal:
+            generators = self.worst_swarm.scaled_generators
+        return _without_closure(generators, _sizes(generators))
 
     @property
     def is_force_closure(self) -> bool:
@@ -68,17 +99,24 @@ class Quality:
 
     @cached_property
     def ceiling(self) -> float:
-        """Sum of the limits / pi [N], weighted by the metric.
+        """Sum of the limits / pi [N], weighted by the metric; nan for a task.
 
         No robots with these limits and directions exceed it, wherever they are (T3).
         """
+        if self.criterion.task is not None:
+            return float("nan")
         forces = self._swarm.scaled_generators[:, :2]
         return float(np.hypot(forces[:, 0], forces[:, 1]).sum() / np.pi)
 
     @property
     def efficiency(self) -> float:
-        """Quality as a share of its ceiling, within [0, 1]."""
-        return self.value / self.ceiling if self.ceiling > 0.0 else 0.0
+        """Quality as a share of its ceiling, within [0, 1]; nan for a task."""
+        return self.value / self.ceiling if self.ceiling != 0.0 else 0.0
+
+    @property
+    def explanation(self) -> str:
+        """What the swarm can do, what limits it and who sets that, a sentence per line."""
+        return explain_quality(self, self._swarm)
 
     @property
     def metric(self) -> str:
@@ -86,23 +124,32 @@ class Quality:
         return self._swarm.metric_sentence
 
     @property
-    def _sizes(self) -> NDArray[np.float64]:
-        """(n,) [N]: |b_i|."""
-        generators = self._swarm.scaled_generators
-        return np.asarray(np.sqrt(np.einsum("ij,ij->i", generators, generators)))
+    def _normal(self) -> tuple[float, float, float]:
+        """The direction as numbers."""
+        x, y, z = self.direction.tolist()
+        return x, y, z
+
+    @cached_property
+    def _aim(self) -> Aim:
+        """The criterion in the kernels' terms."""
+        return Aim(self._swarm, self.criterion)
 
 
-def quality(swarm: Swarm) -> Quality:
+def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     """Compute the Max-Transfer quality of a swarm, exactly.
 
     The least support function over all facet normals +-(b_j x b_k) (T2): by sweeping all
     planes across a robot for up to 48 robots (T11), then by branch and bound on the sphere of
-    directions, at about the cost of sorting the robots by direction (T12).
+    directions, at about the cost of sorting the robots by direction (T12). The same branch and
+    bound serves the criteria: the worst loss of some robots (T15), a load and a task (T16) are as
+    exact, and the worst of uncertain poses (T14) is certified to 1e-7 of the value.
 
     Parameters
     ----------
     swarm : Swarm
         Of any size, degenerate or not; below 4 robots the quality is 0.
+    losing, worst_case, load, task
+        As for `Criterion`: what is asked beyond the nominal quality.
 
     Returns
     -------
@@ -112,6 +159,8 @@ def quality(swarm: Swarm) -> Quality:
     ------
     RobotInvalid
         If it is no `Swarm`.
+    CriterionInvalid
+        If a term is outside its range.
 
     Examples
     --------
@@ -125,14 +174,32 @@ def quality(swarm: Swarm) -> Quality:
     >>> answer = quality(grasp)
     >>> round(answer.value, 6), str(answer.force_closure), round(answer.efficiency, 3)
     (0.696311, 'yes', 0.547)
-    >>> quality(Swarm(square, grasp.robots[:3])).value
-    0.0
+
+    It needs all four of them:
+
+    >>> answer = quality(grasp, losing=1)
+    >>> answer.value, str(answer.force_closure), len(answer.worst_swarm)
+    (0.0, 'no', 3)
     """
     check_swarm(swarm)
-    value, weakest = weakest_of(swarm.scaled_generators)
-    normal = np.array(weakest)
+    criterion = Criterion(**terms)
+    found, bound = _weakest(swarm, criterion)
+    normal = np.array(found.normal)
     normal.setflags(write=False)
-    return Quality(value, normal, swarm)
+    return Quality(found.quality, bound, normal, criterion, swarm)
+
+
+def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
+    """Find the weakest normal, and what the quality is at least."""
+    if criterion == NOMINAL:
+        found = weakest_of(swarm.scaled_generators)
+        return found, found.quality
+    return Aim(swarm, criterion).weakest()
+
+
+def _sizes(generators: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n,) [N]: |b_i|."""
+    return np.asarray(np.sqrt(np.einsum("ij,ij->i", generators, generators)))
 
 
 def _without_closure(generators: NDArray[np.float64], sizes: NDArray[np.float64]) -> ForceClosure:

@@ -2,16 +2,19 @@
 
 import math
 
-from swarmgrasp.errors import OutlineInvalid, SwarmGraspError
+from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.robot import Newcomer, Robot, Zone
+from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.locate import Locator, Place
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
+from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, robot_names, well_said
+from swarmgrasp.scenario.weather import check_weather, environment_of
 from swarmgrasp.swarm import Swarm
 
 SMALLEST_EXTENT = 1e-6
@@ -39,9 +42,13 @@ def build(checked: Checked, default_name: str) -> Scenario:
     file = checked.file
     units = Units(**file.units.model_dump())
     said = well_said(checked, units)
+    check_tolerances(checked, units)
+    check_criterion(checked)
+    check_weather(checked)
     locator = _locator(checked, units)
     if locator is None:
         raise checked.faults.error()
+    check_reaches(checked, units, locator.si.perimeter)
     robots, zones = _robots(locator, said), _zones(locator, said)
     no_go = _no_go(locator, said)
     if checked.faults:
@@ -53,6 +60,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
     except SwarmGraspError as error:  # by rounding only: all of it is checked above
         checked.fault((), "; ".join(error.faults), got=False)
         raise checked.faults.error() from error
+    environment = environment_of(checked, units)
     return Scenario(
         name=file.name or default_name,
         description=file.description,
@@ -61,6 +69,8 @@ def build(checked: Checked, default_name: str) -> Scenario:
         zones=zones if file.zones is not None else None,
         no_go=no_go,
         spacing=units.metres(file.spacing),
+        environment=environment,
+        criterion=criterion_of(checked, units, swarm.outline, environment),
     )
 
 
@@ -119,19 +129,35 @@ def _edge_names(checked: Checked, count: int) -> list[str]:
 
 
 def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
-    """Return the robots, a two-way one as two."""
-    robots = []
-    for i, section in enumerate(locator.checked.file.robots):
+    """Return the robots, a two-way one as two; none of them once there are faults."""
+    checked, found = locator.checked, []
+    for i, section in enumerate(checked.file.robots):
         path: Path = ("robots", i)
         place = _robot_place(section, path, locator) if path in said else None
         direction = _direction(section, path, place, locator)
-        if place is None or direction is None:
-            continue
-        x, y = (locator.units.metres(v) for v in place.point)
-        limit = locator.units.newtons(section.limit)
-        for name, turn in zip(robot_names(section, i), (0.0, math.pi), strict=False):
-            robots.append(Robot((x, y), direction + turn, limit, name, section.mounted))
+        if place is not None and direction is not None:
+            found.append((section, i, place, direction))
+    robots = []
+    for section, i, place, direction in [] if checked.faults else found:
+        try:
+            robots += _robot(section, i, place, direction, locator)
+        except RobotInvalid as error:  # numbers next to zero only
+            checked.fault(("robots", i), "; ".join(error.faults), got=False)
     return robots
+
+
+def _robot(
+    section: RobotSection, index: int, place: Place, direction: float, locator: Locator
+) -> list[Robot]:
+    """Return a robot, or both halves of a two-way one."""
+    units = locator.units
+    x, y = (units.metres(v) for v in place.point)
+    limit = units.newtons(section.limit)
+    tolerance = tolerance_of(section, locator.checked, units)
+    return [
+        Robot((x, y), direction + turn, limit, name, section.mounted, tolerance)
+        for name, turn in zip(robot_names(section, index), (0.0, math.pi), strict=False)
+    ]
 
 
 def _robot_place(section: RobotSection, path: Path, locator: Locator) -> Place | None:
@@ -167,12 +193,17 @@ def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
     section = checked.file.newcomer
     if section is None:
         return None
-    return Newcomer(
-        limit=units.newtons(section.limit),
-        attachment=section.attachment,
-        half_angle=_half_angle(section, units),
-        name=section.name,
-    )
+    try:
+        return Newcomer(
+            limit=units.newtons(section.limit),
+            attachment=section.attachment,
+            half_angle=_half_angle(section, units),
+            name=section.name,
+            tolerance=tolerance_of(section, checked, units),
+        )
+    except RobotInvalid as error:  # numbers next to zero only
+        checked.fault(("newcomer",), "; ".join(error.faults), got=False)
+        raise checked.faults.error() from error
 
 
 def _half_angle(section: NewcomerSection | ZoneSection, units: Units) -> float | None:

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 
+from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Stretch
+from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.swarm import Swarm
 
@@ -27,6 +29,10 @@ class Scenario:
         Stretches of the boundary no newcomer may use.
     spacing : float [m]
         Least distance of a newcomer from the robots already there.
+    environment : Environment or None
+        Wind and current.
+    criterion : Criterion
+        What quality means; nominal when the file does not say.
     """
 
     name: str
@@ -36,3 +42,5 @@ class Scenario:
     zones: tuple[Zone, ...] | None
     no_go: tuple[Stretch, ...]
     spacing: float
+    environment: Environment | None = None
+    criterion: Criterion = NOMINAL

@@ -5,26 +5,25 @@ What depends on the outline or on the file's units is checked in `build`.
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, StringConstraints, Tag
+from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.config import JsonDict, JsonValue
 
 from swarmgrasp.robot import Attachment
-
-FARTHEST = 1e9
-"""Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
-
-STRONGEST = 1e12
-"""Largest force, in the file's unit."""
-
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST)]
-Distance = Annotated[Number, Field(ge=0, le=FARTHEST)]
-Length = Annotated[Number, Field(gt=0, le=FARTHEST)]
-Force = Annotated[Number, Field(gt=0, le=STRONGEST)]
-Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
-Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
-Range = Annotated[list[Number], Field(min_length=2, max_length=2)]
-Label = Annotated[str, StringConstraints(max_length=200)]
+from swarmgrasp.scenario.criterion_schema import CriterionSection
+from swarmgrasp.scenario.fields import (
+    Angle,
+    Distance,
+    Force,
+    Label,
+    Length,
+    Number,
+    Point,
+    Range,
+    Section,
+    Weight,
+)
+from swarmgrasp.scenario.tolerance_schema import ToleranceSection
+from swarmgrasp.scenario.weather_schema import EnvironmentSection
 
 
 def _kind(value: object) -> str:
@@ -35,7 +34,7 @@ def _kind(value: object) -> str:
 _ByKind = Discriminator(_kind)
 
 Direction = Annotated[
-    Annotated[Literal["inward", "outward"], Tag("word")] | Annotated[Number, Tag("value")], _ByKind
+    Annotated[Literal["inward", "outward"], Tag("word")] | Annotated[Angle, Tag("value")], _ByKind
 ]
 Origin = Annotated[
     Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], _ByKind
@@ -65,12 +64,6 @@ def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
     return [{"required": key} for key in keys]
 
 
-class Section(BaseModel):
-    """A mapping with known keys only."""
-
-    model_config = ConfigDict(extra="forbid", populate_by_name=False)
-
-
 class UnitsSection(Section):
     """Units of every number in the file; SI where left out."""
 
@@ -79,6 +72,9 @@ class UnitsSection(Section):
         "N", description="Newton, kilonewton, or tonne-force (9806.65 N), as in bollard pull."
     )
     angle: Literal["rad", "deg"] = Field("rad", description="Radian or degree.")
+    speed: Literal["m/s", "knot"] = Field(
+        "m/s", description="Metre per second or knot (1852 m/h), of wind and current."
+    )
 
 
 class OutlineSection(Section):
@@ -127,6 +123,8 @@ class RobotSection(Section):
         json_schema_extra={
             "oneOf": _ways(["contact"], ["theta"], ["at"], ["edge", "along"]),
             "dependentRequired": {"along": ["edge"], "edge": ["along"], "mounted": ["contact"]},
+            "if": {"properties": {"mounted": {"const": True}}, "required": ["mounted"]},
+            "then": {"properties": {"tolerance": {"properties": {"contact": False}}}},
         }
     )
 
@@ -154,6 +152,9 @@ class RobotSection(Section):
         description="Pushes either way: becomes two robots, '<name> +' along `direction` and "
         "'<name> -' against it, each with the limit.",
     )
+    tolerance: ToleranceSection | None = Field(
+        None, description="How far the robot may be from all this; instead of the file's own."
+    )
 
 
 class NewcomerSection(Section):
@@ -167,6 +168,10 @@ class NewcomerSection(Section):
         description=HALF_ANGLE + " Not for a free attachment.",
         json_schema_extra={"minimum": 0, "maximum": 90},
         examples=[0.5],
+    )
+    tolerance: ToleranceSection | None = Field(
+        None,
+        description="How far it may end up from where it is placed; instead of the file's own.",
     )
 
 
@@ -245,6 +250,18 @@ class ScenarioFile(Section):
         description="Least distance of a newcomer from the robots already there [units.length].",
         examples=[2],
     )
+    tolerance: ToleranceSection | None = Field(
+        None,
+        description="How far every robot and the newcomer may be from what is said of them, "
+        "unless they have a tolerance of their own.",
+    )
+    criterion: CriterionSection | None = Field(
+        None, description="What quality means, for `swarmgrasp quality` and `swarmgrasp place`."
+    )
+    environment: EnvironmentSection | None = Field(
+        None,
+        description="Wind and current, for `swarmgrasp capability` and for `load: environment`.",
+    )
 
 
 _EXAMPLE = {
@@ -262,6 +279,12 @@ _EXAMPLE = {
     "zones": [{"edge": "port", "from": 0.5, "to": 3.5}, {"contact": [4, 2], "attachment": "pull"}],
     "no_go": [{"edge": "starboard"}],
     "spacing": 0.2,
+    "tolerance": {"contact": 0.2, "direction": [-5, 10], "least_limit": 50},
+    "criterion": {"losing": 1, "worst_case": True, "load": [0, -5, 0]},
+    "environment": {
+        "wind": {"vessel": "tender", "frontal_area": 6, "lateral_area": 20},
+        "current": {"frontal_area": 2, "lateral_area": 4, "speed": 0.5},
+    },
 }
 
 

@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass
 
+from swarmgrasp.environment import KNOT
+
 LENGTHS = {"m": 1.0, "ft": 0.3048}
 """Metres per unit of length."""
 
@@ -12,6 +14,9 @@ FORCES = {"N": 1.0, "kN": 1000.0, "tonne-force": 9806.65}
 ANGLES = {"rad": 1.0, "deg": math.pi / 180.0}
 """Radians per unit of angle."""
 
+SPEEDS = {"m/s": 1.0, "knot": KNOT}
+"""Metres per second per unit of speed."""
+
 
 @dataclass(frozen=True)
 class Units:
@@ -19,7 +24,7 @@ class Units:
 
     Attributes
     ----------
-    length, force, angle : str
+    length, force, angle, speed : str
         Names of units, for messages.
 
     Examples
@@ -32,6 +37,7 @@ class Units:
     length: str = "m"
     force: str = "N"
     angle: str = "rad"
+    speed: str = "m/s"
 
     def metres(self, length: float) -> float:
         """Convert a length to metres."""
@@ -44,6 +50,14 @@ class Units:
     def radians(self, angle: float) -> float:
         """Convert an angle to radians."""
         return angle * ANGLES[self.angle]
+
+    def square_metres(self, area: float) -> float:
+        """Convert an area to square metres."""
+        return area * LENGTHS[self.length] ** 2
+
+    def metres_per_second(self, speed: float) -> float:
+        """Convert a speed to metres per second."""
+        return speed * SPEEDS[self.speed]
 
     def turn(self, fraction: float) -> float:
         """Return a fraction of a full turn in this file's unit of angle."""

@@ -17,12 +17,19 @@ from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path, nearest_name
 from swarmgrasp.scenario.schema import ScenarioFile
 
+_AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
+
 _STAND_INS: dict[str, object] = {
+    **_AREAS,
+    "bow": 1.0,
     "direction": 0.0,
     "limit": 1.0,
     "outline": {"vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]},
     "robots": [],
+    "stern": 1.0,
+    "transverse": 1.0,
     "vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+    "wind": _AREAS,
 }
 """A legal value for every required key."""
 
@@ -92,7 +99,7 @@ def check(root: Node, faults: Faults) -> Checked:
             file = ScenarioFile.model_validate(data)
         except ValidationError as error:
             found = error.errors(include_url=False, include_input=False)
-            paths = [_path(data, fault["loc"]) for fault in found]
+            paths = [_path(data, fault["loc"], fault["type"]) for fault in found]
             for fault, path in zip(found, paths, strict=True):
                 if not _within(bad, path):
                     _note(fault, path, root, faults)
@@ -119,11 +126,13 @@ def _drop_empty(data: Any, path: Path, root: Node, bad: set[Path], faults: Fault
             del data[key]
 
 
-def _path(data: Any, loc: tuple[int | str, ...]) -> Path:
+def _path(data: Any, loc: tuple[int | str, ...], kind: str) -> Path:
     """Return an error's path without the parts that name a branch of a union."""
     path: list[int | str] = []
     for part in loc:
         if isinstance(data, dict):
+            if part not in data and kind != "missing":
+                continue  # a branch again, of a mapping where there should be none
             path.append(part)
             data = data.get(part)
         elif isinstance(data, list) and isinstance(part, int):
@@ -164,21 +173,36 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
         faults.add(node.mark, path, f"is missing; {_WANTED[str(path[-1])]}")
     else:
         said = _SENTENCES.get(kind, found["msg"]).format_map(found.get("ctx", {}))
-        if found["loc"][-1] == "word":  # where a word or a value may stand
-            said = said.replace("should be", _OR_WORD.get(str(path[-1]), "should be"))
+        other = _OR.get((str(path[-1]), str(found["loc"][-1]), kind), "should be")
+        said = said.replace("should be", other)
         faults.add(node.mark, path, f"{said} (got {node.shown()})")
 
 
 _WANTED = {
+    "bow": "give the drag coefficient in a head wind",
     "direction": "give the direction of the force: an angle, inward or outward",
+    "frontal_area": "give the area seen from ahead",
+    "lateral_area": "give the area seen from the side",
     "limit": "give the largest force",
     "outline": "give the object's outline by its vertices",
     "robots": "list the robots already in contact, or give [] for none",
+    "stern": "give the drag coefficient in a stern wind",
+    "transverse": "give the drag coefficient in a beam wind",
     "vertices": "list the corners [x, y] in order",
+    "wind": "give what the object shows to the wind",
 }
 """What to do about a missing key, for every required one."""
 
-_OR_WORD = {"direction": "should be an angle,", "origin": "should be [x, y] or"}
+_OR = {
+    ("contact", "spread", "float_type"): "should be two offsets, or",
+    ("direction", "spread", "float_type"): "should be two offsets, or",
+    ("direction", "word", "literal_error"): "should be an angle,",
+    ("edge", "value", "int_type"): "should be a name, or",
+    ("load", "value", "list_type"): "should be 'environment', or",
+    ("load", "word", "literal_error"): "should be [fx, fy, tz] or",
+    ("origin", "word", "literal_error"): "should be [x, y] or",
+}
+"""What else may stand where a value of one kind has a fault."""
 
 _SENTENCES = {
     "bool_type": "should be true or false",
@@ -186,7 +210,7 @@ _SENTENCES = {
     "float_type": "should be a number",
     "greater_than": "should be greater than {gt:g}",
     "greater_than_equal": "should be at least {ge:g}",
-    "int_type": "should be a name, or a whole number",
+    "int_type": "should be a whole number",
     "less_than_equal": "should be at most {le:g}",
     "list_type": "should be a list",
     "literal_error": "should be {expected}",

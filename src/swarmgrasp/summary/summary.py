@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import SummaryInvalid
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.quality.generators import checked_generators
-from swarmgrasp.robot import Newcomer, Zone, numbers
+from swarmgrasp.ranges import numbers
+from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.summary.bounds import Bounds, quality_bounds
 from swarmgrasp.summary.cells import Array, side_of
 from swarmgrasp.summary.content import MOST_ROBOTS, Content

@@ -1,0 +1,41 @@
+"""Place tugs around an empty barge together, and see why one after the other is not enough.
+
+Run it from anywhere; the picture goes into the folder it is run in.
+"""
+
+from math import radians
+
+import swarmgrasp as sg
+from swarmgrasp.plot import plan, save
+
+TONNE_FORCE = 9806.65  # N
+
+# A barge of 76 x 22 m with a raked bow; x forward, y to port.
+barge = sg.Outline(
+    [(-38, -11), (29, -11), (38, -6), (38, 6), (29, 11), (-38, 11)],
+    edge_names=["starboard", "bow rake starboard", "bow", "bow rake port", "port", "stern"],
+)
+empty = sg.Swarm(barge, [])
+tug = sg.Newcomer(60 * TONNE_FORCE, attachment="push", half_angle=radians(30), name="tug")
+problem = sg.Problem(empty, tug, spacing=8.0)
+
+print("tugs  one after the other  together  no places exceed")
+for count in (4, 6, 12):
+    answer = sg.place_together(problem, count, seconds=3.0)
+    qualities = (answer.sequential, answer.quality, answer.upper_bound)
+    print(f"{count:4}  {'':8}{'{:9.0f} kN{:7.0f} kN{:15.0f} kN'.format(*(q / 1e3 for q in qualities))}")
+    if count == 6:
+        six = answer
+print("With six,", six.reason)
+
+# How many tugs does it take to hold 1 MN in every direction?
+found = sg.how_many(problem, 1e6, seconds=5.0)
+print("For 1 MN,", found.reason)
+
+# One of the six was sent to the wrong place: which should move, and where?
+astray = barge.on_edge("port", 30.0)
+crew = [*six.robots[1:], sg.Robot(astray.point, astray.inward, tug.limit, "stray")]
+move = sg.best_move(sg.Problem(sg.Swarm(barge, crew), tug, spacing=8.0))
+print(f"From {move.quality_before / 1e3:.0f} to {move.quality / 1e3:.0f} kN:", move.reason)
+
+save(plan(six.swarm_after, quality=sg.quality(six.swarm_after)), "barge-together.png")

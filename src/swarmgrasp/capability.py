@@ -1,0 +1,258 @@
+"""Capability: the largest wind a swarm can hold the object against, at every bearing."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.environment import Environment
+from swarmgrasp.environment.limits import BEARING
+from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.quality import Polytope, quality
+from swarmgrasp.ranges import WEAKEST
+from swarmgrasp.swarm import Swarm, check_swarm
+
+HELD = 1e-9
+"""Share of a current by which it may fail to be held, for rounding."""
+
+STEP = math.radians(5.0)
+"""Between the bearings looked at by default [rad]: half of what DNV-ST-0111 asks for."""
+
+
+@dataclass(frozen=True, eq=False)
+class Capability:
+    """The largest winds that a swarm holds, intact and after its worst loss.
+
+    Attributes
+    ----------
+    swarm : Swarm
+    environment : Environment
+    bearings : (m,) [rad]
+        Where the wind comes from, clockwise from the bow.
+    losing : int
+        How many robots are lost.
+    worst_case : bool
+        Whether the robots are in the worst poses that their tolerances allow.
+    intact, after_loss : (m,) [m/s]
+        Largest wind speeds that all robots, and those left after the worst loss, can hold
+        beside the current; 0 where they hold none, or not even the current.
+    holds_current, holds_current_after_loss : (m,) of bool
+        Whether they hold the current alone.
+    worst_losses : tuple of tuple of int
+        For each bearing, indices of robots whose loss leaves the least.
+    directions : (m, 3)
+        For each bearing, the unit wrench in the metric's coordinates along which all robots
+        together can give no more: what the largest wind needs.
+    """
+
+    swarm: Swarm
+    environment: Environment
+    bearings: NDArray[np.float64]
+    losing: int
+    worst_case: bool
+    intact: NDArray[np.float64]
+    after_loss: NDArray[np.float64]
+    holds_current: NDArray[np.bool_]
+    holds_current_after_loss: NDArray[np.bool_]
+    worst_losses: tuple[tuple[int, ...], ...]
+    directions: NDArray[np.float64]
+
+    def lost_names(self, index: int) -> tuple[str, ...]:
+        """Return the names of the robots whose loss is worst at a bearing.
+
+        Both halves of a thruster that pushes either way, "bow +" and "bow -", are "bow".
+        """
+        return self.names_of(self.worst_losses[index])
+
+    def lost_words(self, index: int, most: int = 2) -> str:
+        """Return the names of the robots whose loss is worst at a bearing as part of a sentence.
+
+        Parameters
+        ----------
+        index : int
+            Of the bearing.
+        most : int
+            Names told, at least 1; the others are counted.
+        """
+        names = list(self.lost_names(index))
+        if len(names) > most:
+            names[most:] = [f"{len(names) - most} more"]
+        return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+    def names_of(self, robots: Sequence[int]) -> tuple[str, ...]:
+        """Return the names of robots by their indices, each thruster once."""
+        names = [self.swarm.robot_label(i) for i in robots]
+        return tuple(dict.fromkeys(self._whole.get(name, name) for name in names))
+
+    @cached_property
+    def _whole(self) -> dict[str, str]:
+        """The names of thrusters that push either way, by those of their halves."""
+        names = {self.swarm.robot_label(i) for i in range(len(self.swarm))}
+        stems = {name.removesuffix(" +") for name in names if name.endswith(" +")}
+        pairs = {stem for stem in stems if f"{stem} -" in names}
+        return {f"{stem} {sign}": stem for stem in pairs for sign in "+-"}
+
+    @property
+    def worst(self) -> int:
+        """Index of the bearing at which the least wind is held, intact."""
+        return _first_least(self.intact)
+
+    @property
+    def worst_after_loss(self) -> int:
+        """Index of the bearing at which the least wind is held, after the worst loss there."""
+        return _first_least(self.after_loss)
+
+
+def _first_least(speeds: NDArray[np.float64]) -> int:
+    """Return the first index of the least value, whatever rounding says of its equals."""
+    return int(np.argmax(speeds <= speeds.min() * (1.0 + 1e-9)))
+
+
+def capability(
+    swarm: Swarm,
+    environment: Environment,
+    bearings: ArrayLike | None = None,
+    losing: int = 1,
+    worst_case: bool = False,
+) -> Capability:
+    """Find the largest wind a swarm can hold the object against, at every bearing.
+
+    A wind of speed V from a bearing exerts w_c + V^2 w_w with the current; the robots hold it
+    when the opposite wrench is in their wrench set. The largest V^2 is their exact quality for
+    the task of the one wrench -w_w beside the load w_c (T16), and after the worst loss of k
+    robots (T15).
+
+    Parameters
+    ----------
+    swarm : Swarm
+    environment : Environment
+        The wind's own speed and bearing play no part.
+    bearings : (m,) [rad], optional
+        Where the wind comes from, clockwise from the bow; every 5 degrees when left out.
+    losing : int
+        How many robots are lost, the worst ones at each bearing. A thruster that pushes either
+        way, made of two robots, is lost as a whole: what pushes the other way is of no use
+        there.
+    worst_case : bool
+        In the worst poses that the robots' tolerances allow (T14).
+
+    Returns
+    -------
+    Capability
+
+    Raises
+    ------
+    EnvironmentInvalid
+        If the environment is none, or a bearing is no finite number.
+    CriterionInvalid
+        If the number of robots lost is negative.
+    RobotInvalid
+        If the swarm is no `Swarm`.
+
+    Examples
+    --------
+    Four robots of 60 kN push a barge ahead, astern and to either side; a wind abeam is held as
+    long as it is weaker than one of them:
+
+    >>> from swarmgrasp import Outline, Robot, Wind, WindCoefficients
+    >>> barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    >>> ways = {(-40, 0): 0.0, (40, 0): math.pi, (0, -10): math.pi / 2, (0, 10): -math.pi / 2}
+    >>> swarm = Swarm(barge, [Robot(contact, way, 60e3) for contact, way in ways.items()])
+    >>> box = WindCoefficients(transverse=0.9, bow=0.7, stern=0.7)
+    >>> found = capability(swarm, Environment(Wind(150.0, 500.0, box)), [0.0, math.pi / 2])
+    >>> found.intact.round(2).tolist(), found.after_loss.tolist()
+    ([30.53, 14.75], [0.0, 0.0])
+    """
+    check_swarm(swarm)
+    if not isinstance(environment, Environment):
+        kind = type(environment).__name__
+        raise EnvironmentInvalid(f"{kind} is no Environment: make one with Environment(wind)")
+    wanted = _checked(np.arange(0.0, 2.0 * math.pi - 1e-9, STEP) if bearings is None else bearings)
+    currents = environment.current_load(swarm.outline, wanted)
+    winds = environment.wind_load(swarm.outline, wanted, 1.0)
+    held = _largest(swarm, currents, winds, 0, worst_case)
+    left = _largest(swarm, currents, winds, losing, worst_case)
+    return Capability(
+        swarm=swarm,
+        environment=environment,
+        bearings=wanted,
+        losing=losing,
+        worst_case=worst_case,
+        intact=_read_only([at.speed for at in held]),
+        after_loss=_read_only([at.speed for at in left]),
+        holds_current=_read_only([at.holds_current for at in held]) > 0.0,
+        holds_current_after_loss=_read_only([at.holds_current for at in left]) > 0.0,
+        worst_losses=tuple(at.lost for at in left),
+        directions=_read_only([at.direction for at in held]),
+    )
+
+
+# -- parts --------------------------------------------------------------------------------
+
+
+def _checked(bearings: ArrayLike) -> NDArray[np.float64]:
+    """Return bearings as a read-only array (m,) [rad]."""
+    try:
+        wanted = np.array(bearings, dtype=float)
+    except (TypeError, ValueError):
+        raise EnvironmentInvalid("the bearings should be numbers [rad]") from None
+    if wanted.ndim != 1 or not len(wanted):
+        raise EnvironmentInvalid(f"the bearings have the shape {wanted.shape}; it should be (m,)")
+    faults = [fault for value in wanted.tolist() for fault in BEARING.faults("bearing", value)]
+    if faults:
+        raise EnvironmentInvalid(faults)
+    wanted.setflags(write=False)
+    return wanted
+
+
+class _Held(NamedTuple):
+    """The largest wind held at one bearing [m/s], and what is known of it."""
+
+    speed: float
+    holds_current: bool
+    direction: NDArray[np.float64]
+    lost: tuple[int, ...]
+
+
+def _largest(
+    swarm: Swarm,
+    currents: NDArray[np.float64],
+    winds: NDArray[np.float64],
+    losing: int,
+    worst_case: bool,
+) -> list[_Held]:
+    """Find the largest winds held beside currents (m, 3), given the loads (m, 3) of 1 m/s."""
+    held = []
+    for current, wind in zip(currents, winds, strict=True):
+        x, y, turn = current.tolist()
+        found = quality(
+            swarm,
+            losing=losing,
+            worst_case=worst_case,
+            load=(x, y, turn),
+            task=Polytope([-wind]),
+        )
+        speed = math.sqrt(max(0.0, found.value))
+        holds = speed > 0.0 or _holds(swarm, current, losing, worst_case)
+        held.append(_Held(speed, holds, found.direction, found.lost))
+    return held
+
+
+def _holds(swarm: Swarm, current: NDArray[np.float64], losing: int, worst_case: bool) -> bool:
+    """Tell whether a current (3,) alone is held."""
+    if np.abs(current).max() <= WEAKEST:
+        return True
+    all_of_it = Polytope([-current])
+    found = quality(swarm, losing=losing, worst_case=worst_case, task=all_of_it)
+    return found.value >= 1.0 - HELD
+
+
+def _read_only(rows: Sequence[ArrayLike]) -> NDArray[np.float64]:
+    """Return rows as a read-only array."""
+    array = np.array(rows, dtype=float)
+    array.setflags(write=False)
+    return array

@@ -1,0 +1,152 @@
+"""`swarmgrasp count`: how many robots a required quality takes."""
+
+import math
+import re
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.criteria import criterion_data, criterion_of, losing_faults, unit_for
+from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.inputs import (
+    UsageFault,
+    json_faults,
+    json_text,
+    print_json,
+    put_json,
+    read_scenario,
+    source_of,
+)
+from swarmgrasp.cli.report import told_written
+from swarmgrasp.errors import SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.placement import HowMany
+
+MOST_ROBOTS = 1000
+"""That one command counts up to."""
+
+
+def count(
+    file: Dashed,
+    /,
+    *,
+    quality: float,
+    most: Annotated[str, Parameter(metavar="INT")] = "20",
+    seconds: float = 10.0,
+    losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    worst_case: Annotated[bool, Parameter(negative="")] = False,
+    json: Dashed | None = None,
+) -> None:
+    """Find the fewest robots like the newcomer that bring a required quality.
+
+    They are placed together. Prints where they go, and whether fewer are proven not to be
+    enough.
+
+    Example: swarmgrasp count deck-barge --quality 600e3
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+    quality
+        The quality required, in newtons; with a task, a factor.
+    most
+        The most robots to try, 1 to 1000.
+    seconds
+        Time for the search, about.
+    losing
+        Require it after the worst loss of so many robots.
+    worst_case
+        Require it in the worst poses that the tolerances allow.
+    json
+        Also write the answer to this .json file; "-" prints it and nothing else. SI units
+        and radians.
+    """
+    faults = _number_faults(quality, most, seconds) + losing_faults(losing) + json_faults(json)
+    scenario = read_scenario(file, faults)
+    criterion = criterion_of(scenario, file, losing, worst_case)
+    if scenario.newcomer is None:
+        raise UsageFault(
+            f"{source_of(file)}:1:1: there is no newcomer to count; add one, such as "
+            "`newcomer: {limit: 1000, attachment: push}`"
+        )
+    from swarmgrasp.cli.gains import problem_of
+    from swarmgrasp.placement import how_many
+
+    try:
+        problem = problem_of(scenario, criterion)
+        found = how_many(problem, quality, most=int(most), seconds=seconds)
+    except SwarmGraspError as error:
+        source = source_of(file)
+        raise UsageFault(f"{source}:1:1: {fault}" for fault in error.faults) from error
+    data = data_of(scenario.name, found)
+    if json == DASH:
+        print_json(json_text(data))
+        return
+    written = put_json(json, data)  # before the report, whose reader may leave
+    show(scenario.name, found)
+    told_written(written)
+
+
+def _number_faults(quality: float, most: str, seconds: float) -> list[str]:
+    """Return what is wrong with the numbers given as options."""
+    faults = []
+    if not 0.0 < quality < math.inf:
+        faults.append(f"--quality is {quality:g}; it should be greater than 0 [N]")
+    if not (re.fullmatch(r"[0-9]{1,9}", most) and 1 <= int(most) <= MOST_ROBOTS):
+        faults.append(f"--most is {most}; it should be a whole number from 1 to {MOST_ROBOTS}")
+    if not 0.0 <= seconds < math.inf:
+        faults.append(f"--seconds is {seconds:g}; it should be a number, 0 or more")
+    return faults
+
+
+def data_of(name: str, found: "HowMany") -> dict[str, Any]:
+    """Return an answer as plain data, in SI units."""
+    from swarmgrasp.cli.gains import robots_data
+
+    answer = found.answer
+    return {
+        "name": name,
+        "criterion": criterion_data(found.problem.criterion),
+        "required": found.required,
+        "count": found.count,
+        "at_least": found.at_least,
+        "is_proven": found.is_proven,
+        "quality_before": found.quality_before,
+        "quality": found.quality,
+        "upper_bound": None if answer is None else answer.upper_bound,
+        "reason": found.reason,
+        "robots": [] if answer is None else robots_data(answer),
+    }
+
+
+def show(name: str, found: "HowMany") -> None:
+    """Write an answer for people."""
+    from swarmgrasp.cli.gains import change, show_robots
+    from swarmgrasp.cli.report import ALONG, NOTES, Report
+
+    report, criterion = Report(), found.problem.criterion
+    unit = unit_for(criterion, found.required, found.quality)
+    wanted = unit.text(found.required)
+    if found.count is None:
+        report.headline(f"{name}: {wanted} is not reached by {found.most} robots", "caution")
+    else:
+        are = "robot is" if found.count == 1 else "robots are"
+        word = "the fewest" if found.is_proven else "the fewest found"
+        told = f"{found.count} {are} {word} for {wanted}" if found.count else f"{wanted} is there"
+        report.headline(f"{name}: {told}", "good")
+    report.blank()
+    facts = [("Quality", change(found.quality_before, found.quality, unit))]
+    if criterion.words:
+        facts.append(("", criterion.words))
+    facts.append(("Proven" if found.is_proven else "Open", found.reason))
+    if found.answer is not None:
+        facts.append(("Limit then", found.answer.reason))
+    report.facts(facts)
+    if found.answer is not None:
+        show_robots(report, found.answer)
+    report.blank()
+    report.note(f"Metric: {found.problem.swarm.metric_sentence}.")
+    for note in (*NOTES, ALONG):
+        report.note(note)

@@ -1,0 +1,62 @@
+"""What a command is asked about the swarm, by its options and by the scenario."""
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from swarmgrasp.cli.inputs import UsageFault, source_of
+from swarmgrasp.cli.report import Forces
+
+if TYPE_CHECKING:
+    from swarmgrasp.quality import Criterion
+    from swarmgrasp.scenario import Scenario
+
+
+def losing_faults(losing: str | None) -> list[str]:
+    """Return what is wrong with --losing."""
+    if losing is None or re.fullmatch(r"[0-9]{1,6}", losing):
+        return []
+    return [f"--losing is {losing}; it should be a whole number, 0 or more"]
+
+
+def criterion_of(
+    scenario: "Scenario", file: str, losing: str | None, worst_case: bool
+) -> "Criterion":
+    """Return the scenario's criterion, as changed by options.
+
+    Raises
+    ------
+    UsageFault
+        If the worst case is asked for and nothing has a tolerance.
+    """
+    from dataclasses import replace
+
+    criterion = scenario.criterion
+    newcomer = scenario.newcomer
+    is_sure = not scenario.swarm.tolerances and not (newcomer and newcomer.tolerance)
+    if worst_case and is_sure:
+        raise UsageFault(
+            f"{source_of(file)}:1:1: no robot has a tolerance, so --worst-case asks for nothing; "
+            "give some, such as `tolerance: {contact: 2, direction: 5}`"
+        )
+    if losing is not None:
+        criterion = replace(criterion, losing=int(losing))
+    return replace(criterion, worst_case=True) if worst_case else criterion
+
+
+def unit_for(criterion: "Criterion", *sizes: float) -> Forces:
+    """Return the unit to show qualities in."""
+    return Forces.for_size(*sizes) if criterion.task is None else Forces(1.0, "times the task")
+
+
+def criterion_data(criterion: "Criterion") -> dict[str, Any]:
+    """Return a criterion as plain data, in SI units."""
+    from swarmgrasp.quality import Polytope
+
+    task = criterion.task
+    kind = "polytope" if isinstance(task, Polytope) else "ellipsoid"
+    return {
+        "losing": criterion.losing,
+        "worst_case": criterion.worst_case,
+        "load": list(criterion.load),
+        "task": None if task is None else {kind: task.rows.tolist()},
+    }

@@ -1,0 +1,115 @@
+"""`swarmgrasp forces`: how hard each robot pushes to make a wrench."""
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.inputs import (
+    PICTURES,
+    json_faults,
+    json_text,
+    output_faults,
+    print_json,
+    put_json,
+    read_scenario,
+)
+from swarmgrasp.cli.pushes import Triple, data_of, load_of, number_faults, show
+from swarmgrasp.cli.report import told_written
+
+ThreeNumbers = Annotated[Triple | None, Parameter(metavar="FX FY TZ", negative="")]
+
+
+def forces(
+    file: Dashed,
+    /,
+    *,
+    wrench: ThreeNumbers = None,
+    wrenches: Path | None = None,
+    load: ThreeNumbers = None,
+    csv: Dashed | None = None,
+    plot: Path | None = None,
+    json: Dashed | None = None,
+) -> None:
+    """Tell how hard each robot pushes to make a wrench.
+
+    First the largest load is made as small as it can be, a load being a robot's force as a
+    share of its limit; then the sum of the loads' squares. If the wrench is out of reach,
+    the nearest one is made, and the report says by how much it falls short.
+
+    Example: swarmgrasp forces deck-barge --wrench 300e3 0 0
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as
+        deck-barge. Its newcomer is left out.
+    wrench
+        What the object is to receive: force along x and along y [N], and torque [N m] about
+        the outline's origin.
+    wrenches
+        Instead of one wrench those of a .csv file, one per line. Its first line names the
+        columns, among them fx, fy and tz.
+    load
+        The wrench that the environment exerts on the object, such as wind and current, in the
+        same units; the robots exert the rest. By default the scenario's load.
+    csv
+        Write the forces for all wrenches to this .csv file; "-" prints them and nothing else.
+    plot
+        Draw the forces for the wrench from above; .png, .svg or .pdf.
+    json
+        Also write the numbers to this .json file; "-" prints them and nothing else.
+        SI units.
+    """
+    faults = _option_faults(wrench, wrenches, load, plot, csv, json)
+    faults += json_faults(json) + output_faults(csv, (".csv",)) + output_faults(plot, PICTURES)
+    if wrenches is not None:
+        from swarmgrasp.cli.trajectory import tell_trajectory
+
+        tell_trajectory(file, wrenches, load, csv=csv, json=json, faults=faults)
+        return
+    scenario = read_scenario(file, faults)
+    from swarmgrasp.forces import forces as forces_of
+
+    wanted = wrench or (0.0, 0.0, 0.0)  # given, or there was a fault
+    found = forces_of(scenario.swarm, wanted, load=load_of(scenario, load))
+    data = {"name": scenario.name} | data_of(found)
+    written: list[str | Path] = list(put_json(json, data))  # before the report
+    if plot is not None:
+        from swarmgrasp.plot import forces_plan, save
+
+        written.append(save(forces_plan(found), plot))
+    if json == DASH:
+        print_json(json_text(data))
+    else:
+        show(scenario.name, found)
+    told_written(written, aside=json == DASH)
+
+
+def _option_faults(
+    wrench: Triple | None,
+    wrenches: Path | None,
+    load: Triple | None,
+    plot: Path | None,
+    csv: str | None,
+    json: str | None,
+) -> list[str]:
+    """Return what is wrong with the numbers, and with options that do not go together."""
+    faults = []
+    if wrench is None and wrenches is None:
+        faults.append("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
+    if wrench is not None and wrenches is not None:
+        faults.append("--wrench and --wrenches do not go together; give one of them")
+    if wrench is not None and csv is not None:
+        faults.append("--csv goes with --wrenches; one wrench is written by --json")
+    if wrenches is not None and plot is not None:
+        faults.append("--plot goes with --wrench; it draws the forces for one")
+    if csv == DASH and json == DASH:
+        faults.append("--csv and --json cannot both be printed; give one of them a file")
+    return faults + [
+        f"--{name} is {' '.join(map(str, given))}; {fault}"
+        for name, given in (("wrench", wrench), ("load", load))
+        if given is not None
+        for fault in number_faults(given)
+    ]

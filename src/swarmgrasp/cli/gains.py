@@ -1,0 +1,86 @@
+"""What a change of quality is called, and where robots are, in the reports of several commands."""
+
+from typing import Any
+
+from swarmgrasp.cli.report import Column, Forces, Lengths, Report, percent
+from swarmgrasp.cli.words import degrees, stance
+from swarmgrasp.outline import Outline
+from swarmgrasp.placement import Problem, Together
+from swarmgrasp.quality import Criterion
+from swarmgrasp.robot import Newcomer, Robot
+from swarmgrasp.scenario import Scenario
+
+SAME = 1e-9
+"""Relative difference of two qualities that is none."""
+FINE = 1e-6
+"""Relative difference, 0.0001 %, below which it is not told to the digit."""
+
+
+def problem_of(scenario: Scenario, criterion: Criterion) -> Problem:
+    """Return the question where a scenario's newcomer goes; anywhere if it has none."""
+    return Problem(
+        scenario.swarm,
+        scenario.newcomer or Newcomer(),
+        scenario.zones,
+        scenario.no_go,
+        scenario.spacing,
+        criterion,
+    )
+
+
+def change(before: float, after: float, unit: Forces) -> str:
+    """Say how a quality changes."""
+    if abs(after - before) <= SAME * before:
+        return f"stays {unit.text(before)}"
+    share = "from none" if before == 0.0 else f"{after / before - 1.0:+.0%}".replace("%", " %")
+    return f"{unit.number(before)} -> {unit.text(after)} ({share})"
+
+
+def proven(what: str, bound: float, quality: float, unit: Forces) -> str:
+    """Say how far a bound is above a quality: what else is better by how much at most."""
+    told = f"(upper bound {unit.text(bound)})"
+    if bound <= quality * (1.0 + SAME):
+        return f"no {what} is better {told}"
+    if quality == 0.0:
+        return f"no {what} brings more than {unit.text(bound)}"
+    share = max(bound / quality - 1.0, FINE)
+    return f"no {what} is better by more than {percent(share)} {told}"
+
+
+def spot(outline: Outline, robot: Robot) -> list[str]:
+    """Return x, y, the arc length, the direction and what it is off the normal, for a table."""
+    placed, lengths = stance(outline, robot), Lengths.for_outline(outline)
+    figures = [lengths.number(v) for v in (*robot.contact, placed.arc_length)]
+    return [*figures, degrees(robot.direction), placed.short]
+
+
+def show_robots(report: Report, found: Together) -> None:
+    """Write where robots go that are placed together."""
+    columns = [
+        *(Column(text) for text in ("robot", "place")),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
+        Column("along [m]", is_number=True, is_spare=True),
+        Column("to [deg]", is_number=True),
+        Column("off the normal [deg]", is_spare=True),
+    ]
+    outline = found.problem.swarm.outline
+    rows = [
+        [robot.name, place, *spot(outline, robot)]
+        for robot, place in zip(found.robots, found.places, strict=True)
+    ]
+    report.blank()
+    report.table(columns, rows)
+
+
+def robots_data(found: Together) -> list[dict[str, Any]]:
+    """Return robots that are placed together as plain data."""
+    return [
+        {
+            "name": robot.name,
+            "place": place,
+            "contact": list(robot.contact),
+            "direction": robot.direction,
+            "limit": robot.limit,
+        }
+        for robot, place in zip(found.robots, found.places, strict=True)
+    ]

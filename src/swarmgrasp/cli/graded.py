@@ -1,0 +1,165 @@
+"""How `swarmgrasp quality` tells its answer."""
+
+from collections.abc import Sequence
+
+from swarmgrasp.cli.criteria import unit_for
+from swarmgrasp.cli.report import NOTES, Column, Forces, Lengths, Report, percent
+from swarmgrasp.cli.sensitivities import show_sensitivities
+from swarmgrasp.cli.words import degrees, stance
+from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities, wrench_words
+from swarmgrasp.quality import quality as quality_of
+from swarmgrasp.scenario import Scenario
+from swarmgrasp.swarm import Swarm
+
+
+def show(
+    scenario: Scenario, found: Quality, lost: Sequence[Loss], slopes: Sensitivities | None = None
+) -> None:
+    """Write a quality for people."""
+    report, swarm, criterion = Report(), scenario.swarm, found.criterion
+    unit = unit_for(criterion, found.value or max((r.limit for r in swarm.robots), default=0.0))
+    asked = f" {criterion.words}" if criterion.words else ""
+    report.headline(
+        f"{scenario.name}: quality {unit.text(found.value)}{asked}",
+        "good" if found.value > 0.0 else "bad",
+    )
+    report.blank()
+    facts = [
+        *_beside(swarm, found, unit),
+        ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
+        *_weakest(swarm, found, unit),
+    ]
+    if len(swarm) and criterion.is_nominal:
+        facts.append(_efficiency(swarm, found, unit))
+    report.facts(facts)
+    if lost:
+        _show_losses(report, lost, unit)
+    if criterion.worst_case:
+        _show_robots(report, found.worst_swarm, "The worst poses")
+    _show_robots(report, swarm, _title(criterion))
+    if slopes is not None:
+        show_sensitivities(report, slopes, unit)
+    report.blank()
+    report.note(f"Metric: {swarm.metric_sentence}.")
+    for note in NOTES:
+        report.note(note)
+
+
+_CLOSURE = {
+    "yes": "the robots can push and turn the object in every direction",
+    "no": "there are directions in which the robots can exert nothing",
+    "marginal": "the slightest change of a pose decides whether the robots hold the object",
+}
+
+
+def _title(criterion: Criterion) -> str:
+    """Return the title of the robots' table, which other tables may stand before."""
+    if criterion.worst_case:
+        return "The robots as they are meant to be"
+    return "The robots" if criterion.losing else ""
+
+
+def _efficiency(swarm: Swarm, found: Quality, unit: Forces) -> tuple[str, str]:
+    """Tell how much of what the limits allow is reached."""
+    weighted = "" if swarm.force_weights == (1.0, 1.0) else "weighted "
+    return (
+        "Efficiency",
+        f"{percent(found.efficiency)} of {unit.text(found.ceiling)}, the {weighted}sum of the "
+        "limits / pi, which these robots could not exceed wherever they were",
+    )
+
+
+def _beside(swarm: Swarm, found: Quality, unit: Forces) -> list[tuple[str, str]]:
+    """Tell what else the swarm can do, and who is lost, by a criterion."""
+    criterion = found.criterion
+    if criterion.is_nominal:
+        return []
+    plain = quality_of(swarm, load=criterion.load, task=criterion.task).value
+    facts = []
+    if criterion.losing or criterion.worst_case:
+        facts.append(("As it stands", unit.text(plain)))
+    if found.bound < found.value:
+        facts.append(("Certified", f"no less than {unit.text(found.bound)}"))
+    if found.lost:
+        facts.append(("Worst loss", ", ".join(swarm.robot_label(i) for i in found.lost)))
+    if criterion.has_load:
+        x, y, turn = criterion.load
+        size = max(abs(x), abs(y), abs(turn) / swarm.characteristic_length)
+        forces = Forces.for_size(size)
+        told = f"{forces.part(x, size)} along x, {forces.part(y, size)} along y, "
+        torque = forces.part(turn, size * swarm.characteristic_length, " m")
+        facts.append(("Load", f"{told}{torque} of torque on the object"))
+    return facts
+
+
+def _show_losses(report: Report, lost: Sequence[Loss], unit: Forces) -> None:
+    """Write the table of what the loss of each robot leaves."""
+    columns = [
+        Column("without"),
+        Column(f"quality [{unit.name}]", is_number=True),
+        Column("left", is_number=True),
+        Column("weakest then"),
+    ]
+    rows = [
+        [
+            loss.name,
+            unit.number(loss.quality),
+            percent(loss.quality / loss.quality_before) if loss.quality_before else "",
+            f"{'' if loss.quality else 'nothing: '}{loss.direction_words}",
+        ]
+        for loss in lost
+    ]
+    report.blank()
+    report.headline("What the loss of each robot leaves")
+    report.table(columns, rows)
+
+
+def _weakest(swarm: Swarm, found: Quality, unit: Forces) -> list[tuple[str, str]]:
+    """Tell the weakest wrench and the robots that define it."""
+    if not len(swarm):
+        return [("Weakest", "there are no robots")]
+
+    words = wrench_words(found.direction)
+    if found.value > 0.0:
+        x, y, turn = (float(v) for v in found.weakest_wrench)
+        length = swarm.characteristic_length
+        most_there = (
+            f"the robots exert at most {unit.part(x, found.value)} along x, "
+            f"{unit.part(y, found.value)} along y and "
+            f"{unit.part(turn, found.value * length, ' m')} of torque at once"
+        )
+        facts = [("Weakest wrench", words), ("", most_there)]
+    else:
+        facts = [("Weakest wrench", f"{words}: the robots exert nothing that way")]
+    if len(found.facet_robots) > 1:
+        names = ", ".join(swarm.robot_label(i) for i in found.facet_robots)
+        facts.append(("Set by", f"{names}: their wrenches span the weakest facet"))
+    return facts
+
+
+def _show_robots(report: Report, swarm: Swarm, title: str) -> None:
+    """Write a table of robots."""
+    if not len(swarm):
+        return
+
+    unit = Forces.for_size(*(robot.limit for robot in swarm.robots))
+    lengths = Lengths.for_outline(swarm.outline)
+    columns = [
+        Column("robot"),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "to [deg]")),
+        Column(f"limit [{unit.name}]", is_number=True), Column("place"),
+        Column("off the normal [deg]", is_spare=True),
+    ]  # fmt: skip
+    rows = []
+    for index, robot in enumerate(swarm.robots):
+        where, way = "on board", ""
+        if not robot.mounted:
+            placed = stance(swarm.outline, robot)
+            where, way = placed.where, placed.short
+        x, y = (lengths.number(v) for v in robot.contact)
+        limit = unit.number(robot.limit)
+        rows.append([swarm.robot_label(index), x, y, degrees(robot.direction), limit, where, way])
+    report.blank()
+    if title:
+        report.headline(title)
+    report.table(columns, rows)

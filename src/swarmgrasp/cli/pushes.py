@@ -1,0 +1,236 @@
+"""How `swarmgrasp forces` tells what the robots do for a wrench."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from swarmgrasp.cli.report import Forces as Unit
+    from swarmgrasp.cli.report import Report
+    from swarmgrasp.forces import Forces
+    from swarmgrasp.scenario import Scenario
+    from swarmgrasp.swarm import Swarm
+
+Triple = tuple[float, float, float]
+
+IDLE = 1e-7
+"""Load that is told as none."""
+FULL = 1e-9
+"""Difference of two loads that counts as none."""
+NONE = 1e-9
+"""Size of a wrench, relative to one beside it, that is told as none."""
+MANY = 1000.0
+"""Reserve beyond which nobody counts."""
+
+
+def number_faults(triple: Triple) -> list[str]:
+    """Return what is wrong with three numbers of a wrench."""
+    from swarmgrasp.ranges import STRONGEST, WEAKEST
+
+    largest = max(map(abs, triple))
+    if all(map(math.isfinite, triple)) and (largest == 0 or WEAKEST <= largest <= STRONGEST):
+        return []
+    return [
+        f"they should be finite, the largest 0 or {WEAKEST:g} to {STRONGEST:g} in size [N, N, N m]"
+    ]
+
+
+def load_of(scenario: "Scenario", load: Triple | None) -> Triple:
+    """Return the wrench that the environment exerts: the one given, or the scenario's."""
+    return scenario.criterion.load if load is None else load
+
+
+def data_of(found: "Forces") -> dict[str, Any]:
+    """Return the forces for one wrench as plain data, in SI units."""
+    swarm = found.swarm
+    return {
+        "wanted": found.wanted.tolist(),
+        "load": found.load.tolist(),
+        "wrench": found.wrench.tolist(),
+        "is_degraded": found.is_degraded,
+        "shortfall": found.shortfall,
+        "missing": found.missing.tolist(),
+        "largest_load": found.largest_load,
+        "needed": found.needed if math.isfinite(found.needed) else None,
+        "normal": found.normal.tolist(),
+        "robots": [
+            {"name": swarm.robot_label(i), "load": load, "force": force}
+            for i, (load, force) in enumerate(
+                zip(found.loads.tolist(), found.forces.tolist(), strict=True)
+            )
+        ],
+        "metric": metric_data(swarm),
+    }
+
+
+def metric_data(swarm: "Swarm") -> dict[str, Any]:
+    """Return a metric as plain data."""
+    return {
+        "force_weights": list(swarm.force_weights),
+        "characteristic_length": swarm.characteristic_length,
+    }
+
+
+def show(name: str, found: "Forces") -> None:
+    """Write the forces for one wrench for people."""
+    from swarmgrasp.cli.report import NOTES, Forces, Report
+
+    report, swarm = Report(), found.swarm
+    unit = Forces.for_size(size_of(swarm, found.wanted), size_of(swarm, found.wrench))
+    if found.is_degraded:
+        report.headline(f"{name}: out of reach by {unit.text(found.shortfall)}", "caution")
+    elif not found.loads.any():
+        report.headline(f"{name}: no force is needed", "good")
+    else:
+        report.headline(
+            f"{name}: the robots make it, with loads up to {share(found.largest_load)}", "good"
+        )
+    report.blank()
+    report.facts(_missed(found, unit) if found.is_degraded else _made(found, unit))
+    _show_robots(report, found)
+    report.blank()
+    report.note(f"Metric: {swarm.metric_sentence}.")
+    report.note("Load: a robot's force as a share of its limit.")
+    for note in NOTES:
+        report.note(note)
+
+
+def _made(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+    """Tell a wrench that is made, who pushes hardest, and how much larger it might be."""
+    facts = _asked(found, unit)
+    if not found.loads.any():
+        return facts
+    facts.append(("Largest load", f"{share(found.largest_load)}: {_hardest(found)}"))
+    facts.append(("", "no forces of these robots make the wrench with a smaller one"))
+    if found.needed < 1.0 - FULL:
+        more = 1.0 / found.needed
+        times = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
+        what = "this" if not found.load.any() else "what they make"
+        facts.append(("Reserve", f"the robots could make {times} times {what}"))
+    return facts
+
+
+def _missed(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+    """Tell a wrench that is out of reach: what is made instead, and what would be needed."""
+    from swarmgrasp.cli.report import percent
+
+    swarm = found.swarm
+    wanted = size_of(swarm, found.wanted - found.load)
+    what = "what the robots were to make" if found.load.any() else "it"
+    left = f"{percent(found.shortfall / wanted)} of {what}"
+    if math.isinf(found.needed):
+        needed = "no limits would be large enough: these robots do not push that way"
+    else:
+        more = found.needed - 1.0
+        needed = (
+            f"limits larger by {percent(more)}"
+            if more < 1.0
+            else f"limits {found.needed:.3g} times as large"
+        )
+    return [
+        *_asked(found, unit),
+        ("Made instead", wrench_text(swarm, found.wrench, unit, wanted)),
+        ("Missing", wrench_text(swarm, found.missing, unit)),
+        ("Short by", f"{unit.text(found.shortfall)} in the metric, {left}; nothing is nearer"),
+        ("It takes", needed),
+        *([("Largest load", f"{share(found.largest_load)}: {_hardest(found)}")]
+          if found.loads.any() else []),
+    ]  # fmt: skip
+
+
+def _asked(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+    """Tell the wrench wanted, and the environment's part of it."""
+    from swarmgrasp.cli.report import Forces
+
+    swarm = found.swarm
+    facts = [("Wanted", wrench_text(swarm, found.wanted, unit))]
+    if found.load.any():
+        own = Forces.for_size(size_of(swarm, found.load))
+        facts.append(("Load", f"{wrench_text(swarm, found.load, own)}, by the environment"))
+        rest = found.wanted - found.load
+        own = Forces.for_size(size_of(swarm, rest))
+        facts.append(("By the robots", wrench_text(swarm, rest, own)))
+    return facts
+
+
+def wrench_text(
+    swarm: "Swarm", wrench: "NDArray[Any] | Sequence[float]", unit: "Unit", beside: float = 0.0
+) -> str:
+    """Say what a wrench is, in numbers and in words; beside one of some size [N] it may be none."""
+    import numpy as np
+
+    from swarmgrasp.quality import wrench_words
+
+    x, y, turn = (float(part) for part in wrench)
+    size = size_of(swarm, wrench)
+    if size <= NONE * beside:
+        return "no wrench"
+    length = swarm.characteristic_length
+    parts = [(unit.part(x, size), "along x"), (unit.part(y, size), "along y")]
+    parts.append((unit.part(turn, size * length, " m"), "of torque"))
+    told = [f"{text} {way}" for text, way in parts if not text.startswith("0 ")]
+    return f"{', '.join(told)}: {wrench_words(np.asarray(wrench) * swarm.scale)}"
+
+
+def size_of(swarm: "Swarm", wrench: "NDArray[Any] | Sequence[float]") -> float:
+    """Return the length of a wrench in the metric [N]."""
+    import numpy as np
+
+    return float(np.linalg.norm(np.asarray(wrench) * swarm.scale))
+
+
+def share(load: float) -> str:
+    """Return a load in percent.
+
+    Examples
+    --------
+    >>> [share(load) for load in (0.12345, 1.0 - 1e-16, 1e-17)]
+    ['12.3 %', '100 %', '0 %']
+    """
+    from swarmgrasp.cli.report import percent
+
+    return percent(round(load, 9)) if load > IDLE else "0 %"
+
+
+def _hardest(found: "Forces") -> str:
+    """Name the robots with the largest load."""
+    import numpy as np
+
+    hardest = np.flatnonzero(found.loads >= found.largest_load - FULL).tolist()
+    names = [found.swarm.robot_label(i) for i in hardest[:8]]
+    more = f" and {len(hardest) - 8} more" if len(hardest) > 8 else ""
+    return ", ".join(names) + more
+
+
+def _show_robots(report: "Report", found: "Forces") -> None:
+    """Write the table of robots."""
+    swarm = found.swarm
+    if not len(swarm):
+        return
+    from swarmgrasp.cli.report import Column, Forces, Lengths
+    from swarmgrasp.cli.words import degrees, stance
+
+    unit = Forces.for_size(*swarm.limits.tolist())
+    own = Forces.for_size(*found.forces.tolist()) if found.loads.any() else unit
+    lengths = Lengths.for_outline(swarm.outline)
+    columns = [
+        Column("robot"),
+        *(Column(text, is_number=True) for text in (
+            f"force [{own.name}]", "load", f"limit [{unit.name}]", "to [deg]", "x [m]", "y [m]",
+        )),
+        Column("place", is_spare=True),
+    ]  # fmt: skip
+    rows = []
+    for index, robot in enumerate(swarm.robots):
+        load, force = float(found.loads[index]), float(found.forces[index])
+        x, y = (lengths.number(v) for v in robot.contact)
+        where = "on board" if robot.mounted else stance(swarm.outline, robot).where
+        rows.append([
+            swarm.robot_label(index), own.number(force if load > IDLE else 0.0), share(load),
+            unit.number(robot.limit), degrees(robot.direction), x, y, where,
+        ])  # fmt: skip
+    report.blank()
+    report.table(columns, rows)

@@ -1,0 +1,68 @@
+"""The sensitivities of a quality: for `swarmgrasp quality --sensitivities`."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.cli.report import Column, Forces, Report
+from swarmgrasp.quality import Sensitivities
+from swarmgrasp.quality.words import digits
+
+WAYS = ("-", "+")
+
+
+def show_sensitivities(report: Report, found: Sensitivities, unit: Forces) -> None:
+    """Write the table of what the quality gains when one robot changes and the others stay.
+
+    Parameters
+    ----------
+    report : Report
+    found : Sensitivities
+    unit : Forces
+        Of the quality.
+    """
+    swarm, is_force = found.swarm, found.quality.criterion.task is None
+    if not len(swarm):
+        return
+    limits = Forces.for_size(float(swarm.limits.max()))
+    of = unit.name if is_force else "1"
+    kinds = [
+        ("along", f"{of}/m", found.contact / unit.newtons),
+        ("to", f"{of}/deg", found.direction_per_degree / unit.newtons),
+        ("limit", f"{of}/{limits.name}", found.limit * limits.newtons / unit.newtons),
+    ]
+    columns, cells = [Column("robot")], [[swarm.robot_label(i) for i in range(len(swarm))]]
+    for name, per, slopes in kinds:
+        columns += [Column(f"{name} {way} [{per}]", is_number=True) for way in WAYS]
+        cells += _columns(slopes)
+    report.blank()
+    report.headline("What the quality gains per metre, degree or unit of force of one robot")
+    report.table(columns, list(zip(*cells, strict=True)))
+    if found.is_ridge:
+        report.sentence(
+            f"{len(found.weakest)} facets are equally weak: it may fall whichever way a robot goes."
+        )
+    report.note("Along and to: - clockwise, + counter-clockwise; limit: - weaker, + stronger.")
+
+
+def sensitivities_data(found: Sensitivities) -> list[dict[str, Any]]:
+    """Return sensitivities as plain data, in SI units: per robot, the one way and the other."""
+    return [
+        {
+            "robot": found.swarm.robot_label(i),
+            "per_metre": None if found.swarm.mounted[i] else found.contact[i].tolist(),
+            "per_radian": found.direction[i].tolist(),
+            "per_newton": found.limit[i].tolist(),
+        }
+        for i in range(len(found.swarm))
+    ]
+
+
+def _columns(slopes: NDArray[np.float64]) -> list[list[str]]:
+    """Write slopes (n, 2) as two columns, with the decimals that give the largest four digits."""
+    largest = float(np.nanmax(np.abs(slopes), initial=0.0))
+    return [
+        ["" if np.isnan(slope) else digits(float(slope), largest) for slope in column]
+        for column in slopes.T
+    ]

@@ -1,0 +1,341 @@
+"""`swarmgrasp forces --wrenches`: the forces for many wrenches, from and to tables."""
+
+import csv as tables
+import io
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from swarmgrasp.cli.dash import DASH
+from swarmgrasp.cli.inputs import (
+    UsageFault,
+    json_text,
+    print_json,
+    put_json,
+    read_scenario,
+)
+from swarmgrasp.cli.pushes import (
+    IDLE,
+    Triple,
+    load_of,
+    metric_data,
+    number_faults,
+    share,
+    size_of,
+    wrench_text,
+)
+from swarmgrasp.cli.report import told_written
+from swarmgrasp.errors import SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.cli.report import Forces as Unit
+    from swarmgrasp.cli.report import Report
+    from swarmgrasp.forces import ForcesAlong
+
+COLUMNS = ("fx", "fy", "tz")
+MOST_TOLD = 20
+"""Faults of a table that are told, and wrenches of one that are listed."""
+LARGEST_FILE = 100_000_000
+"""Bytes of a table that is read."""
+
+
+def tell_trajectory(
+    file: str,
+    wrenches: Path,
+    load: Triple | None,
+    *,
+    csv: str | None,
+    json: str | None,
+    faults: Sequence[str],
+) -> None:
+    """Find and tell the forces for the wrenches of a table.
+
+    Parameters
+    ----------
+    file : str
+        The scenario.
+    wrenches : Path
+    load : tuple of float [N, N, N m] or None
+    csv, json : str or None
+        Where to write the forces.
+    faults : sequence of str
+        Found before.
+
+    Raises
+    ------
+    UsageFault
+        If there is any fault, in the options, the table or the scenario.
+    """
+    found_faults = list(faults)
+    lines: list[int] = []
+    rows: list[Triple] = []
+    try:
+        lines, rows = read_wrenches(wrenches)
+    except SwarmGraspError as error:
+        found_faults += error.faults
+    scenario = read_scenario(file, found_faults)
+    from swarmgrasp.forces import forces_along
+
+    found = forces_along(scenario.swarm, rows, load=load_of(scenario, load))
+    written = []  # before the report, whose reader may leave
+    if csv is not None and csv != DASH:
+        from swarmgrasp.files import write_whole
+
+        write_whole(csv, table_text(found).encode())
+        written.append(csv)
+    data = {"name": scenario.name} | data_of(found)
+    written += put_json(json, data)
+    aside = DASH in (csv, json)
+    if csv == DASH:
+        print_json(table_text(found))
+    elif json == DASH:
+        print_json(json_text(data))
+    else:
+        show(scenario.name, found, lines)
+    told_written(written, aside=aside)
+
+
+def read_wrenches(path: Path) -> tuple[list[int], list[Triple]]:
+    """Read the wrenches of a table and the line of each.
+
+    Raises
+    ------
+    UsageFault
+        If the file cannot be read or is no such table; all faults of it, each with its line.
+    """
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        raise UsageFault(f"{path}: cannot be read: {error.strerror}") from None
+    if len(raw) > LARGEST_FILE:
+        raise UsageFault(f"{path}: is too large; it should have at most {LARGEST_FILE} bytes")
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UsageFault(f"{path}: is not UTF-8 text, from byte {error.start} on") from None
+    reader = tables.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    faults: list[str] = []
+    lines, rows = [], []
+    try:
+        header = _header(path, next(reader, []))
+        for cells in reader:
+            if any(cell.strip() for cell in cells):
+                lines.append(reader.line_num)
+                row, wrong = _row(cells, header)
+                rows.append(row)
+                faults += (f"{path}:{reader.line_num}: {fault}" for fault in wrong)
+    except tables.Error as error:
+        faults.append(f"{path}:{reader.line_num}: cannot be read as a table: {error}")
+    if not rows and not faults:
+        faults.append(f"{path}:1: has no wrenches below its first line")
+    if faults:
+        left = len(faults) - MOST_TOLD
+        raise UsageFault(faults[:MOST_TOLD] + ([f"... and {left} more"] if left > 0 else []))
+    return lines, rows
+
+
+def _header(path: Path, cells: Sequence[str]) -> list[str]:
+    """Return the names of the columns.
+
+    Raises
+    ------
+    UsageFault
+        If one of those needed is missing or there twice.
+    """
+    header = [cell.strip().lower() for cell in cells]
+    faults = [
+        f"{path}:1: has {header.count(name) or 'no'} column{'s' if name in header else ''} {name}; "
+        "the first line should name fx, fy and tz [N, N, N m] once, separated by commas"
+        for name in COLUMNS
+        if header.count(name) != 1
+    ]
+    if faults:
+        raise UsageFault(faults)
+    return header
+
+
+def _row(cells: Sequence[str], header: Sequence[str]) -> tuple[Triple, list[str]]:
+    """Return the wrench of a line, and what is wrong with it."""
+    none = (0.0, 0.0, 0.0)
+    if len(cells) != len(header):
+        return none, [f"has {len(cells)} values; the first line names {len(header)} columns"]
+    values, faults = [], []
+    for name in COLUMNS:
+        cell = cells[header.index(name)].strip()
+        try:
+            values.append(float(cell))
+        except ValueError:
+            faults.append(f"{name} is {cell!r}; it should be a number")
+    if faults:
+        return none, faults
+    x, y, turn = values
+    given = " ".join(f"{value:g}" for value in values)
+    return (x, y, turn), [
+        f"fx, fy, tz are {given}; {fault}" for fault in number_faults((x, y, turn))
+    ]
+
+
+def table_text(found: "ForcesAlong") -> str:
+    """Return the forces as a table: what was wanted, how well it is made, and who does what."""
+    out = io.StringIO(newline="")
+    writer = tables.writer(out, lineterminator="\n")
+    robots = [f"{found.swarm.robot_label(i)} [N]" for i in range(len(found.swarm))]
+    writer.writerow([*COLUMNS, "largest_load", "needed", "shortfall", *robots])
+    columns = zip(
+        found.wanted.tolist(), found.largest_loads.tolist(), found.needed.tolist(),
+        found.shortfalls.tolist(), found.forces.tolist(), strict=True,
+    )  # fmt: skip
+    for wanted, largest, needed, shortfall, forces in columns:
+        writer.writerow([*wanted, largest, needed, shortfall, *forces])
+    return out.getvalue()
+
+
+def data_of(found: "ForcesAlong") -> dict[str, Any]:
+    """Return the forces for many wrenches as plain data, in SI units."""
+    swarm = found.swarm
+    rows = zip(
+        found.wanted.tolist(), found.wrenches.tolist(), found.largest_loads.tolist(),
+        found.needed.tolist(), found.shortfalls.tolist(), found.loads.tolist(), strict=True,
+    )  # fmt: skip
+    return {
+        "load": found.load.tolist(),
+        "robots": [swarm.robot_label(i) for i in range(len(swarm))],
+        "limits": swarm.limits.tolist(),
+        "wrenches": [
+            {
+                "wanted": wanted,
+                "wrench": wrench,
+                "is_degraded": shortfall > 0.0,
+                "shortfall": shortfall,
+                "largest_load": largest,
+                "needed": needed if math.isfinite(needed) else None,
+                "loads": loads,
+            }
+            for wanted, wrench, largest, needed, shortfall, loads in rows
+        ],
+        "metric": metric_data(swarm),
+    }
+
+
+def show(name: str, found: "ForcesAlong", lines: Sequence[int]) -> None:
+    """Write the forces for many wrenches for people."""
+    from swarmgrasp.cli.report import NOTES, Forces, Report
+
+    report, swarm = Report(), found.swarm
+    sizes = [size_of(swarm, wanted) for wanted in found.wanted]
+    unit = Forces.for_size(*sizes)
+    missed = [i for i, is_degraded in enumerate(found.is_degraded) if is_degraded]
+    many = f"{len(found)} wrench{'es' if len(found) > 1 else ''}"
+    if missed:
+        report.headline(f"{name}: {many}, {len(missed)} out of reach", "caution")
+    else:
+        top = share(float(found.largest_loads.max(initial=0.0)))
+        report.headline(f"{name}: {many}, all made, with loads up to {top}", "good")
+    report.blank()
+    report.facts(_facts(found, lines, missed, unit))
+    _show_robots(report, found, lines)
+    _show_wrenches(report, found, lines, unit)
+    report.blank()
+    report.note(f"Metric: {swarm.metric_sentence}.")
+    report.note("Load: a robot's force as a share of its limit.")
+    for note in NOTES:
+        report.note(note)
+
+
+def _facts(
+    found: "ForcesAlong", lines: Sequence[int], missed: Sequence[int], unit: "Unit"
+) -> list[tuple[str, str]]:
+    """Tell which wrench is hardest, and which are out of reach."""
+    facts = []
+    if found.load.any():
+        facts.append(("Load", f"{wrench_text(found.swarm, found.load, unit)}, by the environment"))
+    if missed:
+        worst = int(found.shortfalls.argmax())
+        short = unit.text(float(found.shortfalls[worst]))
+        facts.append(("Out of reach", f"{_ranges([lines[i] for i in missed])} of the table"))
+        facts.append(("Worst", f"line {lines[worst]}, short by {short} in the metric"))
+        return facts
+    largest = int(found.largest_loads.argmax())
+    top = share(float(found.largest_loads[largest]))
+    facts.append(("Largest load", f"{top}, at line {lines[largest]} of the table"))
+    return facts
+
+
+def _ranges(lines: Sequence[int]) -> str:
+    """Tell line numbers, which ascend, as ranges.
+
+    Examples
+    --------
+    >>> _ranges([2]), _ranges([2, 4, 5, 6])
+    ('line 2', 'lines 2, 4 to 6')
+    """
+    runs: list[list[int]] = []
+    for line in lines:
+        if runs and line == runs[-1][-1] + 1:
+            runs[-1][1:] = [line]
+        else:
+            runs.append([line])
+    told = [" to ".join(map(str, run)) for run in runs[:MOST_TOLD]]
+    more = " and more" if len(runs) > MOST_TOLD else ""
+    return f"line{'s' if len(lines) > 1 else ''} {', '.join(told)}{more}"
+
+
+def _show_robots(report: "Report", found: "ForcesAlong", lines: Sequence[int]) -> None:
+    """Write the table of what each robot does at most."""
+    swarm = found.swarm
+    if not len(swarm):
+        return
+    from swarmgrasp.cli.report import Column, Forces
+
+    unit = Forces.for_size(*swarm.limits.tolist())
+    columns = [
+        Column("robot"),
+        *(Column(text, is_number=True) for text in (
+            f"largest force [{unit.name}]", "load", "at line", "mean load",
+        )),
+    ]  # fmt: skip
+    rows = []
+    for i in range(len(swarm)):
+        loads = found.loads[:, i]
+        hardest = int(loads.argmax())
+        is_idle = loads[hardest] <= IDLE
+        force = 0.0 if is_idle else float(found.forces[hardest, i])
+        rows.append([
+            swarm.robot_label(i), unit.number(force), share(float(loads[hardest])),
+            "" if is_idle else str(lines[hardest]), share(float(loads.mean())),
+        ])  # fmt: skip
+    report.blank()
+    report.table(columns, rows)
+
+
+def _show_wrenches(
+    report: "Report", found: "ForcesAlong", lines: Sequence[int], unit: "Unit"
+) -> None:
+    """Write the table of the wrenches, or of the hardest."""
+    import numpy as np
+
+    from swarmgrasp.cli.report import Column
+
+    swarm, torques = found.swarm, f"tz [{unit.name} m]"
+    columns = [
+        Column(text, is_number=True)
+        for text in (
+            "line", f"fx [{unit.name}]", f"fy [{unit.name}]", torques, "largest load",
+            f"short by [{unit.name}]",
+        )
+    ]  # fmt: skip
+    order = np.lexsort((-found.largest_loads, -found.shortfalls))[:MOST_TOLD]
+    rows = []
+    for i in sorted(order.tolist()):
+        size = size_of(swarm, found.wanted[i])
+        wholes = (size, size, size * swarm.characteristic_length)
+        parts = zip(found.wanted[i].tolist(), wholes, strict=True)
+        numbers = [unit.number(0.0 if abs(v) < 1e-4 * whole else v) for v, whole in parts]
+        short = float(found.shortfalls[i])
+        largest = share(float(found.largest_loads[i]))
+        rows.append([str(lines[i]), *numbers, largest, unit.number(short) if short else ""])
+    report.blank()
+    if len(rows) < len(found):
+        report.headline(f"The {len(rows)} hardest wrenches (--csv writes the forces for all)")
+    report.table(columns, rows)

@@ -1,0 +1,343 @@
+"""The loads of wind and current, as functions of where they come from and how fast.
+
+A bearing here is where something comes FROM, clockwise from the bow (+x), as seamen count:
+0 is ahead, pi/2 on the starboard beam. All other angles of this package are counter-clockwise.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.environment.coefficients import SHIP, CurrentCoefficients, WindCoefficients
+from swarmgrasp.environment.limits import AREA, BEARING, DENSITY, DYNAMIC_FACTOR, OFFSET, SPEED
+from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.outline import Outline
+
+AIR, WATER = 1.226, 1026.0
+"""Densities [kg/m^3] of air and sea water, those of DNV-ST-0111."""
+
+
+@dataclass(frozen=True)
+class Wind:
+    """What the object shows to the wind, and perhaps a wind.
+
+    Attributes
+    ----------
+    frontal_area, lateral_area : float [m^2]
+        A_F and A_L: what is above the water, seen from ahead and from the side.
+    coefficients : WindCoefficients
+        See `BLENDERMANN`, by type of vessel.
+    lateral_centroid : float [m]
+        s_L: how far the centre of the lateral area is forward of midship, the middle of the
+        outline's extent.
+    speed : float [m/s], optional
+        Of a steady wind, the mean 10 m above the sea; goes with `bearing`.
+    bearing : float [rad], optional
+        Where that wind comes from, clockwise from the bow.
+    density : float [kg/m^3]
+        Of the air.
+
+    Raises
+    ------
+    EnvironmentInvalid
+        If a number is outside its range, or speed and bearing do not go together; all
+        faults at once.
+
+    Examples
+    --------
+    A barge of 80 m with deck cargo in a beam wind of 20 m/s from starboard is pushed to port:
+
+    >>> barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    >>> wind = Wind(150.0, 500.0, WindCoefficients(transverse=0.9, bow=0.7, stern=0.7))
+    >>> surge, sway, yaw = wind.load(barge, math.pi / 2, 20.0)
+    >>> round(sway)
+    110340
+    """
+
+    frontal_area: float
+    lateral_area: float
+    coefficients: WindCoefficients
+    lateral_centroid: float = 0.0
+    speed: float | None = None
+    bearing: float | None = None
+    density: float = AIR
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        faults = _hull_faults(self)
+        if not isinstance(self.coefficients, WindCoefficients):
+            faults.append(
+                f"the coefficients are {self.coefficients!r}; they should be "
+                "WindCoefficients, such as BLENDERMANN['tender']"
+            )
+        if (self.speed is None) != (self.bearing is None):
+            faults.append("the speed and the bearing of a wind go together; give both or neither")
+        if faults:
+            raise EnvironmentInvalid(f"wind: {fault}" for fault in faults)
+
+    def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
+        """Compute the wrench that a wind exerts on the object, by Blendermann's formulas.
+
+        With CD_l = CD_l,AF A_F / A_L and D = 1 - (delta / 2) (1 - CD_l / CD_t) sin^2(2 g),
+
+            X = -q A_F CD_l,AF cos g / D,    Y = q A_L CD_t sin g / D,
+            N = Y (s_L - 0.18 (g - pi/2) L)  about midship,    q = density speed^2 / 2
+
+        for a bearing g of 0 to pi; from port, Y and N change sign.
+
+        Parameters
+        ----------
+        outline : Outline
+            Gives the length L, midship, and the origin that moments are taken about.
+        bearings : (...) [rad]
+            Where the wind comes from, clockwise from the bow.
+        speeds : (...) [m/s]
+
+        Returns
+        -------
+        (..., 3) [N, N, N m]
+        """
+        bearing, folded = _folded(bearings)
+        c = self.coefficients
+        along = np.where(folded <= 0.5 * math.pi, c.bow, c.stern)
+        share = along * self.frontal_area / (self.lateral_area * c.transverse)  # CD_l / CD_t
+        excess = 1.0 - 0.5 * c.cross_force * (1.0 - share) * np.sin(2.0 * folded) ** 2
+        surge = -self.frontal_area * along * np.cos(folded) / excess
+        sway = self.lateral_area * c.transverse * np.sin(bearing) / excess
+        arm = self.lateral_centroid - 0.18 * (folded - 0.5 * math.pi) * _length(outline)
+        pressure = 0.5 * self.density * np.asarray(speeds, dtype=float) ** 2
+        return _wrench(outline, pressure * surge, pressure * sway, arm)
+
+
+@dataclass(frozen=True)
+class Current:
+    """What the object shows to the current, and the current.
+
+    Attributes
+    ----------
+    frontal_area, lateral_area : float [m^2]
+        What is under water, seen from ahead (about beam times draught) and from the side
+        (about length times draught).
+    speed : float [m/s]
+        Uniform over the draught.
+    bearing : float [rad], optional
+        Where the current comes from, clockwise from the bow; alongside the wind, from where
+        the wind comes, when left out.
+    coefficients : CurrentCoefficients
+    lateral_centroid : float [m]
+        How far the centre of the lateral area is forward of midship.
+    density : float [kg/m^3]
+        Of the water.
+
+    Raises
+    ------
+    EnvironmentInvalid
+        If a number is outside its range; all faults at once.
+    """
+
+    frontal_area: float
+    lateral_area: float
+    speed: float = 0.0
+    bearing: float | None = None
+    coefficients: CurrentCoefficients = SHIP
+    lateral_centroid: float = 0.0
+    density: float = WATER
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        faults = _hull_faults(self)
+        if not isinstance(self.coefficients, CurrentCoefficients):
+            faults.append(
+                f"the coefficients are {self.coefficients!r}; they should be CurrentCoefficients"
+            )
+        if self.speed is None:
+            faults.append("the speed is None; it should be a number [m/s], 0 for still water")
+        if faults:
+            raise EnvironmentInvalid(f"current: {fault}" for fault in faults)
+
+    def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
+        """Compute the wrench that a current exerts on the object, as DNV-ST-0111 does for ships.
+
+            X = -q A_F C_X cos g,    Y = q A_L C_Y sin g,
+            N = Y (x_L + max(-0.2, min(0.25, 0.4 (1 - 2 g / pi))) L)  about midship
+
+        with q = density speed^2 / 2, for a bearing g of 0 to pi; from port, Y and N change
+        sign.
+
+        Parameters
+        ----------
+        outline : Outline
+            Gives the length L, midship, and the origin that moments are taken about.
+        bearings : (...) [rad]
+            Where the current comes from, clockwise from the bow.
+        speeds : (...) [m/s]
+
+        Returns
+        -------
+        (..., 3) [N, N, N m]
+        """
+        bearing, folded = _folded(bearings)
+        surge = -self.frontal_area * self.coefficients.surge * np.cos(folded)
+        sway = self.lateral_area * self.coefficients.sway * np.sin(bearing)
+        shift = np.clip(0.4 * (1.0 - 2.0 * folded / math.pi), -0.2, 0.25)
+        arm = self.lateral_centroid + shift * _length(outline)
+        pressure = 0.5 * self.density * np.asarray(speeds, dtype=float) ** 2
+        return _wrench(outline, pressure * surge, pressure * sway, arm)
+
+
+@dataclass(frozen=True)
+class Environment:
+    """Wind and current around an object.
+
+    Attributes
+    ----------
+    wind : Wind
+    current : Current, optional
+        Still water when left out.
+    dynamic_factor : float
+        Multiplies both loads, an allowance for gusts and for what station keeping itself
+        needs: 1.25 in DNV-ST-0111. At least 1, the default: no allowance.
+
+    Raises
+    ------
+    EnvironmentInvalid
+        If a part is not what it should be; all faults at once.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    >>> box = WindCoefficients(transverse=0.9, bow=0.7, stern=0.7)
+    >>> weather = Environment(
+    ...     Wind(150.0, 500.0, box, speed=15.0, bearing=0.0), Current(60.0, 240.0, speed=1.0)
+    ... )
+    >>> weather.load(barge).round(1).tolist()  # both from ahead
+    [-16636.7, 0.0, 0.0]
+    """
+
+    wind: Wind
+    current: Current | None = None
+    dynamic_factor: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        faults = DYNAMIC_FACTOR.faults("dynamic factor", self.dynamic_factor)
+        if not isinstance(self.wind, Wind):
+            faults.append(f"{type(self.wind).__name__} is no Wind: make one with Wind(...)")
+        if self.current is not None and not isinstance(self.current, Current):
+            faults.append(
+                f"{type(self.current).__name__} is no Current: make one with Current(...)"
+            )
+        if faults:
+            raise EnvironmentInvalid(faults)
+
+    @property
+    def is_steady(self) -> bool:
+        """Whether a steady wind is given, so that there is a steady load."""
+        return self.wind.speed is not None
+
+    def wind_load(
+        self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike
+    ) -> NDArray[np.float64]:
+        """Compute the wrench of winds on the object.
+
+        Parameters
+        ----------
+        outline : Outline
+        bearings : (...) [rad]
+            Where the wind comes from, clockwise from the bow.
+        speeds : (...) [m/s]
+
+        Returns
+        -------
+        (..., 3) [N, N, N m]
+        """
+        return self.dynamic_factor * self.wind.load(outline, bearings, speeds)
+
+    def current_load(self, outline: Outline, bearings: ArrayLike) -> NDArray[np.float64]:
+        """Compute the wrench of the current on the object.
+
+        Parameters
+        ----------
+        outline : Outline
+        bearings : (...) [rad]
+            Where the wind comes from, clockwise from the bow: the current comes from there
+            too, unless it has a bearing of its own.
+
+        Returns
+        -------
+        (..., 3) [N, N, N m]
+        """
+        wind = np.asarray(bearings, dtype=float)
+        current = self.current
+        if current is None:
+            return np.zeros((*wind.shape, 3))
+        own = wind if current.bearing is None else np.full_like(wind, current.bearing)
+        return self.dynamic_factor * current.load(outline, own, current.speed)
+
+    def load(self, outline: Outline) -> NDArray[np.float64]:
+        """Compute the steady load: the wrench of the wind that is given, and of the current.
+
+        It is the `load` of `quality` and `place`.
+
+        Parameters
+        ----------
+        outline : Outline
+
+        Returns
+        -------
+        (3,) [N, N, N m]
+
+        Raises
+        ------
+        EnvironmentInvalid
+            If the wind has no speed and bearing.
+        """
+        if self.wind.speed is None or self.wind.bearing is None:
+            raise EnvironmentInvalid("the wind has no speed and bearing; a steady load needs both")
+        wind = self.wind_load(outline, self.wind.bearing, self.wind.speed)
+        return wind + self.current_load(outline, self.wind.bearing)
+
+
+# -- parts --------------------------------------------------------------------------------
+
+
+def _hull_faults(part: Wind | Current) -> list[str]:
+    """Return what is wrong with the numbers that wind and current have in common."""
+    faults = [
+        *AREA.faults("frontal area", part.frontal_area),
+        *AREA.faults("lateral area", part.lateral_area),
+        *OFFSET.faults("lateral centroid", part.lateral_centroid),
+        *DENSITY.faults("density", part.density),
+    ]
+    if part.speed is not None:
+        faults += SPEED.faults("speed", part.speed)
+    if part.bearing is not None:
+        faults += BEARING.faults("bearing", part.bearing)
+    return faults
+
+
+def _folded(bearings: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return bearings within [-pi, pi], and how far each is from ahead, either side."""
+    wanted = np.asarray(bearings, dtype=float)
+    turned = wanted - 2.0 * math.pi * np.round(wanted / (2.0 * math.pi))
+    return turned, np.abs(turned)
+
+
+def _length(outline: Outline) -> float:
+    """Return the outline's length over all [m]."""
+    return float(np.ptp(outline.vertices[:, 0]))
+
+
+def _wrench(
+    outline: Outline,
+    surge: NDArray[np.float64],
+    sway: NDArray[np.float64],
+    arm: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return forces whose line is `arm` [m] forward of midship as wrenches about the origin."""
+    midship = 0.5 * (outline.vertices.min(axis=0) + outline.vertices.max(axis=0))
+    x, y = midship - outline.origin
+    return np.stack([surge, sway, (x + arm) * sway - y * surge], axis=-1)

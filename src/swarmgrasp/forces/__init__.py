@@ -1,0 +1,8 @@
+"""Which robot pushes how hard, to make a wrench."""
+
+from swarmgrasp.forces.answer import Forces, ForcesAlong
+from swarmgrasp.forces.certificate import LoadCertificate
+from swarmgrasp.forces.least import forces, forces_along
+from swarmgrasp.forces.verify import LoadVerdict
+
+__all__ = ["Forces", "ForcesAlong", "LoadCertificate", "LoadVerdict", "forces", "forces_along"]

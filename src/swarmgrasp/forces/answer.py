@@ -1,0 +1,186 @@
+"""The loads that make a wrench, or many wrenches."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.forces.certificate import LoadCertificate
+from swarmgrasp.forces.verify import Claim, LoadVerdict, faults_of
+from swarmgrasp.swarm import Swarm
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Forces:
+    """How hard each robot pushes to make a wrench, or the nearest there is.
+
+    Attributes
+    ----------
+    swarm : Swarm
+    wanted : (3,) [N, N, N m]
+        The wrench the object was to receive.
+    load : (3,) [N, N, N m]
+        The part of it that the environment exerts; the robots exert the rest.
+    loads : (n,)
+        Each robot's force as a share of its limit, within [0, 1].
+    needed : float
+        The least largest load that makes the wanted wrench. Above 1 it is out of reach: the
+        limits would have to be so many times as large, or infinitely so where no force of these
+        robots helps.
+    shortfall : float [N]
+        How far from the wanted wrench the nearest attainable one is, in the metric; 0 if it is
+        attained.
+    certificate : LoadCertificate
+        The proof that no other loads are better.
+    """
+
+    swarm: Swarm
+    wanted: Array
+    load: Array
+    loads: Array
+    needed: float
+    shortfall: float
+    certificate: LoadCertificate
+
+    @cached_property
+    def forces(self) -> Array:
+        """(n,) [N]: the force of each robot."""
+        return read_only(self.loads * self.swarm.limits)
+
+    @cached_property
+    def wrench(self) -> Array:
+        """(3,) [N, N, N m]: what the object receives, from the robots and the environment."""
+        return read_only(self.loads @ self.swarm.generators + self.load)
+
+    @property
+    def missing(self) -> Array:
+        """(3,) [N, N, N m]: what the wanted wrench has beyond the one made."""
+        return self.wanted - self.wrench
+
+    @property
+    def largest_load(self) -> float:
+        """The largest load of any robot, within [0, 1]."""
+        return float(self.loads.max(initial=0.0))
+
+    @property
+    def is_degraded(self) -> bool:
+        """Whether the wanted wrench is out of reach, and a nearest one made instead."""
+        return self.shortfall > 0.0
+
+    @property
+    def normal(self) -> Array:
+        """(3,): the unit direction, in the metric's coordinates, that limits; 0 for no wrench.
+
+        At this largest load the robots exert no more along it.
+        """
+        normals = self.certificate.normals
+        return normals[0] if len(normals) else np.zeros(3)
+
+    def verify(self) -> LoadVerdict:
+        """Check that no other loads are better, by code that shares nothing with the solver.
+
+        Returns
+        -------
+        LoadVerdict
+            True in a condition when all claims hold; its faults say which do not.
+        """
+        return LoadVerdict(tuple(faults_of(self._claim())))
+
+    def _claim(self) -> Claim:
+        """Return what is claimed, as plain data."""
+        swarm = self.swarm
+        return Claim(
+            swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
+            (*swarm.force_weights, swarm.characteristic_length),
+            self.wanted, self.load, self.wrench, self.loads, self.shortfall,
+            self.certificate.normals, self.certificate.price,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class ForcesAlong:
+    """How hard each robot pushes for each of many wrenches; an item is the `Forces` of one.
+
+    Attributes
+    ----------
+    swarm : Swarm
+    wanted : (m, 3) [N, N, N m]
+    load : (3,) [N, N, N m]
+    loads : (m, n)
+    needed : (m,)
+    shortfalls : (m,) [N]
+        As in `Forces`.
+    normals : (m, 3, 3)
+    prices : (m, 3) [1/N]
+        The certificates; normals that are not needed are 0.
+    """
+
+    swarm: Swarm
+    wanted: Array
+    load: Array
+    loads: Array
+    needed: Array
+    shortfalls: Array
+    normals: Array
+    prices: Array
+
+    def __len__(self) -> int:
+        """Return the number of wrenches."""
+        return len(self.wanted)
+
+    def __getitem__(self, index: int) -> Forces:
+        """Return the forces of one wrench."""
+        normals = self.normals[index]
+        return Forces(
+            self.swarm,
+            self.wanted[index],
+            self.load,
+            self.loads[index],
+            float(self.needed[index]),
+            float(self.shortfalls[index]),
+            LoadCertificate(normals[normals.any(axis=1)], self.prices[index]),
+        )
+
+    def __iter__(self) -> Iterator[Forces]:
+        """Go through the wrenches."""
+        return (self[index] for index in range(len(self)))
+
+    @cached_property
+    def forces(self) -> Array:
+        """(m, n) [N]: the force of each robot for each wrench."""
+        return read_only(self.loads * self.swarm.limits)
+
+    @cached_property
+    def wrenches(self) -> Array:
+        """(m, 3) [N, N, N m]: what the object receives."""
+        return read_only(self.loads @ self.swarm.generators + self.load)
+
+    @property
+    def missing(self) -> Array:
+        """(m, 3) [N, N, N m]: what the wanted wrenches have beyond those made."""
+        return self.wanted - self.wrenches
+
+    @property
+    def largest_loads(self) -> Array:
+        """(m,): the largest load of any robot for each wrench."""
+        return np.asarray(self.loads.max(axis=1, initial=0.0))
+
+    @property
+    def is_degraded(self) -> NDArray[np.bool_]:
+        """(m,): which wrenches are out of reach."""
+        return self.shortfalls > 0.0
+
+    def verify(self) -> LoadVerdict:
+        """Check each wrench as `Forces.verify` does; faults begin with its index."""
+        verdicts = ((i, found.verify()) for i, found in enumerate(self))
+        return LoadVerdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
+
+
+def read_only(array: Array) -> Array:
+    """Return an array, now read-only."""
+    array.setflags(write=False)
+    return array

@@ -1,0 +1,28 @@
+"""The proof that no loads are better (T18)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class LoadCertificate:
+    """Directions and a price that prove loads to be the least.
+
+    For the first normal n, a largest load t and any loads x_i <= t, n . sum x_i b_i <= t h(n):
+    where equality holds, no smaller t would do, robots in front of the plane across n have to
+    give t, and those behind it nothing. The next normals say the same of robots that lie in the
+    planes across all before. Robots across all of them have x_i = y . b_i, clipped to [0, t],
+    which makes their sum of squares the least.
+
+    Attributes
+    ----------
+    normals : (k, 3)
+        Unit directions in the metric's coordinates, at most 3; none for no wrench.
+    price : (3,) [1/N]
+        y, in the metric's coordinates.
+    """
+
+    normals: NDArray[np.float64]
+    price: NDArray[np.float64]

@@ -1,0 +1,56 @@
+#include "binding.h"
+
+/* The thread's state while what it does leaves the interpreter to others, or NULL. */
+static _Thread_local PyThreadState *away;
+
+void leave(int is_long) {
+    if (is_long)
+        away = PyEval_SaveThread();
+}
+
+void come_back(void) {
+    if (away)
+        PyEval_RestoreThread(away);
+    away = NULL;
+}
+
+int interrupted(void) {
+    int was_away = away != NULL;
+    come_back();
+    int status = PyErr_CheckSignals() != 0;
+    leave(was_away);
+    return status;
+}
+
+int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
+    if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT))
+        return -1;
+    if (view->itemsize != sizeof(double) || !view->format || view->format[0] != 'd'
+        || view->len % (width * (Py_ssize_t)sizeof(double))
+        || view->len / (width * (Py_ssize_t)sizeof(double)) > INT_MAX / 16) {
+        PyErr_Format(PyExc_ValueError, "float64 in rows of %zd are wanted", width);
+        PyBuffer_Release(view);
+        return -1;
+    }
+    const double *values = view->buf;
+    double sum = 0.0; /* of zeros, as long as all are finite */
+    for (Py_ssize_t k = 0; k < view->len / (Py_ssize_t)sizeof(double); k++)
+        sum += 0.0 * values[k];
+    if (sum != 0.0) {
+        PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
+        PyBuffer_Release(view);
+        return -1;
+    }
+    return 0;
+}
+
+int are_finite(const double *v) {
+    if (isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]))
+        return 1;
+    PyErr_SetString(PyExc_ValueError, "finite numbers are wanted");
+    return 0;
+}
+
+int rows_of(const Py_buffer *view, int width) {
+    return (int)(view->len / (width * (Py_ssize_t)sizeof(double)));
+}

@@ -1,0 +1,289 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "crew.h"
+#include "vectors.h"
+
+#define FLAT 1e-12    /* cosine, or share of the height, within which a generator is in the plane */
+#define ROUNDED 2e-15 /* cosine that is rounding */
+#define TURNS 400     /* of the plane, far more than it takes */
+#define LARGE 100000  /* robots from which the keyboard is looked at in between */
+
+int crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void)) {
+    size_t room = n > 0 ? (size_t)n : 1;
+    *crew = (Crew){.n = n, .interrupted = interrupted};
+    crew->units = malloc(5 * room * sizeof *crew->units);
+    crew->where = malloc(room * sizeof *crew->where);
+    crew->meetings = malloc(room * sizeof *crew->meetings);
+    if (!crew->units || !crew->where || !crew->meetings || face_room(&crew->face, n)) {
+        crew_free(crew);
+        return -1;
+    }
+    crew->sizes = crew->units + 3 * room;
+    crew->s = crew->units + 4 * room;
+    double largest = 0.0;
+    for (ptrdiff_t k = 0; k < 3 * n; k++)
+        largest = larger(largest, fabs(generators[k]));
+    frexp(largest, &crew->exponent);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double *unit = crew->units + 3 * i, most = 0.0;
+        for (int k = 0; k < 3; k++) {
+            unit[k] = ldexp(generators[3 * i + k], -crew->exponent);
+            most = larger(most, fabs(unit[k]));
+        }
+        for (int k = 0; k < 3 && most > 0.0; k++)
+            unit[k] /= most; /* squares of small numbers are 0 */
+        double size = length(unit);
+        for (int k = 0; k < 3 && most > 0.0; k++)
+            unit[k] /= size;
+        crew->sizes[i] = most * size;
+        crew->total += crew->sizes[i];
+    }
+    return 0;
+}
+
+void crew_free(Crew *crew) {
+    free(crew->units);
+    free(crew->where);
+    free(crew->meetings);
+    face_free(&crew->face);
+    *crew = (Crew){0};
+}
+
+/* -- the plane across a normal ----------------------------------------------------------------- */
+
+/* Tell who is in front of the plane across a unit normal, in it, or behind; two are known to be in
+ * it. `height` is what heights are compared with, beside that of the plane. Returns the corner in
+ * front, the sum of those there, and its size. */
+static double divide(Crew *crew, const double *normal, double height, ptrdiff_t in, ptrdiff_t also,
+                     double *corner) {
+    double size = 0.0;
+    for (ptrdiff_t i = 0; i < crew->n; i++) {
+        crew->s[i] = dot(normal, crew->units + 3 * i);
+        height += larger(0.0, crew->s[i]) * crew->sizes[i];
+    }
+    corner[0] = corner[1] = corner[2] = 0.0;
+    crew->face.count = 0;
+    for (ptrdiff_t i = 0; i < crew->n; i++) {
+        /* of a giant among dwarfs even a small part is high; of dwarfs no part is */
+        double share = crew->sizes[i] > height ? FLAT * height / crew->sizes[i] : FLAT;
+        if (i == in || i == also || fabs(crew->s[i]) <= larger(share, ROUNDED)) {
+            crew->where[i] = 0;
+            crew->face.robot[crew->face.count++] = i;
+        } else if (crew->s[i] > 0.0) {
+            crew->where[i] = 1;
+            size += crew->sizes[i];
+            for (int k = 0; k < 3; k++)
+                corner[k] += crew->sizes[i] * crew->units[3 * i + k];
+        } else {
+            crew->where[i] = -1;
+        }
+    }
+    face_lay(&crew->face, normal, crew->units, crew->sizes);
+    return size;
+}
+
+/* a d - b c without cancellation (Kahan). */
+static double difference(double a, double d, double b, double c) {
+    double w = b * c;
+    return fma(a, d, -w) - fma(b, c, -w);
+}
+
+/* The unit normal across two directions, on the side of a hint. Of nearly parallel ones too it is
+ * good to the last digits. */
+static void normal_across(const double *a, const double *b, const double *hint, double *normal) {
+    double size;
+    normal[0] = difference(a[1], b[2], a[2], b[1]);
+    normal[1] = difference(a[2], b[0], a[0], b[2]);
+    normal[2] = difference(a[0], b[1], a[1], b[0]);
+    size = length(normal);
+    if (dot(normal, hint) < 0.0)
+        size = -size;
+    for (int k = 0; k < 3; k++)
+        normal[k] /= size;
+}
+
+/* Turn a vector away from a direction until they are at right angles, and make it a unit. */
+static void square_off(double *vector, const double *direction) {
+    for (int twice = 0; twice < 2; twice++) {
+        double off = direction ? dot(vector, direction) : 0.0, size;
+        for (int k = 0; k < 3 && direction; k++)
+            vector[k] -= off * direction[k];
+        size = length(vector);
+        for (int k = 0; k < 3; k++)
+            vector[k] /= size;
+    }
+}
+
+/* -- the search -------------------------------------------------------------------------------- */
+
+/* In the plane of the normal and a tangent: the target, and the corner in front. */
+typedef struct {
+    double target[2], corner[2];
+} Flat;
+
+/* Tell whether the best normal is met no later than at this angle; the corner is that after it. */
+static int is_past(const Goal *goal, const Flat *at, double cot) {
+    const double *w = at->target, *v = at->corner;
+    if (goal->is_ray)
+        return v[1] * w[0] - v[0] * w[1] >= 0.0;
+    const double x = w[0] - v[0], y = w[1] - v[1];
+    return cot * y <= x || cot * x + y <= 0.0; /* the distance falls, or is below 0 */
+}
+
+static void take(Flat *at, const Meeting *meeting, double sign) {
+    at->corner[0] += sign * meeting->dn;
+    at->corner[1] += sign * meeting->dm;
+}
+
+static void swap(Meeting *a, Meeting *b) {
+    Meeting kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+static double middle_of(double a, double b, double c) {
+    return larger(smaller(a, b), smaller(larger(a, b), c));
+}
+
+/* Find the meeting at which the best normal is, or before it; `at` has then the corner before it.
+ * NULL if it is after all of them. Sorts no more than it needs to. */
+static const Meeting *best_meeting(const Goal *goal, Flat *at, Meeting *low, Meeting *high,
+                                   const Meeting **last) {
+    const Meeting *found = NULL;
+    *last = NULL;
+    while (low < high) {
+        double cot = middle_of(low->cot, low[(high - low) / 2].cot, high[-1].cot);
+        Meeting *before = low, *after = high;
+        Flat then = *at;
+        for (Meeting *m = low; m < after;) {
+            if (m->cot > cot) {
+                take(&then, m, 1.0);
+                swap(m++, before++);
+            } else if (m->cot < cot) {
+                swap(m, --after);
+            } else {
+                m++;
+            }
+        }
+        Flat beyond = then;
+        for (const Meeting *m = before; m < after; m++)
+            take(&beyond, m, 1.0);
+        if (is_past(goal, &beyond, cot)) {
+            found = before;
+            high = before;
+        } else {
+            *last = after - 1;
+            *at = beyond;
+            low = after;
+        }
+    }
+    return found;
+}
+
+/* List where the plane meets generators as the normal turns to a tangent, and further. */
+static ptrdiff_t list_meetings(Crew *crew, const Goal *goal, const double *tangent, Flat *at) {
+    const double *w = at->target;
+    ptrdiff_t count = 0;
+    for (ptrdiff_t i = 0; i < crew->n; i++) {
+        double size = crew->sizes[i], s = crew->s[i], g = dot(tangent, crew->units + 3 * i);
+        if (crew->where[i] == 0) {
+            if (g > FLAT)
+                at->corner[1] += g * size;
+            continue;
+        }
+        if (crew->where[i] > 0) {
+            at->corner[0] += s * size;
+            at->corner[1] += g * size;
+        }
+        double cot = -g / s;
+        if (!goal->is_ray || cot * w[0] + w[1] > ROUNDED * sqrt(cot * cot + 1.0))
+            crew->meetings[count++] =
+                (Meeting){cot, -fabs(s) * size, -crew->where[i] * g * size, i};
+    }
+    return count;
+}
+
+/* Turn a unit normal towards a tangent, about an axis at right angles to both or none, to the best
+ * normal on the way. Returns the robot it ends across, -1 if it is none, -2 if it cannot turn. */
+static ptrdiff_t turn(Crew *crew, const Goal *goal, double *normal, const double *tangent,
+                      const double *axis) {
+    Flat at = {{dot(normal, goal->target), dot(tangent, goal->target)}, {0.0, 0.0}};
+    ptrdiff_t count = list_meetings(crew, goal, tangent, &at);
+    const Meeting *last, *met;
+    met = best_meeting(goal, &at, crew->meetings, crew->meetings + count, &last);
+    double across[2], hint[3];
+    if (goal->is_ray) {
+        met = met ? met : last;
+        if (!met)
+            return -2;
+    } else if (!met || is_past(goal, &at, met->cot)) {
+        met = NULL; /* between two meetings, towards the target */
+    }
+    across[0] = met ? met->cot : at.target[0] - at.corner[0];
+    across[1] = met ? 1.0 : at.target[1] - at.corner[1];
+    for (int k = 0; k < 3; k++)
+        hint[k] = across[0] * normal[k] + across[1] * tangent[k];
+    if (met && axis) {
+        normal_across(axis, crew->units + 3 * met->robot, hint, normal);
+    } else {
+        memcpy(normal, hint, sizeof hint);
+        square_off(normal, met ? crew->units + 3 * met->robot : axis);
+    }
+    return met ? met->robot : -1;
+}
+
+/* Where the goal meets the plane that touches the wrench set across a normal, seen from the corner,
+ * and what its rounding is relative to. */
+static double seen(const Goal *goal, const double *normal, const double *corner, double *reach,
+                   double *q) {
+    const double *w = goal->target;
+    if (goal->is_ray) {
+        *reach = dot(normal, corner) / dot(normal, w);
+        for (int k = 0; k < 3; k++)
+            q[k] = *reach * w[k] - corner[k];
+        return *reach;
+    }
+    *reach = dot(normal, w) - dot(normal, corner);
+    for (int k = 0; k < 3; k++)
+        q[k] = w[k] - corner[k] - *reach * normal[k];
+    return length(w);
+}
+
+double find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent) {
+    ptrdiff_t in = -1, also = -1;
+    double reach = 0.0, rounding = OUTSIDE;
+    for (int k = 1; k <= TURNS && also != -2; k++) {
+        double corner[3], point[3], hint[3], tangent[3];
+        Face *face = &crew->face;
+        if (crew->n >= LARGE && crew->interrupted()) {
+            crew->is_stopped = 1;
+            break;
+        }
+        *extent = divide(crew, normal, goal->size, in, also, corner);
+        *extent += seen(goal, normal, corner, &reach, point);
+        q[0] = dot(point, face->e);
+        q[1] = dot(point, face->f);
+        Side side = face_side(face, q, *extent);
+        if (side.excess <= rounding || k == TURNS)
+            break;
+        if (k % PATIENCE == 0)
+            rounding *= 2.0;
+        in = side.axis >= 0 ? face->robot[side.axis] : -1;
+        const double *axis = in >= 0 ? crew->units + 3 * in : NULL;
+        for (int c = 0; c < 3; c++)
+            tangent[c] = hint[c] = side.m[0] * face->e[c] + side.m[1] * face->f[c];
+        if (axis)
+            normal_across(axis, normal, hint, tangent);
+        else
+            square_off(tangent, normal);
+        also = turn(crew, goal, normal, tangent, axis);
+        if (goal->is_ray && also >= 0 && dot(normal, goal->target) <= goal->least) {
+            /* what the ray has along the normal is rounding, and more than so flat a set allows */
+            square_off(goal->target, normal);
+            memcpy(normal, goal->target, sizeof goal->target);
+            in = also = -1;
+        }
+    }
+    return reach;
+}

@@ -1,0 +1,517 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "criterion.h"
+#include "tree.h"
+#include "triangle.h"
+#include "vectors.h"
+
+#define LISTED 12       /* planes that may cross a triangle for its vertices to be listed */
+#define TRIES 3         /* cuts made in a triangle before it is split */
+#define ROUNDS 256      /* triangles between two looks at the keyboard */
+#define SMALLEST 1e-13  /* edge of a triangle that is a point, */
+#define DEPTH 110       /* halvings until then, and more */
+#define ROUNDING 1e-15  /* of sum |b_i|: what evaluations may differ by */
+#define UNKNOWN 1e300   /* a value, as long as there is none */
+#define NO_VERTEX 1e-12 /* sine of the angle between generators that have no vertex */
+
+/* A robot that matters on a triangle: low at its corners. */
+typedef struct {
+    int robot;
+    int is_crossing;
+    double at[3];
+} Active;
+
+typedef struct {
+    const Criterion *aim;
+    const double *extra;
+    double gap, zero, tolerance;
+    double best, normal[3];
+    Active *active;  /* those of all triangles on the way to the one at hand */
+    size_t room;
+    double *top;     /* (losing + 1,) the largest terms, greatest first */
+    long round;
+    int (*interrupted)(void);
+} Hunt;
+
+/* A triangle: its corners as normals and, whitened, as unit vectors; and what is common there. */
+typedef struct {
+    double normal[9], white[9];
+    double extent[3]; /* D at the corners */
+    double fixed[3];  /* the load and known generators that are positive on all of it */
+} Place;
+
+/* -- robots ------------------------------------------------------------------------------ */
+
+static int robots_of(const Criterion *aim) { return aim->points + aim->spread; }
+
+/* The least n . b over the wrenches of an uncertain robot, and which it is, unless that is NULL. */
+static double spread_low(const Criterion *aim, int u, const double *normal, double *generator) {
+    double least = INFINITY, wrench[3];
+    for (int r = aim->first[u]; r < aim->first[u + 1]; r++) {
+        const double *row = aim->rows + (ptrdiff_t)SPREAD * r;
+        double v[3], value;
+        for (int k = 0; k < 3; k++)
+            v[k] = -normal[k] * aim->scale[k] * row[1];
+        value = -best_on_piece(row + 2, v, wrench);
+        if (value < least) {
+            least = value;
+            for (int k = 0; generator && k < 3; k++)
+                generator[k] = wrench[k] * aim->scale[k] * row[1];
+        }
+    }
+    return least;
+}
+
+/* The generator of a robot whose wrench is known; NULL for an uncertain one. */
+static const double *known(const Criterion *aim, const double *extra, int robot) {
+    if (robot < aim->points)
+        return aim->point + (ptrdiff_t)3 * robot;
+    return robot == robots_of(aim) ? extra : NULL;
+}
+
+static double low(const Criterion *aim, const double *extra, int robot, const double *normal) {
+    const double *b = known(aim, extra, robot);
+    return b ? dot(b, normal) : spread_low(aim, robot - aim->points, normal, NULL);
+}
+
+/* Note a term among the `losing` largest, greatest first; returns what falls out. */
+static double note_largest(double *top, int losing, double term) {
+    for (int k = 0; k < losing && term > 0.0; k++)
+        if (term > top[k]) {
+            double swap = top[k];
+            top[k] = term;
+            term = swap;
+        }
+    return term;
+}
+
+static void clear(double *top, int losing) {
+    for (int k = 0; k < losing; k++)
+        top[k] = 0.0;
+}
+
+double criterion_height(const Criterion *aim, const double *normal, const double *extra,
+                        double *cap) {
+    double height = dot(aim->load, normal), few[8];
+    double *top = aim->losing <= 8 ? few : malloc((size_t)aim->losing * sizeof *top);
+    if (!top)
+        return NAN;
+    clear(top, aim->losing);
+    for (int i = 0; i < robots_of(aim) + (extra != NULL); i++)
+        height += note_largest(top, aim->losing, larger(0.0, low(aim, extra, i, normal)));
+    *cap = aim->losing ? height + top[aim->losing - 1] : INFINITY;
+    if (top != few)
+        free(top);
+    return height;
+}
+
+double criterion_total(const Criterion *aim, const double *normal) {
+    double height = dot(aim->load, normal);
+    for (int i = 0; i < robots_of(aim); i++)
+        height += larger(0.0, low(aim, NULL, i, normal));
+    return height;
+}
+
+double criterion_extent(const Criterion *aim, const double *normal) {
+    double extent = 0.0;
+    if (aim->tasks == 0)
+        return length(normal);
+    for (int k = 0; k < aim->tasks; k++) {
+        double along = dot(aim->task + (ptrdiff_t)3 * k, normal);
+        if (aim->is_polytope)
+            extent = larger(extent, along);
+        else
+            extent += along * along;
+    }
+    return aim->is_polytope ? extent : sqrt(extent);
+}
+
+int criterion_begin(Criterion *aim, int rows) {
+    int u = -1;
+    Tree tree = {0};
+    double(*middle)[3] = malloc(((size_t)aim->points + (size_t)rows + 1) * sizeof *middle);
+    aim->first = calloc((size_t)rows + 2, sizeof *aim->first);
+    if (!middle || !aim->first) {
+        free(middle);
+        return -1;
+    }
+    memcpy(middle, aim->point, 3 * (size_t)aim->points * sizeof **middle);
+    for (int r = 0; r < rows; r++) {
+        const double *row = aim->rows + (ptrdiff_t)SPREAD * r, *piece = row + 2;
+        double turn = 0.5 * (piece[4] + piece[5]), c = cos(turn), s = sin(turn);
+        double x = 0.5 * (piece[0] + piece[2]), y = 0.5 * (piece[1] + piece[3]);
+        double wrench[3] = {c, s, x * s - y * c};
+        if (row[0] == u + 1.0)
+            aim->first[++u] = r;
+        if (row[0] != (double)u) {
+            free(middle);
+            return -3;
+        }
+        for (int k = 0; k < 3; k++)
+            middle[aim->points + r][k] = wrench[k] * aim->scale[k] * row[1];
+    }
+    aim->spread = u + 1;
+    aim->first[aim->spread] = rows;
+    aim->weight = total_size(middle[0], aim->points + rows) + length(aim->load);
+    tree_whitening(&tree, middle[0], aim->points + rows);
+    memcpy(aim->whiten, tree.whiten, sizeof aim->whiten);
+    free(middle);
+    return 0;
+}
+
+void criterion_end(Criterion *aim) {
+    free(aim->first);
+    aim->first = NULL;
+}
+
+/* -- values ------------------------------------------------------------------------------ */
+
+/* Keep a normal with its H and D if it is the weakest so far. A load that is not held where the
+ * task asks for nothing counts as the worst there is. */
+static void offer(Hunt *h, const double *normal, double height, double extent) {
+    double size = length(normal), value;
+    if (extent > UNASKED * size)
+        value = height / extent;
+    else if (height < -h->tolerance * size)
+        value = height / (UNASKED * size);
+    else
+        return;
+    if (value < h->best) {
+        h->best = value;
+        memcpy(h->normal, normal, sizeof h->normal);
+    }
+}
+
+/* H from the robots that matter on a triangle, at a normal in it; two of them cross it there. */
+static double height_at(Hunt *h, const Place *place, size_t begin, size_t end,
+                        const double *normal, int one, int two) {
+    int losing = h->aim->losing;
+    double height = dot(place->fixed, normal);
+    clear(h->top, losing);
+    for (size_t a = begin; a < end; a++) {
+        int robot = h->active[a].robot;
+        if (robot != one && robot != two)
+            height += note_largest(h->top, losing,
+                                   larger(0.0, low(h->aim, h->extra, robot, normal)));
+    }
+    return height;
+}
+
+/* The value that a triangle must not fall below to be done. */
+static double wanted(const Hunt *h) { return smaller(h->best, UNKNOWN) * (1.0 - h->gap); }
+
+/* -- bounds ------------------------------------------------------------------------------ */
+
+/* What the robots that are positive at a mixture of the corners hold at each corner, less the
+ * worst loss there and what is wanted. Each low_i is at least the mixture of its values at the
+ * corners (T14), whichever robots are lost, and others do not take away: H is nowhere less. */
+static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const double *share,
+                double *row) {
+    int losing = h->aim->losing;
+    double target = wanted(h);
+    for (int j = 0; j < 3; j++) {
+        const double *normal = place->normal + 3 * j;
+        row[j] = dot(place->fixed, normal) - target * place->extent[j]
+                 + h->tolerance * length(normal);
+        clear(h->top, losing);
+        for (size_t a = begin; a < end; a++) {
+            const Active *robot = h->active + a;
+            if (!robot->is_crossing || dot(robot->at, share) > 0.0) {
+                double term = robot->at[j];
+                row[j] += term > 0.0 ? note_largest(h->top, losing, term) : term;
+            }
+        }
+    }
+}
+
+/* Tell whether no normal of a triangle has less than what is wanted. */
+static int is_held(Hunt *h, const Place *place, size_t begin, size_t end) {
+    double rows[TRIES][3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    for (int t = 0; t < TRIES; t++) {
+        double before = t ? relax(rows, t, share) : -INFINITY;
+        cut(h, place, begin, end, share, rows[t]);
+        double value = dot(rows[t], share);
+        if (value < 0.0 || value <= before)
+            return 0;
+        if (relax(rows, t + 1, share) >= 0.0)
+            return 1;
+    }
+    return 0;
+}
+
+/* -- one triangle -------------------------------------------------------------------------- */
+
+/* Tell whether an uncertain robot can do nothing on a triangle: some wrench of its set cannot. */
+static int is_idle(const Hunt *h, const Place *place, int robot) {
+    double middle[3], b[3];
+    for (int k = 0; k < 3; k++)
+        middle[k] = place->normal[k] + place->normal[3 + k] + place->normal[6 + k];
+    spread_low(h->aim, robot - h->aim->points, middle, b);
+    for (int j = 0; j < 3; j++)
+        if (dot(b, place->normal + 3 * j) > 0.0)
+            return 0;
+    return 1;
+}
+
+/* Of the robots on a triangle keep those that matter, and add up those known ones that are
+ * positive everywhere and never among the largest. Returns the new end; counts those that change
+ * sign and are not known. */
+static size_t sift(Hunt *h, Place *place, size_t begin, size_t end, int *others) {
+    int losing = h->aim->losing;
+    size_t kept = begin;
+    clear(h->top, losing);
+    for (size_t a = begin; a < end && losing; a++) {
+        const double *at = h->active[a].at;
+        note_largest(h->top, losing, smaller(at[0], smaller(at[1], at[2])));
+    }
+    double least = losing ? h->top[losing - 1] : INFINITY; /* so many always have as much */
+    *others = 0;
+    for (size_t a = begin; a < end; a++) {
+        Active robot = h->active[a];
+        const double *at = robot.at, *b = known(h->aim, h->extra, robot.robot);
+        double low_end = smaller(at[0], smaller(at[1], at[2]));
+        double high_end = larger(at[0], larger(at[1], at[2]));
+        double near = b ? ON_PLANE * (fabs(b[0]) + fabs(b[1]) + fabs(b[2])) : 0.0;
+        if (b ? high_end < -near : high_end <= 0.0 && is_idle(h, place, robot.robot))
+            continue;
+        if (b && low_end > near && high_end < least) {
+            add(place->fixed, b);
+            continue;
+        }
+        robot.is_crossing = !(low_end > near);
+        *others += !b && robot.is_crossing;
+        h->active[kept++] = robot;
+    }
+    return kept;
+}
+
+/* The generator of a known robot, whitened. */
+static void whitened(const Hunt *h, const Active *robot, double *c) {
+    Tree tree;
+    memcpy(tree.whiten, h->aim->whiten, sizeof tree.whiten);
+    tree_whiten(&tree, known(h->aim, h->extra, robot->robot), c);
+}
+
+/* Of the known robots that change sign, find one for each plane, LISTED at most. Returns how many,
+ * or -1 if there are more. */
+static int find_planes(const Hunt *h, size_t begin, size_t end, const Active **planes) {
+    double across[LISTED][3], m[3];
+    int count = 0;
+    for (size_t a = begin; a < end; a++) {
+        double c[3];
+        int k = 0;
+        if (!h->active[a].is_crossing)
+            continue;
+        whitened(h, h->active + a, c);
+        for (; k < count; k++) {
+            cross(across[k], c, m);
+            if (length(m) <= NO_VERTEX * length(across[k]) * length(c))
+                break;
+        }
+        if (k < count)
+            continue;
+        if (count == LISTED)
+            return -1;
+        memcpy(across[count], c, sizeof c);
+        planes[count++] = h->active + a;
+    }
+    return count;
+}
+
+/* Tell whether all planes of the known robots that change sign meet in one direction, as those of
+ * robots do whose wrenches lie in a plane. Writes the two robots that span it. */
+static int meet_in_one(const Hunt *h, size_t begin, size_t end, const Active **pair) {
+    double p[3], q[3], m[3] = {0.0};
+    int count = 0;
+    for (size_t a = begin; a < end; a++) {
+        if (!h->active[a].is_crossing)
+            continue;
+        whitened(h, h->active + a, count ? q : p);
+        if (count == 0) {
+            pair[count++] = h->active + a;
+        } else if (count == 1) {
+            cross(p, q, m);
+            if (length(m) > NO_VERTEX * length(p) * length(q))
+                pair[count++] = h->active + a;
+        } else if (fabs(dot(m, q)) > NO_VERTEX * length(m) * length(q)) {
+            return 0;
+        }
+    }
+    return count == 2;
+}
+
+/* Evaluate H where the planes of two robots meet, if that is in a triangle. */
+static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one,
+                       const Active *two) {
+    double p[3], q[3], m[3], normal[3];
+    Tree tree;
+    memcpy(tree.whiten, h->aim->whiten, sizeof tree.whiten);
+    whitened(h, one, p);
+    whitened(h, two, q);
+    cross(p, q, m);
+    if (length(m) <= NO_VERTEX * length(p) * length(q))
+        return;
+    int side = is_inside(place->white, m);
+    if (side == 0)
+        return;
+    double turn = dot(m, p) / dot(p, p);
+    for (int k = 0; k < 3; k++)
+        m[k] = side * (m[k] - turn * p[k]);
+    tree_normal(&tree, m, normal);
+    offer(h, normal, height_at(h, place, begin, end, normal, one->robot, two->robot),
+          criterion_extent(h->aim, normal));
+}
+
+/* Evaluate H where the plane of a robot meets the edges of a triangle. */
+static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one) {
+    for (int j = 0; j < 3; j++) {
+        int to = (j + 1) % 3;
+        double from_low = one->at[j], to_low = one->at[to], normal[3];
+        if (from_low * to_low >= 0.0)
+            continue;
+        for (int k = 0; k < 3; k++)
+            normal[k] = fabs(to_low) * place->normal[3 * j + k]
+                        + fabs(from_low) * place->normal[3 * to + k];
+        offer(h, normal, height_at(h, place, begin, end, normal, one->robot, one->robot),
+              criterion_extent(h->aim, normal));
+    }
+}
+
+/* Finish a triangle that few planes cross, or many that meet in one direction, by listing its
+ * vertices: H is concave between the planes of the known robots, as long as the others do not
+ * change sign; so its least is at a vertex. If there are uncertain robots the vertices on the
+ * triangle's edges count too. Returns whether that could be done. */
+static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) {
+    const Active *planes[LISTED], *pair[2];
+    int count = find_planes(h, begin, end, planes);
+    for (int a = 0; a < count; a++)
+        for (int b = a + 1; b < count; b++)
+            try_vertex(h, place, begin, end, planes[a], planes[b]);
+    if (count < 0) {
+        if (!meet_in_one(h, begin, end, pair))
+            return 0;
+        try_vertex(h, place, begin, end, pair[0], pair[1]);
+    }
+    int is_curved = 0;
+    for (size_t a = begin; a < end && !is_curved; a++)
+        is_curved = known(h->aim, h->extra, h->active[a].robot) == NULL;
+    for (size_t a = begin; a < end && is_curved; a++)
+        if (h->active[a].is_crossing)
+            try_edges(h, place, begin, end, h->active + a);
+    return 1;
+}
+
+static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth);
+
+/* Search the half of a triangle in which the middle of an edge replaces a corner. */
+static int explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, int corner,
+                        const double *white, const double *normal, int depth) {
+    Place half = *whole;
+    size_t wanted_room = end + (end - begin);
+    if (wanted_room > h->room) {
+        Active *grown = realloc(h->active, 2 * wanted_room * sizeof *grown);
+        if (!grown)
+            return -1;
+        h->active = grown;
+        h->room = 2 * wanted_room;
+    }
+    memcpy(half.white + 3 * corner, white, 3 * sizeof *white);
+    memcpy(half.normal + 3 * corner, normal, 3 * sizeof *normal);
+    half.extent[corner] = criterion_extent(h->aim, normal);
+    for (size_t a = begin; a < end; a++) {
+        Active *copy = h->active + end + (a - begin);
+        *copy = h->active[a];
+        copy->at[corner] = low(h->aim, h->extra, copy->robot, normal);
+    }
+    return explore(h, &half, end, end + (end - begin), depth - 1);
+}
+
+/* Search a triangle for normals with less than the best. */
+static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
+    int others, losing = h->aim->losing, status;
+    double height[3];
+    if (++h->round % ROUNDS == 0 && h->interrupted())
+        return -2;
+    end = sift(h, place, begin, end, &others);
+    for (int j = 0; j < 3; j++) {
+        height[j] = dot(place->fixed, place->normal + 3 * j);
+        clear(h->top, losing);
+        for (size_t a = begin; a < end; a++)
+            height[j] += note_largest(h->top, losing, larger(0.0, h->active[a].at[j]));
+        offer(h, place->normal + 3 * j, height[j], place->extent[j]);
+    }
+    if (h->best <= h->zero || is_held(h, place, begin, end))
+        return 0;
+    if (others == 0 && list_vertices(h, place, begin, end))
+        return 0;
+    double edge, white[3], normal[3], size;
+    int from = longest_edge(place->white, &edge), to = (from + 1) % 3;
+    if (depth == 0 || edge <= SMALLEST)
+        return 0;
+    for (int k = 0; k < 3; k++)
+        white[k] = place->white[3 * from + k] + place->white[3 * to + k];
+    size = length(white);
+    for (int k = 0; k < 3; k++) {
+        white[k] /= size;
+        normal[k] = (place->normal[3 * from + k] + place->normal[3 * to + k]) / size;
+    }
+    /* the half with the weaker end first: a low value early saves the rest */
+    double target = wanted(h);
+    int is_first = height[from] - target * place->extent[from]
+                   > height[to] - target * place->extent[to];
+    status = explore_half(h, place, begin, end, is_first ? from : to, white, normal, depth);
+    if (status == 0 && h->best > h->zero)
+        status = explore_half(h, place, begin, end, is_first ? to : from, white, normal, depth);
+    return status;
+}
+
+int criterion_search(const Criterion *aim, const double *extra, double gap, double below,
+                     double zero, int (*interrupted)(void), double *value, double *normal) {
+    Tree tree;
+    int status = 0, count = robots_of(aim) + (extra != NULL);
+    double weight = aim->weight + (extra ? length(extra) : 0.0);
+    Hunt h = {.aim = aim, .extra = extra, .gap = gap, .zero = zero, .best = below,
+              .tolerance = ROUNDING * weight, .interrupted = interrupted};
+    h.room = 2 * (size_t)count + 64;
+    h.active = malloc(h.room * sizeof *h.active);
+    h.top = malloc(((size_t)aim->losing + 1) * sizeof *h.top);
+    memcpy(tree.whiten, aim->whiten, sizeof tree.whiten);
+    if (!h.active || !h.top)
+        status = -1;
+    for (int octant = 0; octant < 8 && status == 0 && h.best > zero; octant++) {
+        Place place = {.white = {0.0}};
+        memcpy(place.fixed, aim->load, sizeof place.fixed);
+        for (int j = 0; j < 3; j++) {
+            place.white[3 * j + j] = octant >> j & 1 ? -1.0 : 1.0;
+            tree_normal(&tree, place.white + 3 * j, place.normal + 3 * j);
+            place.extent[j] = criterion_extent(aim, place.normal + 3 * j);
+        }
+        if ((octant ^ octant >> 1 ^ octant >> 2) & 1) { /* counter-clockwise */
+            for (int k = 0; k < 3; k++) {
+                double swap = place.white[k];
+                place.white[k] = place.white[3 + k];
+                place.white[3 + k] = swap;
+                swap = place.normal[k];
+                place.normal[k] = place.normal[3 + k];
+                place.normal[3 + k] = swap;
+            }
+            double swap = place.extent[0];
+            place.extent[0] = place.extent[1];
+            place.extent[1] = swap;
+        }
+        for (int i = 0; i < count; i++) {
+            h.active[i] = (Active){.robot = i};
+            for (int j = 0; j < 3; j++)
+                h.active[i].at[j] = low(aim, extra, i, place.normal + 3 * j);
+        }
+        status = explore(&h, &place, 0, (size_t)count, DEPTH);
+    }
+    *value = h.best;
+    double size = length(h.normal);
+    for (int k = 0; k < 3; k++)
+        normal[k] = size > 0.0 ? h.normal[k] / size : 0.0;
+    free(h.active);
+    free(h.top);
+    return status;
+}

@@ -1,0 +1,57 @@
+/* What a swarm is asked to withstand: h(n) after the worst loss of some robots, in the worst
+ * poses they may have, beside a load, and relative to a task (T14, T15, T16).
+ *
+ * A robot adds max(0, low_i(n)), where low_i(n) = n . b_i if its wrench is known, or the least
+ * n . b over all it may be. H(n) is the load's part and the sum over the robots without the
+ * `losing` largest; the quality is the least H(n) / D(n), where D is the support function of the
+ * task: |n| for the unit ball. */
+#ifndef SWARMGRASP_CRITERION_H
+#define SWARMGRASP_CRITERION_H
+
+#include "sector.h"
+
+#define UNASKED 1e-10      /* D, relative to the normal, at which the task asks for nothing there */
+#define SPREAD (PIECE + 2) /* numbers in a row of a robot whose pose is uncertain */
+
+typedef struct {
+    int points;           /* robots whose wrench is known */
+    const double *point;  /* (points, 3) [N] in the metric's coordinates */
+    int spread;           /* robots whose wrench is one of a set */
+    int *first;           /* (spread + 1,) their rows: robot u has those from first[u] on */
+    const double *rows;   /* (..., SPREAD): the robot, its limit [N], and a piece (see sector.h) */
+    double scale[3];      /* turns wrenches into the metric's coordinates [1, 1, 1/m] */
+    int losing;
+    double load[3];       /* [N] in the metric's coordinates */
+    int is_polytope;      /* D is the greatest n . v over rows of `task`, or 0; otherwise the */
+    int tasks;            /* length of (n . v) over its rows: an ellipsoid. No rows: the unit ball */
+    const double *task;   /* (tasks, 3) in the metric's coordinates, the longest row about 1 */
+    double weight;        /* sum |b_i|, and the load's size [N] */
+    double whiten[6];     /* see tree.h */
+} Criterion;
+
+/* Complete a criterion whose arrays are set: find `first`, `weight` and `whiten`. Returns 0, -1
+ * without memory, or -3 if rows are not sorted by robot, 0 1 2 ... */
+int criterion_begin(Criterion *criterion, int rows);
+void criterion_end(Criterion *criterion);
+
+/* H at a normal of any length, with the robots and one more generator, or NULL; the H before the
+ * last loss, which no newcomer exceeds, goes to `cap`: INFINITY if none is lost. Returns NAN
+ * without memory. */
+double criterion_height(const Criterion *criterion, const double *normal, const double *extra,
+                        double *cap);
+
+/* What H would be if no robot were lost. */
+double criterion_total(const Criterion *criterion, const double *normal);
+
+/* The task's support function, and the length below which it counts as none. */
+double criterion_extent(const Criterion *criterion, const double *normal);
+
+/* Find the least H / D, with one more generator or NULL, to a relative `gap`: no direction has
+ * less than (1 - gap) times the value. A value of `below` or more is not wanted, and is then
+ * `below`; one of `zero` or less is as good as 0, and the first to be found. A load that is not
+ * held gives a negative one, the first to be found. Writes a unit normal that attains it. Returns
+ * 0, -1 without memory, -2 if interrupted. */
+int criterion_search(const Criterion *criterion, const double *extra, double gap, double below,
+                     double zero, int (*interrupted)(void), double *value, double *normal);
+
+#endif

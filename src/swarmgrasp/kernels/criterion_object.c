@@ -1,0 +1,154 @@
+#include "binding.h"
+#include "vectors.h"
+
+typedef struct {
+    PyObject_HEAD
+    Criterion criterion;
+    Py_buffer points, rows, task;
+} CriterionObject;
+
+static PyTypeObject *criterion_type;
+
+static void criterion_dealloc(PyObject *object) {
+    CriterionObject *self = (CriterionObject *)object;
+    PyTypeObject *type = Py_TYPE(object);
+    Py_buffer *views[] = {&self->points, &self->rows, &self->task};
+    criterion_end(&self->criterion);
+    for (int k = 0; k < 3; k++)
+        if (views[k]->obj)
+            PyBuffer_Release(views[k]);
+    freefunc release = (freefunc)PyType_GetSlot(type, Py_tp_free);
+    release(object);
+    Py_DECREF(type);
+}
+
+static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
+    PyObject *points, *rows, *task;
+    Criterion given = {0};
+    double *s = given.scale, *w = given.load;
+    if (kwargs && PyDict_Size(kwargs) > 0) {
+        PyErr_SetString(PyExc_TypeError, "Criterion takes no keyword arguments");
+        return NULL;
+    }
+    if (!PyArg_ParseTuple(args, "O(ddd)Oi(ddd)Op:Criterion", &points, s, s + 1, s + 2, &rows,
+                          &given.losing, w, w + 1, w + 2, &task, &given.is_polytope)
+        || !are_finite(s) || !are_finite(w))
+        return NULL;
+    if (given.losing < 0) {
+        PyErr_SetString(PyExc_ValueError, "robots to lose should be 0 or more");
+        return NULL;
+    }
+    allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
+    CriterionObject *self = (CriterionObject *)make(type, 0);
+    if (!self)
+        return NULL;
+    self->criterion = given;
+    if (get_doubles(points, &self->points, 3) || get_doubles(rows, &self->rows, SPREAD)
+        || get_doubles(task, &self->task, 3)) {
+        Py_DECREF(self);
+        return NULL;
+    }
+    Criterion *criterion = &self->criterion;
+    criterion->point = self->points.buf;
+    criterion->points = rows_of(&self->points, 3);
+    criterion->rows = self->rows.buf;
+    criterion->task = self->task.buf;
+    criterion->tasks = rows_of(&self->task, 3);
+    int status = criterion_begin(criterion, rows_of(&self->rows, SPREAD));
+    /* more than all are as good as all */
+    int robots = criterion->points + criterion->spread;
+    if (criterion->losing > robots + 1)
+        criterion->losing = robots + 1;
+    if (status == 0)
+        return (PyObject *)self;
+    if (status == -1)
+        PyErr_NoMemory();
+    else
+        PyErr_SetString(PyExc_ValueError, "rows should be sorted by robot: 0, 1, 2, ...");
+    Py_DECREF(self);
+    return NULL;
+}
+
+/* Get one more generator, or nothing for None. Returns 0, or -1 with an exception. */
+static int get_extra(PyObject *object, double *room, const double **extra) {
+    *extra = NULL;
+    if (object == Py_None)
+        return 0;
+    if (!PyArg_ParseTuple(object, "ddd", room, room + 1, room + 2) || !are_finite(room))
+        return -1;
+    *extra = room;
+    return 0;
+}
+
+/* least(gap, below, zero, extra) -> (value, normal) */
+static PyObject *criterion_least(PyObject *object, PyObject *args) {
+    const Criterion *criterion = &((CriterionObject *)object)->criterion;
+    double gap, below, zero, room[3], value, n[3];
+    const double *extra;
+    PyObject *more;
+    if (!PyArg_ParseTuple(args, "dddO:least", &gap, &below, &zero, &more)
+        || get_extra(more, room, &extra))
+        return NULL;
+    leave(1);
+    int status = criterion_search(criterion, extra, gap, below, zero, interrupted, &value, n);
+    come_back();
+    if (status != 0)
+        return status == -1 ? PyErr_NoMemory() : NULL;
+    return Py_BuildValue("d(ddd)", value, n[0], n[1], n[2]);
+}
+
+/* heights(normals) -> bytes: H, the H before the last loss, and D at each */
+static PyObject *criterion_heights(PyObject *object, PyObject *normals) {
+    const Criterion *criterion = &((CriterionObject *)object)->criterion;
+    Py_buffer view;
+    if (get_doubles(normals, &view, 3))
+        return NULL;
+    int count = rows_of(&view, 3), is_full = 0;
+    PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
+    double *out = result ? (double *)PyBytes_AsString(result) : NULL;
+    for (int k = 0; out && k < count; k++) {
+        const double *n = (const double *)view.buf + 3 * (Py_ssize_t)k;
+        out[3 * k] = criterion_height(criterion, n, NULL, out + 3 * k + 1);
+        out[3 * k + 2] = criterion_extent(criterion, n);
+        is_full |= isnan(out[3 * k]);
+    }
+    PyBuffer_Release(&view);
+    if (is_full) {
+        Py_CLEAR(result);
+        return PyErr_NoMemory();
+    }
+    return result;
+}
+
+static PyMethodDef methods[] = {
+    {"least", criterion_least, METH_VARARGS, NULL},
+    {"heights", criterion_heights, METH_O, NULL},
+    {NULL, NULL, 0, NULL},
+};
+
+static PyType_Slot type_slots[] = {
+    {Py_tp_dealloc, criterion_dealloc},
+    {Py_tp_new, criterion_new},
+    {Py_tp_methods, methods},
+    {0, NULL},
+};
+
+static PyType_Spec type_spec = {
+    .name = "swarmgrasp.kernels.core.Criterion",
+    .basicsize = sizeof(CriterionObject),
+    .flags = Py_TPFLAGS_DEFAULT,
+    .slots = type_slots,
+};
+
+PyObject *make_criterion_type(void) {
+    PyObject *type = PyType_FromSpec(&type_spec);
+    criterion_type = (PyTypeObject *)type;
+    return type;
+}
+
+const Criterion *criterion_of(PyObject *object) {
+    if (Py_TYPE(object) == criterion_type)
+        return &((CriterionObject *)object)->criterion;
+    PyErr_SetString(PyExc_TypeError, "a Criterion or None is wanted");
+    return NULL;
+}

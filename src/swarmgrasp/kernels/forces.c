@@ -1,0 +1,184 @@
+#include <stdlib.h>
+#include <string.h>
+
+#include "forces.h"
+#include "vectors.h"
+
+#define OWN 1e-15       /* relative rounding of a wrench */
+#define SAME 1e-12      /* relative distance from a wrench that is none */
+#define LOST 1e-10      /* relative distance that is told, of a wrench in reach */
+#define NOTHING 1e-14   /* shortfall relative to the total that is none */
+#define SLIGHT 1e-14    /* relative height that is rounding */
+#define LEAST 1e-12     /* cosine between a normal and a ray that is rounding */
+#define NEAR_ENOUGH 0.1 /* cosine from which a normal is worth starting from */
+#define FARTHEST 1e20   /* how far out a wrench matters, relative to the total */
+
+/* A vector's length, also if its square is out of range. */
+static double span(const double *v) {
+    double most = larger(fabs(v[0]), larger(fabs(v[1]), fabs(v[2])));
+    if (most == 0.0)
+        return 0.0;
+    const double u[3] = {v[0] / most, v[1] / most, v[2] / most};
+    return most * length(u);
+}
+
+/* Share out the point q of the face that the crew is divided by, times a scale. Returns how much
+ * the robots in the plane add to its height: they are in it to within rounding. */
+static double share_out(Crew *crew, const double *q, double extent, double scale, double *loads,
+                        Loads *found) {
+    double height = 0.0;
+    Face *face = &crew->face;
+    face_shares(face, q, extent, found->normals[1], found->price);
+    for (ptrdiff_t i = 0; i < crew->n; i++)
+        loads[i] = crew->where[i] > 0 ? scale : 0.0;
+    for (ptrdiff_t k = 0; k < face->count; k++) {
+        ptrdiff_t i = face->robot[k];
+        loads[i] = scale * face->share[k];
+        height += face->share[k] * crew->s[i] * crew->sizes[i];
+    }
+    for (int k = 0; k < 3; k++)
+        found->price[k] = ldexp(scale * found->price[k], -crew->exponent);
+    return height;
+}
+
+/* Move the point of the ray that is on a face back into it, by what rounding may have moved it: the
+ * ray may meet the face at a small angle. Returns how far along the ray. */
+static double slide_in(Crew *crew, const Goal *goal, const double *normal, double *q,
+                       double extent) {
+    const double *w = goal->target, ray[2] = {dot(w, crew->face.e), dot(w, crew->face.f)};
+    double moved = 0.0;
+    for (int k = 0; k < PATIENCE; k++) {
+        Side side = face_side(&crew->face, q, extent);
+        double along = side.m[0] * ray[0] + side.m[1] * ray[1], step = -side.beyond / along;
+        if (side.excess <= OUTSIDE || !(fabs(step) * dot(normal, w) <= SLIGHT * extent))
+            break;
+        moved += step;
+        q[0] += step * ray[0];
+        q[1] += step * ray[1];
+    }
+    return moved;
+}
+
+/* What is missing of a wrench; returns its size. */
+static double miss_of(const Crew *crew, const double *w, const double *loads, double *miss) {
+    memcpy(miss, w, 3 * sizeof *miss);
+    for (ptrdiff_t i = 0; i < crew->n; i++)
+        for (int k = 0; k < 3; k++)
+            miss[k] -= loads[i] * crew->sizes[i] * crew->units[3 * i + k];
+    return span(miss);
+}
+
+/* Let the robots in front take up what rounding leaves of a wrench: where the ray meets the face at
+ * a small angle, that tells better how far out it is. */
+static void take_up(const Crew *crew, const double *w, double *loads, Loads *found) {
+    double corner[3] = {0.0}, miss[3];
+    for (ptrdiff_t i = 0; i < crew->n; i++)
+        for (int k = 0; k < 3 && crew->where[i] > 0; k++)
+            corner[k] += crew->sizes[i] * crew->units[3 * i + k];
+    miss_of(crew, w, loads, miss);
+    double size = span(corner), more = size > 0.0 ? dot(miss, corner) / size / size : 0.0;
+    found->needed += more;
+    for (ptrdiff_t i = 0; i < crew->n; i++)
+        loads[i] = smaller(crew->where[i] > 0 ? loads[i] + more : loads[i],
+                           smaller(found->needed, 1.0));
+}
+
+/* Find the loads of a wrench that is in reach, or -1 if it is not; sets `needed` and the proof. */
+static int load_along(Crew *crew, const double *w, double size, double noise, double *loads,
+                      Loads *found) {
+    double *normal = found->normals[0], q[2], extent, miss[3];
+    Goal goal = {1, {w[0] / size, w[1] / size, w[2] / size}, 0.0, larger(LEAST, noise / size)};
+    if (!(dot(normal, goal.target) > NEAR_ENOUGH))
+        memcpy(normal, goal.target, sizeof goal.target);
+    double reach = find_face(crew, &goal, normal, q, &extent);
+    if (crew->is_stopped)
+        return -1;
+    reach += slide_in(crew, &goal, normal, q, extent);
+    found->needed = reach > 0.0 ? size / reach : INFINITY;
+    if (found->needed > 1.0 + SAME)
+        return -1;
+    double more = share_out(crew, q, extent, smaller(found->needed, 1.0), loads, found);
+    if (fabs(more) > OWN * reach) { /* the face is a little farther out, or nearer */
+        more /= dot(normal, goal.target);
+        q[0] += more * dot(goal.target, crew->face.e);
+        q[1] += more * dot(goal.target, crew->face.f);
+        found->needed = size / (reach + more);
+        face_lay(&crew->face, normal, crew->units, crew->sizes);
+        share_out(crew, q, extent, smaller(found->needed, 1.0), loads, found);
+    }
+    if (miss_of(crew, w, loads, miss) > SAME * size) {
+        take_up(crew, w, loads, found);
+        double missed = miss_of(crew, w, loads, miss);
+        if (missed > LOST * size + NOTHING * crew->total + noise)
+            found->shortfall = ldexp(missed, crew->exponent);
+    }
+    return 0;
+}
+
+/* Find the loads of a wrench that the robots in the plane make by themselves. */
+static int load_in_plane(Crew *crew, const double *wrench, double *loads, Loads *found) {
+    const double none[3] = {0.0};
+    const Face *face = &crew->face;
+    Crew part = {0};
+    Loads inner = {0};
+    ptrdiff_t n = face->count;
+    double *own = malloc((4 * (size_t)n + 1) * sizeof *own);
+    int status = own ? 0 : -1;
+    for (ptrdiff_t k = 0; k < n && own; k++)
+        for (int c = 0; c < 3; c++)
+            own[3 * k + c] = crew->sizes[face->robot[k]] * crew->units[3 * face->robot[k] + c];
+    if (status == 0)
+        status = crew_room(&part, own, n, crew->interrupted);
+    if (status == 0)
+        status = crew_loads(&part, wrench, none, own + 3 * n, &inner);
+    if (status == 0) {
+        for (ptrdiff_t k = 0; k < n; k++)
+            loads[face->robot[k]] = own[3 * n + k];
+        memcpy(found->normals[1], inner.normals, sizeof inner.normals[0] * 2);
+        for (int c = 0; c < 3; c++)
+            found->price[c] = ldexp(inner.price[c], -crew->exponent);
+    }
+    crew_free(&part);
+    free(own);
+    return status;
+}
+
+/* Find the loads of the attainable wrench that is nearest to one out of reach. */
+static int load_nearest(Crew *crew, const double *w, double size, double noise, double *loads,
+                        Loads *found) {
+    double q[2], extent, made[3], miss[3], shrink = smaller(1.0, FARTHEST * crew->total / size);
+    Goal goal = {0, {w[0], w[1], w[2]}, size, 0.0};
+    for (int k = 0; k < 3 && crew->total > 0.0; k++)
+        goal.target[k] *= shrink;
+    find_face(crew, &goal, found->normals[0], q, &extent);
+    if (crew->is_stopped)
+        return -2;
+    share_out(crew, q, extent, 1.0, loads, found);
+    double shortfall = miss_of(crew, w, loads, miss);
+    if (shortfall > SAME * size + NOTHING * crew->total + noise)
+        found->shortfall = ldexp(shortfall, crew->exponent);
+    if (crew->face.count == 0 || memchr(crew->where, 1, (size_t)crew->n))
+        return 0;
+    for (int k = 0; k < 3; k++) /* nobody has to give all: the face is that of no wrench, too */
+        made[k] = w[k] - miss[k];
+    return load_in_plane(crew, made, loads, found);
+}
+
+int crew_loads(Crew *crew, const double *wanted, const double *load, double *loads, Loads *found) {
+    double w[3], size, noise;
+    for (int k = 0; k < 3; k++)
+        w[k] = ldexp(wanted[k] - load[k], -crew->exponent);
+    size = span(w);
+    noise = ldexp(OWN * (span(wanted) + span(load)), -crew->exponent);
+    found->needed = found->shortfall = 0.0;
+    memset(found->normals[1], 0, 2 * sizeof found->normals[1]);
+    memset(found->price, 0, sizeof found->price);
+    memset(loads, 0, (size_t)crew->n * sizeof *loads);
+    if (size <= noise) {
+        memset(found->normals[0], 0, sizeof found->normals[0]);
+        return 0;
+    }
+    if (load_along(crew, w, size, noise, loads, found) == 0)
+        return 0;
+    return crew->is_stopped ? -2 : load_nearest(crew, w, size, noise, loads, found);
+}

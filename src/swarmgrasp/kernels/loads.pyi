@@ -1,0 +1,20 @@
+"""The least loads that make wrenches; `forces.h` beside this file says how they are found.
+
+Arrays are C-contiguous float64 of the sizes given and finite; anything else raises `ValueError`.
+What takes long lets other threads run, looks at the keyboard in between, and raises
+`KeyboardInterrupt`.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+def least_loads(generators: Array, wrenches: Array, load: tuple[float, float, float], /) -> bytes:
+    """Return a row for each wrench (m, 3) [N] of generators (n, 3) [N] beside a load (3,) [N].
+
+    All are in the metric's coordinates. A row (n + 14,) holds the loads (n,); the least largest
+    load of the wrench, above 1 and perhaps infinite if it is out of reach; the distance [N] of
+    the nearest attainable wrench, which is then made, and else 0; and the proof: three normals
+    (9,), those not needed 0, and a price (3,) [1/N].
+    """

@@ -1,0 +1,16 @@
+/* Triangles of directions, three corners (3, 3) each, for searches that split them. */
+#ifndef SWARMGRASP_TRIANGLE_H
+#define SWARMGRASP_TRIANGLE_H
+
+/* Minimise the greatest of some rows over shares of the corners: a linear program of three
+ * unknowns, solved by looking at all its vertices. */
+double relax(double rows[][3], int count, double *share);
+
+/* Tell whether a direction lies in a triangle; a little outside counts too. 1, or -1 for the
+ * opposite direction. */
+int is_inside(const double *corner, const double *m);
+
+/* Return the corner at which the longest edge begins, and write its length. */
+int longest_edge(const double *corner, double *edge);
+
+#endif

@@ -1,0 +1,1 @@
+"""The measurements behind the report, each with the statements that rest on it."""

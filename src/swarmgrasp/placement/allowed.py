@@ -1,0 +1,107 @@
+"""Where a newcomer may attach and which way it may push, found anew for the check of an answer.
+
+Every edge is cut wherever anything changes: at the ends of zones and no-go stretches, and where
+a robot comes too near. Each part is then allowed or not as a whole.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swarmgrasp.placement.boundary import Boundary
+from swarmgrasp.placement.recompute import Array, covers, labels_of, sides_of
+
+if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
+    from swarmgrasp.placement.claims import PlacementClaim, RobotClaim, ZoneClaim
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Contacts between two points of an edge [m], and a sector of directions [rad]."""
+
+    place: str
+    p: Array
+    q: Array
+    lo: float
+    hi: float
+    is_sliver: bool
+    """Whether the contacts are no more than rounding: no bound is asked for there."""
+
+
+@dataclass(frozen=True)
+class Allowed:
+    """What a placement's question allows, beside the robots already there."""
+
+    claim: "PlacementClaim"
+    boundary: Boundary
+    present: "list[RobotClaim]"
+
+    def cells(self) -> Iterator[Cell]:
+        """Yield the allowed contacts and directions, edge by edge and side by side."""
+        boundary = self.boundary
+        lap, sliver = boundary.perimeter, boundary.sliver
+        zones = [None] if self.claim.zones is None else self.claim.zones
+        labels = labels_of(zones)
+        for edge, (length, base) in enumerate(zip(boundary.lengths, boundary.arcs, strict=False)):
+            p, q = boundary.edge(edge)
+            inward = math.atan2(q[0] - p[0], p[1] - q[1])
+            for zone, label in zip(zones, labels, strict=True):
+                for a, b in self.spans(zone, base, lap, p, q):
+                    start, end = (p + (q - p) * (s / length) for s in (a, b))
+                    middle = base + 0.5 * (a + b)
+                    if not self.has(zone, middle, lap, 0.5 * (start + end)):
+                        continue
+                    place = label or boundary.names[edge] or f"edge {edge}"
+                    for lo, hi in sides_of(self.claim, zone, inward):
+                        yield Cell(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * sliver)
+
+    def spans(
+        self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array
+    ) -> list[tuple[float, float]]:
+        """Return the parts of an edge [m from its start] that are allowed or not as a whole.
+
+        They run from each place where anything changes to the next; of a single point, such
+        as a bollard, they are its places on the edge.
+        """
+        length, near = float(np.linalg.norm(q - p)), self.boundary.near
+        stretches = [*self.claim.no_go, *([] if zone is None else [zone])]
+        is_point = zone is not None and zone.start == zone.end
+        cuts = set() if is_point else {0.0, length, *self.spacing_cuts(p, q)}
+        for stretch in [zone] if is_point and zone else stretches:
+            for arc in (stretch.start, stretch.end):
+                for turn in (-perimeter, 0.0, perimeter):
+                    at = arc + turn - base
+                    if -near <= at <= length + near:
+                        cuts.add(min(max(at, 0.0), length))
+        marks = sorted(cuts)
+        return [(s, s) for s in marks] if is_point else list(pairwise(marks))
+
+    def spacing_cuts(self, p: Array, q: Array) -> Iterator[float]:
+        """Yield where the circles around the robots cross an edge [m from its start]."""
+        length, spacing = float(np.linalg.norm(q - p)), self.claim.spacing
+        for robot in self.present if spacing > 0.0 else []:
+            if not robot.mounted:
+                d, from_p = (q - p) / length, np.array(robot.contact) - p
+                height = abs(float(d[0] * from_p[1] - d[1] * from_p[0]))
+                if height < spacing - self.boundary.sliver:
+                    half = math.sqrt(spacing**2 - height**2)
+                    foot = float(d @ from_p)
+                    yield from (s for s in (foot - half, foot + half) if 0.0 < s < length)
+
+    def has(self, zone: "ZoneClaim | None", arc: float, perimeter: float, point: Array) -> bool:
+        """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
+        sliver = self.boundary.sliver
+        is_point = zone is not None and zone.start == zone.end  # then the contact is its own
+        if zone and not is_point and not covers(zone, arc, perimeter, sliver):
+            return False
+        if any(covers(stretch, arc, perimeter, -sliver) for stretch in self.claim.no_go):
+            return False
+        spacing = self.claim.spacing - sliver
+        return all(
+            robot.mounted or float(np.linalg.norm(point - np.array(robot.contact))) >= spacing
+            for robot in self.present
+        )

@@ -1,0 +1,215 @@
+"""The fewest robots of a kind that bring a required quality."""
+
+import math
+import time
+from dataclasses import dataclass
+
+from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.placement.joint import JointSearch
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import place_sequence
+from swarmgrasp.placement.together import (
+    SECONDS,
+    Together,
+    answer_of,
+    is_count,
+    is_number,
+    problem_faults,
+    start,
+    time_faults,
+)
+from swarmgrasp.swarm import Swarm
+
+MOST = 20
+"""Robots tried unless told otherwise."""
+SLICE = 0.5
+"""Share of the time left that goes to one number of robots."""
+MET = 1e-9
+"""Share of the required quality that may be missing, by rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class HowMany:
+    """How many robots a required quality takes.
+
+    Attributes
+    ----------
+    problem : Problem
+    required : float [N]
+        The quality asked for.
+    count : int or None
+        Of robots with which it was reached; None if no number up to `most` was found.
+    at_least : int
+        No fewer robots reach it, wherever they attach.
+    most : int
+        The largest number looked at.
+    answer : Together or None
+        Where they go; None if there are none, or none are needed.
+    quality_before : float [N]
+        Without them.
+    """
+
+    problem: Problem
+    required: float
+    count: int | None
+    at_least: int
+    most: int
+    answer: Together | None
+    quality_before: float
+
+    @property
+    def is_proven(self) -> bool:
+        """Whether the number is certainly the fewest, or certainly none up to `most` is enough."""
+        return self.at_least > self.most if self.count is None else self.count == self.at_least
+
+    @property
+    def quality(self) -> float:
+        """The quality reached [N]: at least the required one if there is a `count`."""
+        return self.quality_before if self.answer is None else self.answer.quality
+
+    @property
+    def swarm_after(self) -> Swarm:
+        """The swarm with the robots found."""
+        return self.problem.swarm if self.answer is None else self.answer.swarm_after
+
+    @property
+    def reason(self) -> str:
+        """How sure the number is, in words."""
+        if self.count == 0:
+            return "the swarm has that quality already"
+        if self.count is None and self.is_proven:
+            return f"{_robots(self.most)} cannot reach it, wherever they attach"
+        least = f"no fewer than {_robots(self.at_least)} can, wherever they attach"
+        if self.count is None:
+            return f"no places for up to {_robots(self.most)} that reach it were found; {least}"
+        if self.is_proven:
+            fewer = self.count - 1
+            return f"{_robots(self.count)} can, {fewer or 'none'} cannot, wherever they attach"
+        last = self.count - 1
+        open_ = f"{last}" if self.at_least == last else f"{self.at_least} to {last}"
+        return f"{_robots(self.count)} can; {least}; whether {open_} can is not settled"
+
+
+def how_many(
+    problem: Problem, quality: float, *, most: int = MOST, seconds: float = SECONDS
+) -> HowMany:
+    """Find the fewest newcomers with which the quality reaches a required one.
+
+    One number after the other is tried: from the first that a relaxed bound allows, to the one
+    that robots placed one after the other take. Each is either reached, or ruled out by the
+    bound of `place_together`, or left open when its share of the time is over.
+
+    Parameters
+    ----------
+    problem : Problem
+        Its newcomer is one of them.
+    quality : float [N]
+        Required; without a unit if the problem's criterion has a task.
+    most : int
+        How many to allow, at least 1.
+    seconds : float [s]
+        For the whole search.
+
+    Returns
+    -------
+    HowMany
+
+    Raises
+    ------
+    NowhereToAttach
+        If there is no place for a single one.
+    SwarmGraspError
+        If an argument is outside its range; all faults at once.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from swarmgrasp import Newcomer, Outline, Robot
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> four = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> found = how_many(Problem(four, Newcomer(1.0, "pull", 0.0)), 2.0)
+    >>> found.count, found.is_proven, found.reason
+    (4, True, '4 robots can, 3 cannot, wherever they attach')
+    """
+    faults = problem_faults(problem) + time_faults(seconds)
+    if not (is_number(quality) and 0.0 < quality < math.inf):
+        faults.append(f"the quality is {quality!r}; it should be 0 < quality < inf [N]")
+    if not is_count(most):
+        faults.append(f"the most robots are {most!r}; it should be a whole number, at least 1")
+    if faults:
+        raise SwarmGraspError(faults)
+    return _Count(problem, float(quality), int(most), float(seconds)).found()
+
+
+class _Count:
+    """One question on its way to an answer."""
+
+    def __init__(self, problem: Problem, quality: float, most: int, seconds: float) -> None:
+        self.problem, self.required, self.most = problem, quality, most
+        self.enough = quality * (1.0 - MET)
+        self.end = time.monotonic() + seconds
+        self.before = self.search_for(1).gauge.before.quality
+
+    def found(self) -> HowMany:
+        """Try one number after the other."""
+        if self.before >= self.enough:
+            return self.told(0, 0, None)
+        least = self.at_least()
+        reached = self.one_after_the_other()
+        is_settled = True
+        for count in range(least, min(reached, self.most + 1)):
+            search = self.search_for(count, SLICE * (self.end - time.monotonic()))
+            sequential = start(search)
+            search.run()
+            if search.best.quality >= self.enough:
+                return self.told(count, least, answer_of(search, sequential))
+            is_settled &= search.bound < self.enough
+            least += is_settled
+        if reached > self.most:
+            return self.told(None, least, None)
+        search = self.search_for(reached)
+        return self.told(reached, least, answer_of(search, start(search)))
+
+    def told(self, count: int | None, least: int, answer: Together | None) -> HowMany:
+        """Return an answer."""
+        return HowMany(self.problem, self.required, count, least, self.most, answer, self.before)
+
+    def search_for(self, count: int, seconds: float = 0.0) -> JointSearch:
+        """Return the search for places of so many."""
+        return JointSearch(self.problem, count, MET, max(seconds, 0.0), self.enough)
+
+    def at_least(self) -> int:
+        """Return the first number that a relaxed bound does not rule out, or one beyond `most`.
+
+        What is beyond the reach of some is beyond that of fewer.
+        """
+        low, high = 1, self.most + 1
+        while low < high:
+            middle = (low + high) // 2
+            search = self.search_for(middle)
+            if search.has_room:
+                search.tree.step(-math.inf)
+            if search.has_room and search.bound < self.enough:
+                low = middle + 1
+            else:
+                high = middle
+        return low
+
+    def one_after_the_other(self) -> int:
+        """Return how many it takes when each is placed after the others; too many if none do."""
+        problem = self.problem
+        for count in range(1, self.most + 1):
+            try:
+                (answer,) = place_sequence(problem, 1)
+            except NowhereToAttach:
+                break
+            if answer.quality >= self.enough:
+                return count
+            problem = problem.with_swarm(answer.swarm_after)
+        return self.most + 1
+
+
+def _robots(count: int) -> str:
+    """Return a number of robots in words."""
+    return f"{count} robot{'s' if count != 1 else ''}"

@@ -1,0 +1,163 @@
+"""The search for the best places of several newcomers at once: answers and a bound (T17)."""
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.placement.branching import Tree
+from swarmgrasp.placement.gauge import Gauge
+from swarmgrasp.placement.polish import GAIN, Climb, Polish
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.regions import whole
+from swarmgrasp.placement.relaxation import Relaxation, Relaxed, Share
+from swarmgrasp.placement.stands import Ground, Stands
+from swarmgrasp.quality.weakest import MARGINAL
+
+Array = NDArray[np.float64]
+Progress = Callable[[float, float], object]
+NODES_A_CLIMB, MOST_NODES = 2, 8
+"""Shares looked at in the tree between climbs, for each that was in vain, and at most."""
+SEED = 17
+"""Of the random numbers: a search to the end finds the same answer again."""
+
+
+class JointSearch:
+    """Good places of several newcomers, and what no places exceed.
+
+    Parameters
+    ----------
+    problem : Problem
+    count : int
+    gap : float
+        Difference between bound and quality, relative to the quality, that is small enough.
+    enough : float
+        A quality that is good enough; whether there is one is then all that is asked.
+    seconds : float [s]
+        After which the search stops anyway.
+
+    Attributes
+    ----------
+    best : Climb
+    """
+
+    def __init__(
+        self, problem: Problem, count: int, gap: float, seconds: float, enough: float = math.inf
+    ) -> None:
+        self.problem, self.count, self.gap, self.enough = problem, count, gap, enough
+        self.ground = Ground(problem)
+        self.gauge = Gauge(self.ground)
+        self.tree = Tree(Relaxation(self.gauge, count), whole(self.ground))
+        self.polish = Polish(self.gauge)
+        self.polish.deadline = time.monotonic() + seconds
+        self.best = Climb(Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))), -1.0)
+        self.ceiling = 0.0 if self._is_hopeless else math.inf
+        self._random = np.random.default_rng(SEED)
+        self._climbs, self._in_vain, self._next_climb = 0, 0, 1
+        sizes = np.linalg.norm(self.gauge.known, axis=1).sum() / self.gauge.unit
+        self._zero = MARGINAL * float(sizes + count * self.gauge.size)
+
+    @property
+    def bound(self) -> float:
+        """What no newcomers reach, in the quality's unit."""
+        bound = max(min(self.tree.bound, self.ceiling), self.best.quality)
+        return bound if bound > self._zero else 0.0
+
+    @property
+    def has_room(self) -> bool:
+        """Whether the spacing may leave room to them all."""
+        return self.tree.bound > -math.inf
+
+    @property
+    def target(self) -> float:
+        """A bound up to this is not worth lowering."""
+        quality = max(self.best.quality, 0.0)
+        wanted = quality * (1.0 + self.gap) + self._zero
+        return wanted if self.enough == math.inf else max(wanted, self.enough * (1.0 - 1e-9))
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the bound is as near as asked, or the quality good enough."""
+        is_enough = self.best.quality >= self.enough
+        return is_enough or (self.best.quality >= 0.0 and self.bound <= self.target)
+
+    def offer(self, stands: Stands) -> None:
+        """Climb from some places, and keep the best that was reached."""
+        if not self.ground.keeps_spacing(stands):
+            return
+        found = self.polish.climb(stands, self.best.quality)
+        self._in_vain += 1
+        if found.quality > self.best.quality:
+            if found.quality > self.best.quality * (1.0 + GAIN):
+                self._in_vain = 0
+            self.best = found
+
+    def run(self, progress: Progress | None = None) -> None:
+        """Search until it is over, or the deadline has passed.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Called with the best quality and the bound, now and then.
+        """
+        relaxed: tuple[Share, Relaxed] | None = None
+        while not self.is_over:
+            if self.tree.is_done and (self.best.quality >= 0.0 or not self.has_room):
+                break
+            if not self.tree.is_done and self.tree.seen < self._next_climb:
+                relaxed = self.tree.step(self.target) or relaxed
+            else:
+                self._climb(relaxed)
+                pause = NODES_A_CLIMB * (1 + self._in_vain)
+                self._next_climb = self.tree.seen + min(pause, MOST_NODES)
+                if progress is not None:
+                    progress(max(self.best.quality, 0.0), self.bound)
+            if time.monotonic() >= self.polish.deadline:
+                break
+
+    @property
+    def _is_hopeless(self) -> bool:
+        """Whether they are too few for any quality: a ball takes 4 robots, beside a load 3."""
+        criterion, gauge = self.problem.criterion, self.gauge
+        if criterion.task is not None:
+            return False
+        robots = len(gauge.swarm) + self.count - criterion.losing
+        return robots < (3 if criterion.has_load else 4)
+
+    def _climb(self, relaxed: tuple[Share, Relaxed] | None) -> None:
+        """Climb from a relaxed solution, from the best with some moved away, or from anywhere."""
+        turn, self._climbs = self._climbs, self._climbs + 1
+        if turn % 4 == 0 and relaxed is not None:
+            self.offer(self._rounded(*relaxed))
+        elif turn % 2 and self.best.quality > 0.0 and self.count > 1:
+            self.offer(self._shaken())
+        else:
+            stands = self.ground.random(self._random, self.count)
+            if not self.ground.keeps_spacing(stands):
+                stands = self.ground.packed(self._random, self.count)
+            if len(stands.piece) == self.count:
+                self.offer(stands)
+
+    def _shaken(self) -> Stands:
+        """Return the best stands with one of them anywhere, or some more."""
+        stands, rng = self.best.stands, self._random
+        moved = min(int(rng.geometric(0.5)), self.count // 2)
+        rows = rng.permutation(self.count)
+        return self.ground.random(rng, self.count, stands.take(rows[moved:].tolist()))
+
+    def _rounded(self, share: Share, relaxed: Relaxed) -> Stands:
+        """Return whole newcomers near a relaxed solution: at its quantiles in each region."""
+        rows: list[int] = []
+        for index, count in enumerate(share.counts.astype(int)):
+            there = np.flatnonzero(relaxed.which == index)
+            order = there[np.lexsort(relaxed.at[there].T)]
+            level = np.cumsum(relaxed.mass[order]) / max(float(relaxed.mass[order].sum()), 1e-9)
+            wanted = (np.arange(count) + self._random.uniform(0.0, 1.0)) / count
+            nearest = np.minimum(np.searchsorted(level, wanted), len(order) - 1)
+            rows += order[nearest].tolist()
+        outline = self.ground.outline
+        arcs = np.minimum(relaxed.at[rows, 0], outline.perimeter)
+        points = [outline.at_arc_length(float(arc)).point for arc in arcs]
+        return self.ground.stands_at(points, relaxed.at[rows, 1].tolist())

@@ -1,0 +1,206 @@
+"""What a criterion makes of robots, written anew and apart from the search (T14, T15, T16).
+
+H(n) adds up what each robot certainly contributes along a normal n, without the largest
+contributions that may be lost, and the load's part. D(n) is what the task asks there. The value
+is the least H / D, and 0 if the load is not held.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.placement.boundary import Boundary
+from swarmgrasp.placement.recompute import ABSOLUTE, Array, exact_quality, spiral
+from swarmgrasp.placement.team import Team, team_of
+
+if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
+    from swarmgrasp.placement.claims import CriterionClaim, MetricClaim, RobotClaim
+
+MOST_SWEPT, MOST_LISTED = 2000, 400
+"""Robots up to which a quality is recomputed, by the nominal criterion and by any other: a few
+seconds, growing with the square and with the cube."""
+MOST_DESCENDED = 100
+"""Robots of uncertain poses up to which these are made worse and worse."""
+SPREAD = 500
+"""Directions, spread evenly, in which a quality is bounded from above."""
+UNASKED = 1e-10
+"""D relative to the task's size, at and below which the task asks for nothing there."""
+SUMMED = 1e-15
+"""Share of sum |b_i| by which the rounding of a sum may change it."""
+PARALLEL = 1e-12
+"""Sine of the angle between generators that have no common plane."""
+BLOCK = 200_000
+"""Contributions computed at a time."""
+
+
+class Levels(NamedTuple):
+    """What a newcomer finds at unit normals, (m,) each."""
+
+    height: Array
+    """H [N]"""
+    cap: Array
+    """What no newcomer lifts it beyond [N]: H before the last loss."""
+    extent: Array
+    """D: 1, or the task's support [N]; exactly 0 where it asks for nothing."""
+
+
+class Judge:
+    """A criterion in the metric's coordinates.
+
+    Attributes
+    ----------
+    scale : (3,) [1, 1, 1/m]
+        Turns wrenches into these coordinates.
+    load : (3,) [N]
+    unit : float
+        The task's size [N], or 1: qualities are forces divided by it.
+    """
+
+    def __init__(
+        self, boundary: Boundary, metric: "MetricClaim", criterion: "CriterionClaim"
+    ) -> None:
+        self._boundary, self._criterion = boundary, criterion
+        a1, a2 = metric.force_weights
+        self.scale = np.array([a1**0.5, a2**0.5, 1.0 / metric.characteristic_length])
+        self.load = np.array(criterion.load) * self.scale
+        self.unit, task = 1.0, criterion.task
+        if task is not None:
+            rows = np.array(task.rows) * self.scale
+            largest = float(np.abs(rows).max())
+            self.unit = largest * float(np.linalg.norm(rows / largest, axis=1).max())
+            self._rows, self._is_polytope = rows / self.unit, task.kind == "polytope"
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether H is the support function itself and D is 1."""
+        asked = self._criterion
+        return asked.losing == 0 and asked.task is None and not self.load.any()
+
+    def team(self, robots: "Iterable[RobotClaim]") -> Team:
+        """Return robots by what they contribute."""
+        return team_of(robots, self._boundary, self.scale, self._criterion.worst_case)
+
+    def extents(self, normals: Array) -> Array:
+        """Return D (m,) at unit normals (m, 3)."""
+        if self._criterion.task is None:
+            return np.ones(len(normals))
+        along = normals @ self._rows.T
+        found = np.linalg.norm(along, axis=1)
+        if self._is_polytope:
+            found = np.maximum(along.max(axis=1), 0.0)
+        return np.asarray(np.where(found > UNASKED, found * self.unit, 0.0))
+
+    def levels(self, team: Team, normals: Array) -> Levels:
+        """Return what a newcomer to a team finds at unit normals (m, 3)."""
+        step = max(1, BLOCK // max(1, len(team)))
+        parts = [self._summed(team, normals[k : k + step]) for k in range(0, len(normals), step)]
+        height, cap = map(np.concatenate, zip(*parts, strict=True))
+        return Levels(height, cap, self.extents(normals))
+
+    def _summed(self, team: Team, normals: Array) -> tuple[Array, Array]:
+        """Return H and what no newcomer lifts it beyond, at unit normals."""
+        terms, lost = np.maximum(team.least(normals), 0.0), self._criterion.losing
+        held = normals @ self.load
+        if lost == 0:
+            return held + terms.sum(axis=1), np.full(len(normals), np.inf)
+        kept = terms.shape[1] - lost
+        if kept < 0:
+            return held, held
+        terms = np.partition(terms, kept, axis=1)
+        height = held + terms[:, :kept].sum(axis=1)
+        return height, height + terms[:, kept]
+
+    # -- values
+
+    def value(self, team: Team, normals: Array) -> tuple[float, float]:
+        """Bound the quality of a team from both sides; they are as good as equal if it is known.
+
+        Of uncertain poses, or of too many robots, it is known only that no direction holds
+        less: the given unit normals (k, 3), their opposites, and others spread evenly.
+        """
+        if not team.spread and self.is_plain and len(team) <= MOST_SWEPT:
+            return (exact_quality(team.known),) * 2
+        if not team.spread and not self.is_plain and len(team) <= MOST_LISTED:
+            low, most, _ = self.listed(team.known)
+            return low, most
+        known = np.concatenate([normals, -normals, spiral(SPREAD)])
+        most, at = self.weakest(self.levels(team, known), known, self.size(team))
+        falls = bool(team.spread) and len(team) <= MOST_DESCENDED
+        while falls and most > 0.0:
+            _, least, place = self.listed(team.worst(at))
+            falls = least < most * (1.0 - PARALLEL)
+            most, at = (least, place) if falls else (most, at)
+        return 0.0, max(most, 0.0)
+
+    def listed(self, generators: Array) -> tuple[float, float, Array]:
+        """List all vertices: bounds of the quality from both sides, and a normal that attains it.
+
+        Between the planes n . b_i = 0 H is concave, and D is convex: H >= t D holds
+        everywhere if it does where two planes meet. The axes' planes leave no region
+        without such a place.
+        """
+        team = Team(self.scale, generators, ())
+        size = self.size(team)
+        low, most, at = np.inf, np.inf, np.zeros(3)
+        for candidates in vertices(generators):
+            normals = candidates[self._may_be_below(most, generators, candidates, size)]
+            if not len(normals):
+                continue
+            levels = self.levels(team, normals)
+            least, place = self.weakest(levels, normals, size)
+            at = place if least < most else at
+            most = min(most, least)
+            certainly = over(levels.height - SUMMED * size, levels.extent, 2.0 * SUMMED * size)
+            low = min(low, float(certainly.min()))
+        return max(low, 0.0), max(most, 0.0), at
+
+    def _may_be_below(
+        self, value: float, generators: Array, normals: Array, size: float
+    ) -> NDArray[np.bool_]:
+        """Tell at which unit normals (m, 3) H / D may be below a value: a quick first look."""
+        products = normals @ generators.T
+        np.abs(products, out=products)
+        held = normals @ (self.load + 0.5 * generators.sum(axis=0))
+        least = held + 0.5 * products.sum(axis=1)
+        if self._criterion.losing:
+            least -= float(self._criterion.losing) * products.max(axis=1, initial=0.0)
+        with np.errstate(invalid="ignore"):
+            above = least > value * self.extents(normals) + ABSOLUTE * size
+        return np.asarray(~above)
+
+    @staticmethod
+    def weakest(levels: Levels, normals: Array, size: float) -> tuple[float, Array]:
+        """Return the least that H / D certainly does not exceed, and the normal of it."""
+        found = over(levels.height + SUMMED * size, levels.extent, ABSOLUTE * size)
+        k = int(np.argmin(found))
+        return float(found[k]), normals[k]
+
+    def size(self, team: Team) -> float:
+        """Return what the rounding of H is relative to [N]."""
+        return team.size + float(np.linalg.norm(self.load))
+
+
+def over(height: Array, extent: Array, rounding: float) -> Array:
+    """Return H / D; without D, -inf for a load not held by more than rounding, otherwise inf."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = np.where(extent > 0.0, height / extent, np.inf)
+    found[(extent == 0.0) & (height < -rounding)] = -np.inf
+    return np.asarray(found)
+
+
+def vertices(generators: Array) -> Iterator[Array]:
+    """Yield the unit normals (m, 3) at right angles to two generators, or to axes, in blocks."""
+    sizes = np.linalg.norm(generators, axis=1)
+    units = np.vstack([generators[sizes > 0.0] / sizes[sizes > 0.0, None], np.eye(3)])
+    for j, unit in enumerate(units[:-1]):
+        # in the plane across one of them, so that the normal is at right angles to both even
+        # if they are nearly parallel
+        plane = np.linalg.svd(unit[None])[2][1:]
+        flat = units[j + 1 :] @ plane.T
+        lengths = np.linalg.norm(flat, axis=1)
+        flat = flat[lengths > PARALLEL] / lengths[lengths > PARALLEL, None]
+        found = np.column_stack([-flat[:, 1], flat[:, 0]]) @ plane
+        if len(found):
+            yield np.concatenate([found, -found])

@@ -1,0 +1,274 @@
+"""Which one robot should attach elsewhere, and what that is worth."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from swarmgrasp.errors import NowhereToAttach, RobotInvalid
+from swarmgrasp.placement.answer import Placement
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import RISE, place_sequence
+from swarmgrasp.quality.max_transfer import Quality, quality
+from swarmgrasp.quality.words import wrench_words
+from swarmgrasp.robot import Newcomer, Robot
+from swarmgrasp.swarm import Swarm
+
+
+@dataclass(frozen=True, eq=False)
+class Relocation:
+    """The best place for one robot that lets go.
+
+    Attributes
+    ----------
+    robot : int
+        Its index.
+    old : Robot
+        As it is now.
+    placement : Placement
+        Its best place beside all the others, with the proof.
+    before : Quality
+        Of the swarm as it is.
+    """
+
+    robot: int
+    old: Robot
+    placement: Placement
+    before: Quality
+
+    @property
+    def new(self) -> Robot:
+        """The robot in its new place."""
+        return self.placement.robot
+
+    @property
+    def place(self) -> str:
+        """The zone's name, or the edge's."""
+        return self.placement.place
+
+    @property
+    def quality(self) -> float:
+        """Quality of the swarm after the move [N]."""
+        return self.placement.quality
+
+    @property
+    def quality_without(self) -> float:
+        """Quality while the robot is under way [N]."""
+        return self.placement.quality_before
+
+    @property
+    def upper_bound(self) -> float:
+        """What no move of this robot exceeds [N]."""
+        return self.placement.upper_bound
+
+    @property
+    def gain(self) -> float:
+        """By how much the move raises the quality [N]; negative if its present place is better."""
+        return self.quality - self.before.value
+
+    @cached_property
+    def swarm_after(self) -> Swarm:
+        """The swarm after the move, in the same order."""
+        swarm = self.placement.problem.swarm
+        robots = list(swarm.robots)
+        robots.insert(self.robot, self.new)
+        return Swarm(swarm.outline, robots, swarm.characteristic_length, swarm.force_weights)
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """The best move of one robot, and what the others could do.
+
+    Attributes
+    ----------
+    problem : Problem
+        Where robots may attach, and the swarm as it is.
+    before : Quality
+        Of that swarm.
+    ranked : tuple of Relocation
+        The best move of each robot, the best robot first.
+    stuck : tuple of int
+        Robots that have nowhere to go, by index.
+    """
+
+    problem: Problem
+    before: Quality
+    ranked: tuple[Relocation, ...]
+    stuck: tuple[int, ...]
+
+    @property
+    def best(self) -> Relocation:
+        """The move that brings the highest quality."""
+        return self.ranked[0]
+
+    @property
+    def quality_before(self) -> float:
+        """Quality of the swarm as it is [N]."""
+        return self.before.value
+
+    @property
+    def quality(self) -> float:
+        """Quality after the best move [N]."""
+        return self.best.quality
+
+    @property
+    def gain(self) -> float:
+        """By how much the best move raises the quality [N]; at most 0 if robots had better stay."""
+        return self.best.gain
+
+    @property
+    def upper_bound(self) -> float:
+        """What no move of one robot exceeds [N]."""
+        bound = max(move.upper_bound for move in self.ranked)
+        return 0.0 if self.quality == 0.0 and not self._is_open else bound
+
+    @property
+    def _is_open(self) -> bool:
+        """Whether a search has stopped before its bound came near."""
+        return any(move.placement.stopped_early for move in self.ranked)
+
+    @property
+    def improves(self) -> bool:
+        """Whether the best move raises the quality."""
+        return self.is_worth_it(RISE * self.quality_before)
+
+    def is_worth_it(self, least_gain: float) -> bool:
+        """Tell whether the best move raises the quality by more than so much [N].
+
+        What a move costs, in time and while the robot holds nothing, is the caller's to say.
+        """
+        return self.gain > least_gain
+
+    @property
+    def swarm_after(self) -> Swarm:
+        """The swarm after the best move."""
+        return self.best.swarm_after
+
+    @property
+    def reason(self) -> str:
+        """What the best move does, in words."""
+        best, swarm = self.best, self.problem.swarm
+        name = swarm.robot_label(best.robot)
+        weakest = wrench_words(self.before.direction)
+        if not self.improves:
+            if self._is_open:
+                return f"no move was found that raises what is weakest, {weakest}"
+            return f"no robot alone can raise what is weakest, {weakest}, by moving: leave them"
+        after = wrench_words(best.placement.after.normal)
+        away = (
+            "nothing is held in some directions" if best.quality_without == 0.0 else "less is held"
+        )
+        if best.quality_without >= self.quality_before:
+            away = "nothing is lost"
+        return (
+            f"{name} had better be on {best.place}: weakest was {weakest}, and is then {after}; "
+            f"while it is under way {away}"
+        )
+
+
+def best_move(
+    problem: Problem | Swarm, *, robots: Iterable[int] | None = None, gap: float = 1e-6
+) -> Move:
+    """Find the one robot that should attach elsewhere, and where.
+
+    Each robot in turn lets go and is placed anew beside all the others, which is solved to the
+    global optimum (T8, T9).
+
+    Parameters
+    ----------
+    problem : Problem or Swarm
+        Where robots may attach and how: the problem's zones, spacing and criterion, and its
+        newcomer's attachment and half angle. Each robot keeps its own limit, tolerance and name.
+        Of a swarm alone: anywhere, in any direction.
+    robots : iterable of int, optional
+        Those that may move, by index; all that are not mounted when left out.
+    gap : float
+        As for `place`.
+
+    Returns
+    -------
+    Move
+
+    Raises
+    ------
+    RobotInvalid
+        If no robot may move, or an index is of none or of a mounted one; all faults at once.
+    NowhereToAttach
+        If none has anywhere to go.
+    SwarmGraspError
+        If `gap` is outside its range.
+
+    Examples
+    --------
+    The fifth robot helps nobody where it is.
+
+    >>> from math import pi
+    >>> from swarmgrasp import Outline
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, 1), pi / 2)]
+    >>> crew = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> move = best_move(Problem(crew, Newcomer(1.0, "pull", 0.0)))
+    >>> move.best.robot, move.best.place, round(move.gain, 4), move.is_worth_it(0.1)
+    (3, 'edge 0', 0.6963, True)
+    """
+    if isinstance(problem, Swarm):
+        problem = Problem(problem, Newcomer())
+    swarm = problem.swarm
+    before = quality(swarm, **problem.criterion.terms)
+    found, stuck = [], []
+    for index in _movable(problem, robots):
+        try:
+            (placement,) = place_sequence(_without(problem, index), 1, gap=gap)
+        except NowhereToAttach:
+            stuck.append(index)
+            continue
+        named = replace(placement, robot=replace(placement.robot, name=swarm.robots[index].name))
+        found.append(Relocation(index, swarm.robots[index], named, before))
+    if not found:
+        raise NowhereToAttach("none of the robots that may move has anywhere to go")
+    ranked = sorted(found, key=lambda move: -move.quality)
+    return Move(problem, before, tuple(ranked), tuple(stuck))
+
+
+def _movable(problem: Problem, robots: Iterable[int] | None) -> list[int]:
+    """Return the robots that may move."""
+    swarm = problem.swarm
+    if robots is None:
+        found = np.flatnonzero(~swarm.mounted).tolist()
+        if not found:
+            raise RobotInvalid(
+                "there is no robot that could move: all are mounted, or there is none"
+            )
+        return [i for i in found if not _is_worthless(problem, i)] or found
+    wanted, faults = list(robots), []
+    for i in wanted:
+        if not (isinstance(i, int | np.integer) and 0 <= i < len(swarm)):
+            faults.append(f"{i!r} is no index of a robot; it should be 0 <= index < {len(swarm)}")
+        elif swarm.mounted[i]:
+            faults.append(f"{swarm.robot_label(i)} is mounted and stays where it is")
+        elif _is_worthless(problem, i):
+            faults.append(f"{swarm.robot_label(i)} may be absent, and is worth nothing anywhere")
+    if not wanted:
+        faults.append("no robot may move; give at least one index")
+    if faults:
+        raise RobotInvalid(faults)
+    return wanted
+
+
+def _is_worthless(problem: Problem, index: int) -> bool:
+    """Tell whether a robot counts for nothing in the worst case."""
+    tolerance = problem.swarm.tolerances.get(index)
+    return problem.criterion.worst_case and tolerance is not None and tolerance.may_be_absent
+
+
+def _without(problem: Problem, index: int) -> Problem:
+    """Return the question where a robot goes that has let go."""
+    swarm, kind = problem.swarm, problem.newcomer
+    newcomer = replace(
+        kind,
+        limit=float(swarm.limits[index]),
+        name=swarm.robot_label(index),
+        tolerance=swarm.tolerances.get(index),
+    )
+    return replace(problem, swarm=swarm.without([index]), newcomer=newcomer)

@@ -1,0 +1,272 @@
+"""Several newcomers placed together: often more than one after the other (T17)."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeGuard
+
+import numpy as np
+
+from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.placement.joint import JointSearch
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import RISE, is_whole, place_sequence
+from swarmgrasp.placement.stands import Stands
+from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.quality.words import wrench_words
+from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Swarm
+
+GAP = 1e-3
+"""Difference between bound and quality, relative to the quality, at which a search ends."""
+SECONDS = 10.0
+"""Time after which it ends anyway."""
+
+
+@dataclass(frozen=True, eq=False)
+class Together:
+    """Where several newcomers go together.
+
+    Attributes
+    ----------
+    problem : Problem
+        Its newcomer is one of them.
+    robots : tuple of Robot
+        The newcomers in contact, counter-clockwise along the boundary.
+    places : tuple of str
+        The zone's name, or the edge's, of each.
+    before, after : Weakest
+        Quality and weakest normal of the swarm without and with them.
+    upper_bound : float [N]
+        What no such newcomers exceed, wherever they attach.
+    tolerance : float
+        By how much the bound may exceed the quality, relative to it, as asked for.
+    sequential : float [N]
+        The quality of as many placed one after the other; nan if not all found a place.
+    stopped_early : bool
+        Whether the time was over before the bound came so near. The bound holds all the same.
+    """
+
+    problem: Problem
+    robots: tuple[Robot, ...]
+    places: tuple[str, ...]
+    before: Weakest
+    after: Weakest
+    upper_bound: float
+    tolerance: float
+    sequential: float
+    stopped_early: bool
+
+    @property
+    def quality_before(self) -> float:
+        """Quality of the swarm without the newcomers [N]."""
+        return self.before.quality
+
+    @property
+    def quality(self) -> float:
+        """Quality of the swarm with the newcomers [N]."""
+        return self.after.quality
+
+    @property
+    def gap(self) -> float:
+        """By how much the bound exceeds the quality [N]."""
+        return self.upper_bound - self.quality
+
+    @property
+    def improves(self) -> bool:
+        """Whether the newcomers raise the quality."""
+        return self.quality > self.quality_before * (1.0 + RISE)
+
+    def is_optimal(self, within: float | None = None) -> bool:
+        """Tell whether no places are better by more than a share of the quality.
+
+        Parameters
+        ----------
+        within : float, optional
+            The `tolerance` when left out.
+        """
+        share = self.tolerance if within is None else within
+        return self.gap <= share * self.quality + 1e-12 * self.upper_bound
+
+    @cached_property
+    def swarm_after(self) -> Swarm:
+        """The swarm with the newcomers."""
+        return swarm_with(self.problem.swarm, self.robots)
+
+    @property
+    def reason(self) -> str:
+        """What limits the answer, in words."""
+        weakest = wrench_words(self.after.normal)
+        if self.improves:
+            return f"what remains weakest is {weakest}"
+        robots = len(self.problem.swarm) + len(self.robots)
+        if self.upper_bound == 0.0 and robots < 4:
+            return (
+                "force closure takes at least 4 robots, wherever they are; with these there "
+                f"{'are' if robots > 1 else 'is'} {robots}"
+            )
+        if self.upper_bound == 0.0:
+            return f"{self._many} give the swarm no quality, wherever they are: place more"
+        if self.is_optimal():
+            return f"{self._many} raise what is weakest, {weakest}, nowhere: place more"
+        return (
+            f"no place was found where {self._many} raise what is weakest, {weakest}; whether "
+            "there is one is not settled: allow more time, or place more"
+        )
+
+    @property
+    def _many(self) -> str:
+        """The newcomers in words."""
+        return f"{len(self.robots)} such robots" if len(self.robots) > 1 else "one such robot"
+
+
+def place_together(
+    problem: Problem,
+    count: int,
+    *,
+    gap: float = GAP,
+    seconds: float = SECONDS,
+    progress: Callable[[float, float], object] | None = None,
+) -> Together:
+    """Place several newcomers of one kind at the same time.
+
+    The quality is no longer quasi-concave (T17). Answers come from robots placed one after the
+    other, from random ones and from relaxed solutions, all moved until no move helps. The bound
+    comes from branch and bound over how many stand where, each share of them bounded by a linear
+    program over split-up robots whose rows are normals of the exact quality. It holds for all
+    allowed contacts and directions, not only for those of a grid.
+
+    Parameters
+    ----------
+    problem : Problem
+        Its newcomer is one of them; its spacing is kept among them, too.
+    count : int
+        How many, at least 1; up to about 20 in reasonable time.
+    gap : float
+        Ends the search when the bound exceeds the quality by no more than this share of it.
+    seconds : float [s]
+        Ends it anyway, soon after; the answer is then `stopped_early`.
+    progress : callable, optional
+        Called with the quality so far and the bound so far, now and then.
+
+    Returns
+    -------
+    Together
+
+    Raises
+    ------
+    NowhereToAttach
+        If the spacing leaves no room to so many, as far as was found.
+    SwarmGraspError
+        If an argument is outside its range; all faults at once.
+
+    Examples
+    --------
+    From the square of theory section 7 three robots one after the other are no better than two;
+    together they are, and the bound proves that nothing is better.
+
+    >>> from math import pi
+    >>> from swarmgrasp import Newcomer, Outline
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> four = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> pulling = Newcomer(limit=1.0, attachment="pull", half_angle=0.0)
+    >>> answer = place_together(Problem(four, pulling), 3)
+    >>> round(answer.sequential, 3), round(answer.quality, 3), round(answer.upper_bound, 3)
+    (0.953, 1.0, 1.0)
+    """
+    faults = problem_faults(problem) + time_faults(seconds)
+    if not is_count(count):
+        faults.append(f"the number of robots is {count!r}; it should be a whole number, at least 1")
+    if not (is_number(gap) and 0.0 < gap < 1.0):
+        faults.append(f"the gap is {gap!r}; it should be 0 < gap < 1")
+    if faults:
+        raise SwarmGraspError(faults)
+    search = JointSearch(problem, count, float(gap), float(seconds))
+    sequential = start(search)
+    search.run(progress)
+    return answer_of(search, sequential)
+
+
+def start(search: JointSearch) -> float:
+    """Offer the newcomers placed one after the other; return their quality, or nan."""
+    try:
+        found = place_sequence(search.problem, search.count)
+    except NowhereToAttach:
+        return math.nan
+    if search.count == 1:
+        search.ceiling = found[-1].upper_bound
+    robots = [answer.robot for answer in found]
+    contacts, directions = [r.contact for r in robots], [r.direction for r in robots]
+    search.offer(search.ground.stands_at(contacts, directions))
+    return found[-1].quality
+
+
+def answer_of(search: JointSearch, sequential: float) -> Together:
+    """Return what a search has found.
+
+    Raises
+    ------
+    NowhereToAttach
+        If that is nothing.
+    """
+    if search.best.quality < 0.0:
+        raise NowhereToAttach(
+            f"no room was found for {search.count} robots at a spacing of "
+            f"{search.problem.spacing:.9g} m: lessen it, widen the zones, or place fewer"
+        )
+    stands = _along_the_boundary(search)
+    name = search.problem.newcomer.name or "newcomer"
+    names = [f"{name} {k}" if search.count > 1 else name for k in range(1, search.count + 1)]
+    after = search.gauge.exact(stands)
+    bound = max(search.bound, after.quality)
+    return Together(
+        problem=search.problem,
+        robots=search.ground.robots(stands, names),
+        places=tuple(search.ground.pieces.each[piece].place for piece in stands.piece),
+        before=search.gauge.before,
+        after=after,
+        upper_bound=bound,
+        tolerance=search.gap,
+        sequential=sequential,
+        stopped_early=not search.is_over,
+    )
+
+
+def swarm_with(swarm: Swarm, robots: tuple[Robot, ...]) -> Swarm:
+    """Return a swarm with more robots."""
+    for robot in robots:
+        swarm = swarm.with_robot(robot)
+    return swarm
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Tell whether a value is a number, and not a truth value."""
+    return isinstance(value, float | np.floating) or is_whole(value)
+
+
+def is_count(value: object) -> bool:
+    """Tell whether a value is a whole number, at least 1."""
+    return isinstance(value, int | np.integer) and is_whole(value) and bool(value >= 1)
+
+
+def problem_faults(problem: object) -> list[str]:
+    """Return what is wrong with a problem."""
+    if isinstance(problem, Problem):
+        return []
+    return [f"{type(problem).__name__} is no Problem: make one with Problem(swarm, newcomer)"]
+
+
+def time_faults(seconds: object) -> list[str]:
+    """Return what is wrong with a time [s]."""
+    if is_number(seconds) and 0.0 <= seconds < math.inf:
+        return []
+    return [f"the time is {seconds!r}; it should be 0 <= seconds < inf [s]"]
+
+
+def _along_the_boundary(search: JointSearch) -> Stands:
+    """Return the best stands in the order of their contacts."""
+    stands, outline = search.best.stands, search.ground.outline
+    arcs = outline.corner_arc_lengths[search.ground.edges[stands.piece]] + stands.at[:, 0]
+    return stands.take(np.lexsort([stands.at[:, 1], np.round(arcs, 9)]).tolist())

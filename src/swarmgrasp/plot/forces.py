@@ -1,0 +1,209 @@
+"""The plan view of push forces: who pushes how hard to make a wrench."""
+
+import math
+from dataclasses import replace
+from typing import Any, Final, cast
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from swarmgrasp.forces import Forces
+from swarmgrasp.plot import style
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn
+from swarmgrasp.plot.labels import Page
+from swarmgrasp.plot.plan import (
+    FEW,
+    HEAD,
+    LEAST_PART,
+    MOST_LABELS,
+    WEAKEST_SIZES,
+    draw_object,
+    in_view,
+    label_edges,
+    outer_spots,
+)
+from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
+from swarmgrasp.quality import wrench_words
+
+LIMIT: Final = "#C3D3E0"
+"""Colour of what a robot could exert."""
+
+WIDTH: Final = 0.026
+"""Of the arrows [in]."""
+
+LEAST_LOAD: Final = 0.002
+"""Load below which no force is drawn."""
+
+HARDEST: Final = 1e-9
+"""Difference from the largest load that counts as none."""
+
+
+def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
+    """Draw the object from above with the forces that make a wrench.
+
+    A pale arrow is the force a robot can exert, the dark part of it the one it does; robots at
+    the largest load are orange. A push ends at the contact, a pull starts there. At the origin is
+    drawn which way the wanted wrench acts.
+
+    Parameters
+    ----------
+    found : Forces
+    ax : Axes, optional
+        Draw here, at its present size, instead of in a figure of its own.
+
+    Returns
+    -------
+    Figure
+    """
+    swarm = found.swarm
+    arrows = Arrows(swarm.outline, swarm.robots)
+    with style.settings():
+        is_shown = bool(found.wanted.any()) and in_view(arrows)
+        caption = _caption(found, is_shown)
+        ax = new_axes(arrows, caption) if ax is None else ax
+        page = frame(ax, arrows)
+        draw_object(page, swarm.outline)
+        _draw_forces(page, arrows, found)
+        if is_shown:
+            _draw_wrench(page, found)
+        _label_robots(page, arrows, found)
+        label_edges(page, swarm.outline)
+        draw_force_key(page, arrows)
+        write_caption(page, caption)
+        return cast(Figure, ax.get_figure(root=True))
+
+
+def _hardest(found: Forces) -> NDArray[np.bool_]:
+    """Tell which robots have the largest load."""
+    top = found.largest_load
+    return np.asarray((found.loads >= top - HARDEST) & (top > LEAST_LOAD))
+
+
+def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
+    """Draw every robot's limit, its force, and a mark at its contact."""
+    robots = arrows.robots
+    width = 0.6 * WIDTH if len(robots) > MOST_LABELS else WIDTH
+    limits = [arrows.ends(robot) for robot in robots]
+    for tail, tip in limits:
+        page.keep_clear(tail, tip, breadth=HEAD * width)
+    draw_arrows(page.ax, limits, color=LIMIT, width=width, gid="limit", zorder=3.5)
+    hardest = _hardest(found)
+    for is_hardest, colour, gid in (
+        (False, style.BLUE, "force"),
+        (True, style.VERMILION, "hardest"),
+    ):
+        chosen = (found.loads > LEAST_LOAD) & (hardest == is_hardest)
+        pushing = [
+            replace(robots[i], limit=float(found.forces[i]), tolerance=None)
+            for i in np.flatnonzero(chosen).tolist()
+        ]
+        ends = [arrows.ends(robot) for robot in pushing]
+        draw_arrows(page.ax, ends, color=colour, width=width, gid=gid)
+    page.ax.plot(
+        *np.reshape([robot.contact for robot in robots], (-1, 2)).T, "o", markersize=3.2,
+        color=style.INK, markeredgecolor="white", markeredgewidth=0.4, zorder=5,
+    )  # fmt: skip
+
+
+def _draw_wrench(page: Page, found: Forces) -> None:
+    """Draw which way the wrench acts: its force as an arrow, its torque as a turn."""
+    ax, origin, scale = page.ax, found.swarm.outline.origin, found.swarm.scale
+    inverse = ax.transData.inverted()
+    metres = page.point_size * float(np.ptp(inverse.transform([(0.0, 0.0), (1.0, 0.0)])[:, 0]))
+    length, radius = (size * metres for size in WEAKEST_SIZES)
+    part = found.wanted * scale
+    part = part / np.abs(part).max()
+    part /= np.linalg.norm(part)
+    force, torque = part[:2], float(part[2])
+    way = force / scale[:2]
+    if np.hypot(*force) > LEAST_PART:
+        tip = origin + length * np.hypot(*force) * way / np.hypot(*way)
+        draw_arrows(ax, [(origin, tip)], color=style.PURPLE, width=0.03, gid="wrench", zorder=5)
+        page.keep_clear(origin, tip)
+    if abs(torque) > LEAST_PART:
+        sweep = math.copysign(0.6 + 4.0 * abs(torque), torque)
+        look = {"color": style.PURPLE, "linewidth": 2.0, "gid": "wrench"}
+        draw_turn(ax, origin, radius, math.atan2(way[1], way[0]) + math.pi, sweep, **look)
+    for turn in np.linspace(0.0, math.pi, 9)[:-1]:
+        reach = 1.3 * radius * np.array([math.cos(turn), math.sin(turn)])
+        page.keep_clear(origin - reach, origin + reach)
+
+
+def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
+    """Write the name and the load of every robot, unless there are too many.
+
+    Of the two halves of a thruster that pushes either way, "bow +" and "bow -" at one contact,
+    that which does more is told, as "bow".
+    """
+    robots = arrows.robots
+    if len(robots) > MOST_LABELS:
+        return
+    size = 8.0 if len(robots) <= FEW else 7.0
+    hardest = _hardest(found)
+    names = {(robot.name, robot.contact) for robot in robots}
+    done = set()
+    for index in np.argsort(-found.loads, kind="stable").tolist():
+        robot, load = robots[index], float(found.loads[index])
+        name = robot.name or str(index)
+        stem = name.removesuffix(" +").removesuffix(" -")
+        if all((f"{stem} {sign}", robot.contact) in names for sign in "+-"):
+            name = stem
+            if (stem, robot.contact) in done:
+                continue
+            done.add((stem, robot.contact))
+        spots, bearing = outer_spots(arrows, robot)
+        colour = style.VERMILION if hardest[index] else style.BLUE
+        colour = colour if load > LEAST_LOAD else style.GREY
+        text = f"{name}: {_percent(load)}"
+        page.label(text, spots, bearing, fontsize=size, color=colour, gid="robot-label")
+
+
+def _percent(load: float) -> str:
+    """Write a load in percent, shortly.
+
+    Examples
+    --------
+    >>> [_percent(load) for load in (0.1234, 0.0321, 1e-9, 1.0)]
+    ['12 %', '3.2 %', '0 %', '100 %']
+    """
+    if load <= LEAST_LOAD:
+        return "0 %"
+    return f"{100.0 * load:.{int(load < 0.0995)}f} %"
+
+
+def _caption(found: Forces, is_shown: bool) -> Caption:
+    """Return what is written round the picture."""
+    swarm = found.swarm
+    kinds = {"force": style.BLUE, "force at the largest load": style.VERMILION}
+    hardest = _hardest(found)
+    drawn = [bool((found.loads[~hardest] > LEAST_LOAD).any()), bool(hardest.any())]
+    entries: list[Any] = [
+        ArrowEntry(facecolor=colour, label=label)
+        for (label, colour), is_drawn in zip(kinds.items(), drawn, strict=True)
+        if is_drawn
+    ]
+    if len(swarm):
+        entries.append(ArrowEntry(facecolor=LIMIT, label="limit"))
+    if is_shown:
+        entries.append(ArrowEntry(facecolor=style.PURPLE, label="wrench wanted"))
+    words = wrench_words(found.wanted * swarm.scale)
+    size = float(np.linalg.norm(found.wanted * swarm.scale))
+    title = f"{words}: {style.force(size)}" if size > 0.0 else words
+    small_print = [f"Size of a wrench with {swarm.metric_sentence}."]
+    if found.load.any():
+        small_print.append(style.load_sentence(tuple(found.load.tolist())))
+    return Caption(_capital(title), _outcome(found), tuple(entries), tuple(small_print))
+
+
+def _outcome(found: Forces) -> str:
+    """Say how well the wrench is made."""
+    if found.is_degraded:
+        return f"out of reach by {style.force(found.shortfall)}, the nearest wrench is made"
+    return f"made, with loads up to {_percent(found.largest_load)}" if found.loads.any() else ""
+
+
+def _capital(text: str) -> str:
+    """Return a text that begins with a capital letter."""
+    return text[:1].upper() + text[1:]

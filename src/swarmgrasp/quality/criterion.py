@@ -1,0 +1,115 @@
+"""What is asked of a swarm: more than its quality as it stands."""
+
+from dataclasses import dataclass
+from typing import TypedDict, get_args
+
+import numpy as np
+
+from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.quality.task import Task
+from swarmgrasp.ranges import STRONGEST, numbers
+
+
+class Terms(TypedDict, total=False):
+    """The parts of a criterion, as keywords."""
+
+    losing: int
+    worst_case: bool
+    load: tuple[float, float, float]
+    task: Task | None
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """What quality means: how much of a task is left in the worst of cases.
+
+    Quality is min over n of H(n) / D(n), where H adds up what each robot certainly contributes
+    along n, without the `losing` largest contributions, and the load's part n . w0; D is the
+    support function of the task (T14, T15, T16).
+
+    Attributes
+    ----------
+    losing : int
+        After the worst loss of so many robots.
+    worst_case : bool
+        In the worst poses that the robots' tolerances allow.
+    load : tuple of float [N, N, N m]
+        A steady wrench that the surroundings exert on the object, such as wind and current,
+        about the outline's origin: the margin left around it.
+    task : Polytope or Ellipsoid, optional
+        Quality is the largest factor by which the task may grow, without a unit. When left out,
+        the task is the metric's unit ball, and quality is in newtons.
+
+    Raises
+    ------
+    CriterionInvalid
+        If a value is outside its range; all faults at once.
+
+    Examples
+    --------
+    >>> Criterion(losing=1, load=(0.0, -20e3, 0.0)).words
+    'after the worst loss of 1 robot, beside the load'
+    """
+
+    losing: int = 0
+    worst_case: bool = False
+    load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    task: Task | None = None
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        faults = []
+        is_whole = isinstance(self.losing, int | np.integer) and not isinstance(self.losing, bool)
+        if not is_whole or self.losing < 0:
+            faults.append(
+                f"the number of robots to lose is {self.losing!r}; it should be a whole number >= 0"
+            )
+        if not isinstance(self.worst_case, bool):
+            faults.append(f"worst_case is {self.worst_case!r}; it should be True or False")
+        load = numbers(self.load)
+        if len(load) != 3 or max(map(abs, load)) > STRONGEST:
+            faults.append(
+                f"the load is {self.load!r}; it should be three numbers of size <= {STRONGEST:g} "
+                "[N, N, N m]"
+            )
+        if self.task is not None and not isinstance(self.task, get_args(Task)):
+            faults.append(f"the task is {self.task!r}; it should be a Polytope or an Ellipsoid")
+        if faults:
+            raise CriterionInvalid(faults)
+        object.__setattr__(self, "losing", int(self.losing))
+        object.__setattr__(self, "load", load)
+
+    @property
+    def terms(self) -> Terms:
+        """The criterion as the keywords of `quality` and `place`."""
+        return Terms(losing=self.losing, worst_case=self.worst_case, load=self.load, task=self.task)
+
+    @property
+    def is_nominal(self) -> bool:
+        """Whether this is the quality of the swarm as it stands."""
+        return self == NOMINAL
+
+    @property
+    def has_load(self) -> bool:
+        """Whether there is a load."""
+        return self.load != (0.0, 0.0, 0.0)
+
+    @property
+    def words(self) -> str:
+        """The criterion as part of a sentence; empty if it is nominal."""
+        parts = []
+        if self.worst_case:
+            parts.append("in the worst poses")
+        if self.losing:
+            parts.append(
+                f"after the worst loss of {self.losing} robot{'s' if self.losing > 1 else ''}"
+            )
+        if self.has_load:
+            parts.append("beside the load")
+        if self.task is not None:
+            parts.append("relative to the task")
+        return ", ".join(parts)
+
+
+NOMINAL = Criterion()
+"""The quality of a swarm as it stands, alone, in newtons."""

@@ -1,0 +1,194 @@
+"""Why a quality is what it is, in plain sentences."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.words import digits, force_words, list_words, share_words, wrench_words
+
+if TYPE_CHECKING:
+    from swarmgrasp.quality.criterion import Criterion
+    from swarmgrasp.quality.max_transfer import Quality
+    from swarmgrasp.swarm import Swarm
+
+MOST_NAMED = 6
+"""Robots up to which they are named, and not counted."""
+EQUAL = 1e-9
+"""Relative difference of two heights that are equal."""
+
+
+def explain_quality(found: "Quality", swarm: "Swarm") -> str:
+    """Say what a swarm can do, what limits it, who sets that, and how far it is from the best.
+
+    Parameters
+    ----------
+    found : Quality
+    swarm : Swarm
+        That it is of.
+
+    Returns
+    -------
+    str
+        A sentence per line.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality.max_transfer import quality
+    >>> from swarmgrasp.scenario import load_example
+    >>> swarm = load_example("model-ship").swarm
+    >>> for sentence in explain_quality(quality(swarm), swarm).splitlines()[2:4]:
+    ...     print(sentence)
+    R3 and R5 set this limit: they span the weakest facet.
+    There R2 works at full force and R1 and R4 add nothing.
+    """
+    if not len(swarm):
+        return "There are no robots."
+    return "\n".join(
+        [
+            _headline(found),
+            *limit_sentences(found, swarm),
+            *_work_sentences(found, swarm),
+            *loss_sentences(found, swarm),
+            *_opposite_sentences(found, swarm),
+            *_bound_sentences(found),
+        ]
+    )
+
+
+def given_words(criterion: "Criterion") -> str:
+    """Say under which conditions a quality is meant; empty if it is the swarm as it stands.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality.criterion import Criterion
+    >>> given_words(Criterion(losing=2, load=(0, 1, 0)))
+    'after the worst loss of 2 robots, beside the load'
+    """
+    return replace(criterion, task=None).words
+
+
+def value_words(value: float, criterion: "Criterion") -> str:
+    """Say a quality with its unit.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality.criterion import Criterion
+    >>> from swarmgrasp.quality.task import Polytope
+    >>> value_words(2e3, Criterion())
+    '2.000 kN'
+    >>> value_words(1.25, Criterion(task=Polytope([(1, 0, 0)])))
+    '1.250 times the task'
+    """
+    if criterion.task is None:
+        return force_words(value)
+    return f"{digits(value, value)} times the task"
+
+
+def crew_words(indices: Sequence[int], swarm: "Swarm") -> str:
+    """Name robots, or count them if they are many."""
+    if len(indices) > MOST_NAMED:
+        return f"{len(indices)} robots"
+    return list_words([swarm.robot_label(i) for i in indices])
+
+
+def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str]:
+    """Say which direction is weakest, how large the wrench there is, and who sets it.
+
+    Parameters
+    ----------
+    found : Quality
+    swarm : Swarm
+        That it is of.
+    now : str
+        Follows the verb, such as " now".
+    """
+    way = f"The swarm is{now} weakest at {wrench_words(found.direction)}"
+    if found.value == 0.0:
+        said = [f"{way}: that way it exerts nothing."]
+    else:
+        x, y, turn = (float(part) for part in found.weakest_wrench)
+        length = swarm.characteristic_length
+        size = float(np.linalg.norm(found.weakest_wrench * swarm.scale))
+        said = [
+            f"{way}: there it exerts at most {force_words(x, size)} along x, "
+            f"{force_words(y, size)} along y and {force_words(turn, size * length, ' m')} of "
+            "torque at once."
+        ]
+    setters = [i for i in found.facet_robots if i not in found.lost]
+    if len(setters) > 1:
+        said.append(f"{crew_words(setters, swarm)} set this limit: they span the weakest facet.")
+    return said
+
+
+def loss_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
+    """Say whose loss is worst."""
+    lost = found.lost
+    return [f"The worst loss is that of {crew_words(lost, swarm)}."] if lost else []
+
+
+def _headline(found: "Quality") -> str:
+    """Say what the swarm can do in every direction."""
+    words = given_words(found.criterion)
+    given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
+    if found.value > 0.0:
+        value = value_words(found.value, found.criterion)
+        if found.criterion.task is not None:
+            return f"{given} manages {value}."
+        return f"{given} exerts at least {value} in every direction, turning included."
+    if found.is_force_closure:
+        return f"{given} has nothing to spare: it does not hold the load."
+    if str(found.force_closure) == "marginal":
+        return f"{given} is on the border of force closure: the slightest change decides."
+    return f"{given} has no force closure: in some directions it exerts nothing."
+
+
+def _work_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
+    """Say who works and who does not when the swarm makes the weakest wrench."""
+    if found.value == 0.0 or found.criterion.worst_case:
+        return []
+    generators = swarm.scaled_generators
+    products = generators @ found.direction
+    rounding = ON_FACET * np.linalg.norm(generators, axis=1)
+    lost = np.isin(np.arange(len(swarm)), found.lost)
+    parts = []
+    for chosen, does in ((products > rounding, "at full force"), (products < -rounding, "nothing")):
+        indices = np.flatnonzero(chosen & ~lost).tolist()
+        if indices:
+            parts.append(f"{crew_words(indices, swarm)} {_works(len(indices), does)}")
+    return [f"There {list_words(parts)}."] if parts else []
+
+
+def _works(count: int, does: str) -> str:
+    """Say what one robot or several do."""
+    if does == "nothing":
+        return "adds nothing" if count == 1 else "add nothing"
+    return f"{'works' if count == 1 else 'work'} {does}"
+
+
+def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
+    """Say so if the opposite direction is as weak: no single robot helps then (T17)."""
+    if found.value == 0.0:
+        return []
+    (opposite,) = Aim(swarm, found.criterion).values(-found.direction[None])
+    if opposite > found.value * (1.0 + EQUAL):
+        return []
+    return ["The opposite way is as weak, so that no single newcomer can help: place two."]
+
+
+def _bound_sentences(found: "Quality") -> list[str]:
+    """Say how near the quality is to what is proven."""
+    said = []
+    if found.bound < found.value:
+        bound = value_words(found.bound, found.criterion)
+        said.append(f"It is proven to be {bound} or more.")
+    if found.value > 0.0 and found.criterion.is_nominal:
+        share, ceiling = share_words(found.efficiency), force_words(found.ceiling)
+        said.append(
+            f"The quality is {share} of {ceiling}, which robots with these limits could not exceed "
+            "wherever they were."
+        )
+    return said

@@ -1,0 +1,91 @@
+"""What becomes of a swarm that loses a robot, for each of them (T15)."""
+
+from dataclasses import dataclass
+from typing import Unpack
+
+from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
+from swarmgrasp.quality.words import wrench_words
+from swarmgrasp.swarm import Swarm, check_swarm
+
+
+@dataclass(frozen=True, eq=False)
+class Loss:
+    """What the loss of one robot leaves.
+
+    Attributes
+    ----------
+    robot : int
+        Its index.
+    name : str
+        Its name, or "robot i".
+    quality_before : float [N]
+        With it; with a task, without a unit.
+    after : Quality
+        Of the swarm without it.
+    """
+
+    robot: int
+    name: str
+    quality_before: float
+    after: Quality
+
+    @property
+    def quality(self) -> float:
+        """Quality without the robot [N]."""
+        return self.after.value
+
+    @property
+    def is_vital(self) -> bool:
+        """Whether force closure goes with it."""
+        return self.after.force_closure is not ForceClosure.YES
+
+    @property
+    def direction_words(self) -> str:
+        """The weakest direction without the robot, in words."""
+        return wrench_words(self.after.direction)
+
+    @property
+    def words(self) -> str:
+        """What the loss means, in words."""
+        lost = self.direction_words
+        if self.quality > 0.0:
+            return f"leaves {self.quality / self.quality_before:.0%}; weakest is then {lost}"
+        return f"leaves nothing to exert in some directions, such as {lost}"
+
+
+def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
+    """Tell for each robot what its loss would leave, the worst first.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    losing, worst_case, load, task
+        As for `Criterion`; `losing` robots are lost beside each.
+
+    Raises
+    ------
+    RobotInvalid
+        If it is no `Swarm`.
+    CriterionInvalid
+        If a term is outside its range.
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from swarmgrasp import Outline, Robot, Swarm
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> crew = [Robot(c, a) for c, a in pulls] + [Robot((1, 0.4), 0)]
+    >>> worst, *_, least = losses(Swarm(square, crew, characteristic_length=1.0))
+    >>> worst.quality, least.name, round(least.quality, 4)
+    (0.0, 'robot 4', 0.6963)
+    """
+    check_swarm(swarm)
+    Criterion(**terms)
+    before = quality(swarm, **terms).value
+    found = [
+        Loss(i, swarm.robot_label(i), before, quality(swarm.without([i]), **terms))
+        for i in range(len(swarm))
+    ]
+    return tuple(sorted(found, key=lambda loss: loss.quality))

@@ -1,0 +1,226 @@
+"""How the quality changes when one robot moves, turns, or is made stronger (T19)."""
+
+from dataclasses import dataclass, field
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.heights import Array, Heights
+from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
+from swarmgrasp.quality.shares import shares_at
+from swarmgrasp.quality.task import Polytope
+from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
+from swarmgrasp.swarm import Swarm
+
+KINK = 1e-7
+"""Difference of two slopes that is a kink, relative to how fast the robot's wrench changes."""
+ROUNDING = 1e-12
+"""Share of what a robot's wrench changes by, along a facet's normal, that is none."""
+KINDS = ("contact", "direction", "limit")
+"""What may change of a robot."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """How fast the quality rises when one robot changes and the others stay.
+
+    Each array has two columns, for the one way and for the other: both say what is gained by
+    going there, so where the quality is smooth they are opposite, and where both are negative
+    the robot stands on a ridge. With a task, quality has no unit [1].
+
+    Attributes
+    ----------
+    contact : (n, 2) [N/m]
+        Per metre that the contact moves clockwise along the boundary, and counter-clockwise;
+        at a corner onto the one edge or the other. nan for mounted robots, which do not move.
+    direction : (n, 2) [N/rad]
+        Per radian that the force turns clockwise, and counter-clockwise.
+    limit : (n, 2) [N/N]
+        Per newton that the limit falls, and rises.
+    kinks : (n, 3) bool
+        Whether contact, direction and limit have two slopes that are not opposite.
+    quality : Quality
+        What they are the slopes of.
+    weakest : (m, 3)
+        Unit normals of all facets as weak as the weakest, in the metric's coordinates.
+    """
+
+    contact: Array
+    direction: Array
+    limit: Array
+    kinks: NDArray[np.bool_]
+    quality: Quality
+    weakest: Array
+    swarm: Swarm = field(repr=False)
+
+    def __post_init__(self) -> None:
+        """Make the arrays read-only."""
+        for array in (self.contact, self.direction, self.limit, self.kinks, self.weakest):
+            array.setflags(write=False)
+
+    @property
+    def direction_per_degree(self) -> Array:
+        """(n, 2) [N/deg]: `direction`, per degree."""
+        return np.radians(self.direction)
+
+    @property
+    def is_ridge(self) -> bool:
+        """Whether several facets are equally weak."""
+        return len(self.weakest) > 1
+
+
+def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
+    """Compute how fast the quality rises when one robot moves, turns, or is made stronger.
+
+    The slopes are exact, and one-sided where the quality has a kink (T19): at a corner, where
+    several facets are equally weak, or where more than two robots span the weakest one. They
+    take the quality itself and a list of those facets, which costs about as much for 1 000 robots
+    as some hundred qualities.
+
+    Parameters
+    ----------
+    swarm : Swarm
+        Of any size, degenerate or not. At quality 0 a slope is 0, or positive where the
+        slightest move gives force closure.
+    losing, load, task
+        As for `Criterion`.
+
+    Returns
+    -------
+    Sensitivities
+
+    Raises
+    ------
+    RobotInvalid
+        If it is no `Swarm`.
+    CriterionInvalid
+        If a term is outside its range, or the worst case is asked for.
+
+    Examples
+    --------
+    Four unit robots balance on a square, so that it is equally weak in eight directions:
+    whichever robot moves, whichever way, one of them gets weaker.
+
+    >>> from math import pi
+    >>> from swarmgrasp import Outline, Robot, Swarm
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, -1), -pi / 2)]
+    >>> grasp = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
+    >>> found = sensitivities(grasp)
+    >>> found.contact[0].round(4).tolist(), found.kinks[0].tolist(), len(found.weakest)
+    ([-0.211, -0.8704], [True, True, True], 8)
+
+    Where nobody turns the object to starboard, quality is 0, and one metre counter-clockwise for
+    any of the first four would give 1 N:
+
+    >>> centred = [((1, 0), 0), ((-1, 0), pi), ((0, 1), pi / 2), ((0, -1), -pi / 2)]
+    >>> crew = [Robot(c, a) for c, a in [*centred, ((1, 0.5), pi / 2)]]
+    >>> grasp = Swarm(square, crew, characteristic_length=1.0)
+    >>> sensitivities(grasp).contact.round(4).tolist()
+    [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
+    """
+    criterion = Criterion(**terms)
+    if criterion.worst_case:
+        raise CriterionInvalid(
+            "worst_case is True; sensitivities are of robots whose poses are known: leave it out, "
+            "or ask for those of quality(swarm, worst_case=True).worst_swarm"
+        )
+    found = quality(swarm, **terms)
+    moves = _moves(swarm)
+    facets, slopes, largest = _slopes(_heights(swarm, criterion), found, moves)
+    kinks = np.abs(slopes.sum(axis=1)) > KINK * largest.max(axis=1)
+    slopes[0, :, swarm.mounted], kinks[0, swarm.mounted] = np.nan, False
+    contact, direction, limit = (np.ascontiguousarray(columns.T) for columns in slopes)
+    return Sensitivities(contact, direction, limit, kinks.T.copy(), found, facets, swarm)
+
+
+def _heights(swarm: Swarm, criterion: Criterion) -> Heights:
+    """Return a criterion over plain arrays, in the metric's coordinates."""
+    task = np.zeros((0, 3)) if criterion.task is None else criterion.task.rows * swarm.scale
+    load = np.array(criterion.load) * swarm.scale
+    is_polytope = isinstance(criterion.task, Polytope)
+    return Heights(swarm.scaled_generators, load, criterion.losing, task, is_polytope)
+
+
+def _moves(swarm: Swarm) -> Array:
+    """Return how the generators change: (3, 2, n, 3) in the metric's coordinates.
+
+    Of each kind in `KINDS`, per metre, radian or newton, the one way and the other.
+    """
+    outline, limits = swarm.outline, swarm.limits
+    c, s = np.cos(swarm.directions), np.sin(swarm.directions)
+    arms = swarm.contacts - outline.origin
+    moves = np.zeros((3, 2, len(swarm), 3))
+    for way, tangents in enumerate(_tangents(swarm)):
+        moves[0, way, :, 2] = limits * (tangents[:, 0] * s - tangents[:, 1] * c)
+    moves[1, 1] = limits[:, None] * np.column_stack([-s, c, arms[:, 0] * c + arms[:, 1] * s])
+    moves[2, 1] = swarm.generators / limits[:, None]
+    moves[1:, 0] = -moves[1:, 1]
+    return moves * swarm.scale
+
+
+def _tangents(swarm: Swarm) -> tuple[Array, Array]:
+    """Return the ways (n, 2) along the boundary from each contact, clockwise and the other."""
+    outline = swarm.outline
+    arcs = outline.nearest(swarm.contacts)[1]
+    starts = outline.corner_arc_lengths
+    edges = np.clip(np.searchsorted(starts, arcs, side="right") - 1, 0, len(outline) - 1)
+    is_start = arcs - starts[edges] <= outline.tolerance
+    is_end = starts[edges + 1] - arcs <= outline.tolerance
+    along = outline.inward_normals - 0.5 * np.pi
+    before, after = (along[(edges + step) % len(outline)] for step in (-1 * is_start, 1 * is_end))
+    ways = [np.column_stack([np.cos(turn), np.sin(turn)]) for turn in (before, after)]
+    return -ways[0], ways[1]
+
+
+def _slopes(heights: Heights, found: Quality, moves: Array) -> tuple[Array, Array, Array]:
+    """Compute the slopes of the quality along moves (3, 2, n, 3).
+
+    Returns
+    -------
+    facets : (m, 3)
+        Normals of those that are weakest.
+    slopes : (3, 2, n)
+    largest : (3, 2, n)
+        What the slopes could be at most.
+    """
+    slopes, sizes = np.zeros(moves.shape[:3]), np.linalg.norm(moves, axis=3)
+    normal = found.direction[None]
+    is_far_below = found.value == 0.0 and heights.at(normal)[0][0] < -TIED * heights.weight
+    if is_far_below or _is_hopeless(found):  # what is not zero is far away
+        return normal.copy(), slopes, sizes
+    more = _crosses(heights, moves) if found.value == 0.0 else np.zeros((0, 3))
+    facets = weakest_facets(heights, found.value, found.direction, more)
+    if not len(facets):
+        return normal.copy(), slopes, sizes
+    asked = heights.asked(facets)
+    slopes[:] = np.inf
+    for facet, extent in zip(facets, asked, strict=True):
+        rates = moves @ facet
+        rates[np.abs(rates) <= ROUNDING * sizes] = 0.0
+        least, greatest = shares_at(heights, facet, found.value).T
+        slopes = np.minimum(slopes, np.where(rates > 0.0, greatest, least) * rates / extent)
+    if found.value == 0.0:
+        slopes = np.maximum(slopes, 0.0)
+    return facets, slopes + 0.0, sizes / asked.min()
+
+
+def _is_hopeless(found: Quality) -> bool:
+    """Tell whether no small change gives a quality: the robots all leave a range of directions."""
+    if found.value > 0.0:
+        return False
+    return found.criterion.is_nominal and found.force_closure is ForceClosure.NO
+
+
+def _crosses(heights: Heights, moves: Array) -> Array:
+    """Return the normals (m, 3) across a robot's generator and the way it moves.
+
+    At quality 0 the facets that a move makes may be there.
+    """
+    crosses = np.cross(heights.generators, moves[:2].reshape(4, -1, 3)).reshape(-1, 3)
+    lengths = np.linalg.norm(crosses, axis=1)
+    made = crosses[lengths > 0.0] / lengths[lengths > 0.0, None]
+    return np.concatenate([made, -made])

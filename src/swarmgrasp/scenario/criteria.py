@@ -1,0 +1,128 @@
+"""Build the criterion of a scenario, and find the faults its schema does not see."""
+
+from swarmgrasp.environment import Environment
+from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.outline import Outline
+from swarmgrasp.quality import Criterion, Ellipsoid, Polytope
+from swarmgrasp.scenario.criterion_schema import CriterionSection, TaskSection
+from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.validate import Checked
+
+_CRITERION: Path = ("criterion",)
+
+
+def check_criterion(checked: Checked) -> None:
+    """Note what is wrong with the criterion of a document, whatever its outline is."""
+    section = checked.file.criterion
+    if section is None:
+        return
+    if section.worst_case:
+        _check_worst_case(checked)
+    if section.load == "environment":
+        _check_load(checked)
+    if section.task is not None:
+        _check_task(section.task, (*_CRITERION, "task"), checked)
+
+
+def criterion_of(
+    checked: Checked, units: Units, outline: Outline, environment: Environment | None
+) -> Criterion:
+    """Return the criterion of a document without faults.
+
+    Parameters
+    ----------
+    checked : Checked
+    units : Units
+    outline : Outline
+    environment : Environment or None
+        For the steady load of wind and current.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If a number is too small to compute with.
+    """
+    section = checked.file.criterion
+    if section is None:
+        return Criterion()
+    try:
+        return Criterion(
+            losing=section.losing,
+            worst_case=section.worst_case,
+            load=_load(section, units, outline, environment),
+            task=None if section.task is None else _task(section.task, units),
+        )
+    except SwarmGraspError as error:  # numbers next to zero only
+        checked.fault(_CRITERION, "; ".join(error.faults), got=False)
+        raise checked.faults.error() from error
+
+
+# -- parts --------------------------------------------------------------------------------
+
+
+def _load(
+    section: CriterionSection, units: Units, outline: Outline, environment: Environment | None
+) -> tuple[float, float, float]:
+    """Return the steady load [N, N, N m]."""
+    if isinstance(section.load, list):
+        return _wrench(section.load, units)
+    if section.load is None or environment is None:
+        return 0.0, 0.0, 0.0
+    surge, sway, yaw = environment.load(outline).tolist()
+    return surge, sway, yaw
+
+
+def _task(section: TaskSection, units: Units) -> Polytope | Ellipsoid:
+    """Return a task in SI units."""
+    if section.polytope is not None:
+        return Polytope([_wrench(vertex, units) for vertex in section.polytope])
+    return Ellipsoid([_wrench(axis, units) for axis in section.ellipsoid or []])
+
+
+def _wrench(given: list[float], units: Units) -> tuple[float, float, float]:
+    """Return a wrench [N, N, N m]."""
+    surge, sway, yaw = map(units.newtons, given)
+    return surge, sway, units.metres(yaw)
+
+
+def _check_worst_case(checked: Checked) -> None:
+    """Note a worst case without tolerances, or with a newcomer that may not come."""
+    file, here = checked.file, (*_CRITERION, "worst_case")
+    holders: list[Path] = [(), ("newcomer",), *(("robots", i) for i in range(len(file.robots)))]
+    is_sound = checked.is_known("robots") and checked.is_known("newcomer")
+    if is_sound and not any(checked.has(*path, "tolerance") for path in holders):
+        said = "asks for nothing, as no robot has a tolerance; give some"
+        checked.fault(here, said)
+    own = None if file.newcomer is None else file.newcomer.tolerance
+    if own is not None and own.may_be_absent:
+        said = "a newcomer that may be absent is worth nothing in the worst case"
+        checked.fault(("newcomer", "tolerance", "may_be_absent"), said)
+
+
+def _check_load(checked: Checked) -> None:
+    """Note an environment that has no steady load to give."""
+    here = (*_CRITERION, "load")
+    section = checked.file.environment
+    if not checked.has("environment"):
+        said = "needs an environment, its wind with speed and from"
+        checked.fault(here, said)
+    elif section is not None and not any(
+        checked.has("environment", "wind", key) for key in ("speed", "from")
+    ):
+        said = "needs a steady wind: give environment.wind its speed and from"
+        checked.fault(here, said)
+
+
+def _check_task(section: TaskSection, path: Path, checked: Checked) -> None:
+    """Note a task said in no way, in two, or without any wrench."""
+    given = [key for key in ("polytope", "ellipsoid") if checked.has(*path, key)]
+    if not given:
+        checked.fault(path, "should say its wrenches, by polytope or by ellipsoid", got=False)
+    elif len(given) > 1:
+        said = "polytope and ellipsoid each say the wrenches; keep one"
+        checked.fault(path, said, got=False)
+    for key in given:
+        rows = getattr(section, key) or [[1.0]]
+        if not any(value for row in rows for value in row):
+            checked.fault((*path, key), "should hold a wrench that is not zero")

@@ -1,0 +1,28 @@
+"""Numbers, points and labels of a scenario file, and what all its mappings have in common."""
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+
+FARTHEST = 1e9
+"""Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
+
+STRONGEST = 1e12
+"""Largest force, in the file's unit."""
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST)]
+Distance = Annotated[Number, Field(ge=0, le=FARTHEST)]
+Length = Annotated[Number, Field(gt=0, le=FARTHEST)]
+Force = Annotated[Number, Field(gt=0, le=STRONGEST)]
+Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
+Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
+Angle = Annotated[Number, Field(ge=-1e6, le=1e6)]
+Range = Annotated[list[Angle], Field(min_length=2, max_length=2)]
+Label = Annotated[str, StringConstraints(max_length=200)]
+
+
+class Section(BaseModel):
+    """A mapping with known keys only."""
+
+    model_config = ConfigDict(extra="forbid", populate_by_name=False)

@@ -1,0 +1,92 @@
+"""Build the environment of a scenario, and find the faults its schema does not see."""
+
+from swarmgrasp.environment import (
+    BLENDERMANN,
+    Current,
+    CurrentCoefficients,
+    Environment,
+    Wind,
+    WindCoefficients,
+)
+from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.scenario.faults import Path, nearest_name
+from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.scenario.weather_schema import CurrentSection, WindSection
+
+_WIND: Path = ("environment", "wind")
+
+
+def check_weather(checked: Checked) -> None:
+    """Note what is wrong with how a document says its wind."""
+    section = checked.file.environment
+    if section is None or not checked.is_known(*_WIND):
+        return
+    given = [key for key in ("vessel", "coefficients") if checked.has(*_WIND, key)]
+    if not given:
+        said = (
+            "should say its drag, by vessel, a type such as 'offshore supply vessel', or by "
+            "coefficients"
+        )
+        checked.fault(_WIND, said, got=False)
+    elif len(given) > 1:
+        checked.fault(_WIND, "vessel and coefficients each say the drag; keep one", got=False)
+    vessel = section.wind.vessel
+    if vessel is not None and vessel not in BLENDERMANN:
+        said = f"there is no such type of vessel{nearest_name(vessel, list(BLENDERMANN))}"
+        checked.fault((*_WIND, "vessel"), said)
+    for key, other, said in (
+        ("speed", "from", "a wind also needs from, the bearing it comes from"),
+        ("from", "speed", "a wind also needs its speed"),
+    ):
+        if checked.has(*_WIND, key) and not checked.has(*_WIND, other):
+            checked.fault((*_WIND, key), said)
+
+
+def environment_of(checked: Checked, units: Units) -> Environment | None:
+    """Return the environment of a document without faults, if it has one.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If a number is too small to compute with.
+    """
+    section = checked.file.environment
+    if section is None:
+        return None
+    try:
+        current = None if section.current is None else _current(section.current, units)
+        return Environment(_wind(section.wind, units), current, section.dynamic_factor)
+    except EnvironmentInvalid as error:  # numbers next to zero only
+        checked.fault(("environment",), "; ".join(error.faults), got=False)
+        raise checked.faults.error() from error
+
+
+def _wind(section: WindSection, units: Units) -> Wind:
+    """Return the wind in SI units."""
+    if section.coefficients is None:
+        coefficients = BLENDERMANN[section.vessel or ""]
+    else:
+        coefficients = WindCoefficients(**section.coefficients.model_dump())
+    return Wind(
+        frontal_area=units.square_metres(section.frontal_area),
+        lateral_area=units.square_metres(section.lateral_area),
+        coefficients=coefficients,
+        lateral_centroid=units.metres(section.lateral_centroid),
+        speed=None if section.speed is None else units.metres_per_second(section.speed),
+        bearing=None if section.bearing is None else units.radians(section.bearing),
+        density=section.density,
+    )
+
+
+def _current(section: CurrentSection, units: Units) -> Current:
+    """Return the current in SI units."""
+    return Current(
+        frontal_area=units.square_metres(section.frontal_area),
+        lateral_area=units.square_metres(section.lateral_area),
+        speed=units.metres_per_second(section.speed),
+        bearing=None if section.bearing is None else units.radians(section.bearing),
+        coefficients=CurrentCoefficients(**section.coefficients.model_dump()),
+        lateral_centroid=units.metres(section.lateral_centroid),
+        density=section.density,
+    )

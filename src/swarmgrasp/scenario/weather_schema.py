@@ -1,0 +1,126 @@
+"""The keys of a scenario file that tell wind and current."""
+
+from typing import Annotated
+
+from pydantic import ConfigDict, Field
+
+from swarmgrasp.environment import AIR, BLENDERMANN, WATER
+from swarmgrasp.scenario.fields import Coordinate, Label, Length, Number, Section
+
+FASTEST = 1e3
+"""Largest speed, in the file's unit."""
+
+Speed = Annotated[Number, Field(ge=0, le=FASTEST)]
+Bearing = Annotated[Number, Field(ge=-1e6, le=1e6)]
+Coefficient = Annotated[Number, Field(gt=0, le=10)]
+Density = Annotated[Number, Field(gt=0, le=1e5)]
+
+
+class WindCoefficientsSection(Section):
+    """Blendermann's drag coefficients [1] of what is above the water."""
+
+    transverse: Coefficient = Field(
+        description="CD_t, of the lateral area in a beam wind.", examples=[0.9]
+    )
+    bow: Coefficient = Field(
+        description="CD_l(0), of the frontal area in a head wind.", examples=[0.7]
+    )
+    stern: Coefficient = Field(
+        description="CD_l(pi), of the frontal area in a stern wind.", examples=[0.7]
+    )
+    cross_force: Annotated[Number, Field(ge=0, le=1)] = Field(
+        0.0, description="The cross-force parameter delta, from 0 to 1."
+    )
+
+
+class CurrentCoefficientsSection(Section):
+    """Drag coefficients [1] of the underwater hull; by default those of DNV-ST-0111."""
+
+    surge: Coefficient = Field(0.07, description="Of the frontal area, along the hull.")
+    sway: Coefficient = Field(0.6, description="Of the lateral area, across the hull.")
+
+
+CENTROID = "How far the centre of the lateral area is forward of midship [units.length]."
+COMES_FROM = "comes from, clockwise from the bow: 90 degrees is starboard [units.angle]."
+
+
+class WindSection(Section):
+    """What the object shows to the wind, and perhaps a steady wind.
+
+    Exactly one of `vessel` and `coefficients` gives the drag.
+    """
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "oneOf": [{"required": ["vessel"]}, {"required": ["coefficients"]}],
+            "dependentRequired": {"from": ["speed"], "speed": ["from"]},
+        }
+    )
+
+    vessel: Label | None = Field(
+        None,
+        description="A type of vessel, for Blendermann's coefficients (1994).",
+        json_schema_extra={"enum": list(BLENDERMANN)},
+        examples=["offshore supply vessel"],
+    )
+    coefficients: WindCoefficientsSection | None = Field(
+        None, description="The coefficients themselves, instead of `vessel`."
+    )
+    frontal_area: Length = Field(
+        description="Area above the water seen from ahead [units.length squared].", examples=[6]
+    )
+    lateral_area: Length = Field(
+        description="Area above the water seen from the side [units.length squared].",
+        examples=[20],
+    )
+    lateral_centroid: Coordinate = Field(0.0, description=CENTROID)
+    speed: Speed | None = Field(
+        None, description="Of a steady wind, 10 m above the sea [units.speed]; goes with `from`."
+    )
+    bearing: Bearing | None = Field(
+        None, alias="from", description=f"Where the steady wind {COMES_FROM}", examples=[45]
+    )
+    density: Density = Field(AIR, description="Density of the air [kg/m^3], whatever the units.")
+
+
+class CurrentSection(Section):
+    """What the object shows to the current, and the current."""
+
+    frontal_area: Length = Field(
+        description="Area under water seen from ahead, about beam times draught "
+        "[units.length squared].",
+        examples=[2],
+    )
+    lateral_area: Length = Field(
+        description="Area under water seen from the side, about length times draught "
+        "[units.length squared].",
+        examples=[4],
+    )
+    lateral_centroid: Coordinate = Field(0.0, description=CENTROID)
+    speed: Speed = Field(0.0, description="Of the current [units.speed].", examples=[0.5])
+    bearing: Bearing | None = Field(
+        None,
+        alias="from",
+        description=f"Where the current {COMES_FROM} From where the wind comes when left out.",
+    )
+    coefficients: CurrentCoefficientsSection = Field(
+        CurrentCoefficientsSection(), description="Drag coefficients of the underwater hull."
+    )
+    density: Density = Field(
+        WATER, description="Density of the water [kg/m^3], whatever the units."
+    )
+
+
+class EnvironmentSection(Section):
+    """Wind and current around the object."""
+
+    wind: WindSection = Field(description="The wind, and what the object shows to it.")
+    current: CurrentSection | None = Field(
+        None, description="The current, and what the object shows to it; still water if left out."
+    )
+    dynamic_factor: Annotated[Number, Field(ge=1, le=10)] = Field(
+        1.0,
+        description="Multiplies both loads, an allowance for gusts and motions: 1.25 in "
+        "DNV-ST-0111, 1 is none.",
+        examples=[1.25],
+    )

@@ -1,0 +1,135 @@
+import json
+import math
+
+import pytest
+
+from swarmgrasp.environment import KNOT
+
+PONTOON = """\
+name: Pontoon
+outline: {vertices: [[-2, -1], [2, -1], [2, 1], [-2, 1]], edges: [starboard, bow, port, stern]}
+robots:
+  - {name: A, edge: starboard, along: 0.5, direction: inward, limit: 1000}
+  - {name: B, edge: starboard, along: 3.5, direction: inward, limit: 1000}
+  - {name: C, edge: port, along: 0.5, direction: inward, limit: 1000}
+  - {name: D, edge: port, along: 3.5, direction: inward, limit: 1000}
+  - {name: E, edge: bow, along: 1, direction: inward, limit: 1000}
+  - {name: F, edge: stern, along: 1, direction: inward, limit: 1000}
+"""
+
+
+@pytest.fixture
+def windy(tmp_path):
+    """Return a function that writes six robots on a pontoon in the wind, and more if wanted."""
+
+    def windy(more=""):
+        path = tmp_path / "windy.yaml"
+        wind = "wind: {vessel: tender, frontal_area: 6, lateral_area: 20}"
+        path.write_text(f"{PONTOON}environment: {{{wind}{more}}}\n")
+        return path
+
+    return windy
+
+
+def test_tells_the_least_wind_and_the_worst_loss(run):
+    """Headline, facts and a table of bearings."""
+    status, said, complaints = run("capability", "supply-vessel")
+    assert (status, complaints) == (0, "")
+    lines = said.splitlines()
+    assert lines[0] == "Supply vessel: holds 73.0 kn (37.6 m/s, Beaufort 12) from any bearing"
+    assert "Intact             least from 70 deg: 73.0 kn (37.6 m/s, Beaufort 12)" in lines
+    assert "                   there the robots are weakest at moving to starboard" in lines
+    assert "Without one robot  least from 55 deg: 58.9 kn (30.3 m/s, Beaufort 11)" in lines
+    assert "                   the worst loss there: port propeller" in lines
+    assert "Current            1.50 kn (0.77 m/s), from where the wind comes" in lines
+    assert "Allowance          both loads times 1.25" in lines
+    rows = [row.split() for row in lines if row.strip()[:1].isdigit()]
+    assert [row[0] for row in rows] == [
+        "0", "30", "55", "60", "70", "90", "120", "150", "180", "210", "240", "270", "300", "330"
+    ]  # fmt: skip
+    assert "Computed every 5 degrees; --json has them all." in lines
+
+
+def test_a_current_of_ones_own(run, windy):
+    """In knots, instead of the scenario's; more of it, less wind."""
+    file = windy(", current: {frontal_area: 2, lateral_area: 8, speed: 0.5}")
+    winds = []
+    for knots in (0, 1, 2):
+        status, said, _ = run("capability", file, "--current", knots, "--json", "-")
+        found = json.loads(said)
+        assert status == 0
+        assert found["current_speed"] == pytest.approx(knots * KNOT)
+        winds.append(found["bearings"][0]["intact"])
+    assert winds[0] > winds[1] > winds[2] > 0.0
+
+
+def test_json_holds_every_bearing(run, windy, tmp_path):
+    """SI units and radians; a current that is not held is told."""
+    target = tmp_path / "winds.json"
+    file = windy(", current: {frontal_area: 2, lateral_area: 8, speed: 0.5, from: 3.0}")
+    status, said, _ = run("capability", file, "--step", 45, "--json", target)
+    found = json.loads(target.read_text())
+    assert status == 0
+    assert said.endswith(f"wrote {target}\n")
+    assert [row["bearing"] for row in found["bearings"]] == [math.radians(45 * k) for k in range(8)]
+    assert (found["losing"], found["current_bearing"]) == (1, 3.0)
+    assert all(row["holds_current"] for row in found["bearings"])
+    assert not any(row["holds_current_after_loss"] for row in found["bearings"])
+    assert "Without one robot  no wind from any bearing, not even the current alone" in said
+    assert "losing E is enough" in said
+
+
+def test_the_worst_case_is_the_scenarios_or_asked_for(run, windy):
+    """With tolerances only; robots that may be weaker hold less."""
+    file = windy()
+    said = run("capability", file, "--json", "-")[1]
+    status, _, complaints = run("capability", file, "--worst-case")
+    assert (status, "no robot has a tolerance" in complaints) == (2, True)
+    weak = "tolerance: {least_limit: 500}, limit: 1000}"
+    file.write_text(file.read_text().replace("limit: 1000}", weak))
+    weaker = json.loads(run("capability", file, "--worst-case", "--json", "-")[1])
+    assert weaker["worst_case"]
+    strong = json.loads(said)["bearings"][0]["intact"]
+    assert weaker["bearings"][0]["intact"] == pytest.approx(strong / math.sqrt(2.0))
+    assert "Poses" in run("capability", file, "--worst-case")[1]
+
+
+def test_winds_are_not_told_beyond_a_hundred_knots(run, windy):
+    """As capability plots end there."""
+    file = windy()
+    file.write_text(file.read_text().replace("1000}", "1000000}"))
+    said = run("capability", file, "--step", 90)[1]
+    assert "holds more than 100 kn from any bearing" in said
+    assert said.count(">100") == 4
+
+
+def test_the_plot_is_written(run, windy, tmp_path):
+    """Beside the report, or beside JSON."""
+    target = tmp_path / "plot.svg"
+    status, said, _ = run("capability", windy(), "--step", 30, "--plot", target)
+    assert (status, said.splitlines()[-1]) == (0, f"wrote {target}")
+    assert target.stat().st_size > 10_000
+    target.unlink()
+    status, said, aside = run("capability", "model-ship", "--plot", target, "--json", "-")
+    assert (status, aside) == (0, f"wrote {target}\n")
+    assert target.exists()
+    assert json.loads(said)["name"] == "Model ship"
+
+
+def test_faults_come_before_any_work(run, pontoon, windy):
+    """All at once; a missing environment is told with its place and an example."""
+    status, said, complaints = run(
+        "capability", pontoon, "--losing", "1.5", "--step", 0.5, "--current", -1, "--plot", "a.jpg"
+    )
+    assert (status, said) == (2, "")
+    assert [line.split(" is ")[0] for line in complaints.splitlines()[:3]] == [
+        "--losing", "--step", "--current"
+    ]  # fmt: skip
+    assert "a.jpg: the name should end in" in complaints
+    status, said, complaints = run("capability", pontoon)
+    assert (status, said) == (2, "")
+    assert complaints.startswith(f"{pontoon}:1:1: environment: is missing; say what the object ")
+    assert "`environment: {wind: {vessel: offshore supply vessel, " in complaints
+    status, _, complaints = run("capability", windy(), "--current", 1)
+    assert status == 2
+    assert "environment.current: is missing, so --current has nothing to set" in complaints

@@ -1,0 +1,58 @@
+import json
+
+import pytest
+
+
+def test_tells_the_fewest_and_where_they_go(run, tmp_path):
+    """Two tugs for 600 kN, one is proven not to be enough."""
+    target = tmp_path / "count.json"
+    status, said, complaints = run("count", "deck-barge", "--quality", "600e3", "--json", target)
+    assert (status, complaints) == (0, "")
+    lines = said.splitlines()
+    assert lines[0] == "Deck barge: 2 robots are the fewest for 600.00 kN"
+    assert "Proven      2 robots can, 1 cannot, wherever they attach" in lines
+    assert sum(line.startswith("Fortuna ") for line in lines) == 2
+    found = json.loads(target.read_text())
+    assert (found["count"], found["at_least"], found["is_proven"]) == (2, 2, True)
+    assert found["quality"] >= 600e3
+    assert len(found["robots"]) == 2
+    assert said.endswith(f"wrote {target}\n")
+
+
+def test_more_than_allowed(run):
+    """Out of reach of so many, and proven to be."""
+    status, said, _ = run("count", "deck-barge", "--quality", "2e6", "--most", "3")
+    assert status == 0
+    assert "is not reached by 3 robots" in said
+    assert "3 robots cannot reach it, wherever they attach" in said
+
+
+def test_none_is_needed(run):
+    """What is there already needs no table."""
+    _, said, _ = run("count", "deck-barge", "--quality", "1000", "--json", "-")
+    found = json.loads(said)
+    assert (found["count"], found["robots"], found["upper_bound"]) == (0, [], None)
+    assert "1.0000 kN is there" in run("count", "deck-barge", "--quality", "1000")[1]
+
+
+@pytest.mark.parametrize(
+    ("options", "fault"),
+    [
+        (["--quality", "0"], "--quality is 0; it should be greater than 0 [N]"),
+        (["--quality", "1", "--most", "1.5"], "--most is 1.5; it should be a whole number"),
+        (["--quality", "1", "--seconds", "-1"], "--seconds is -1; it should be a number, 0"),
+    ],
+)
+def test_wrong_numbers(run, options, fault):
+    """All named before anything is computed."""
+    status, said, complaints = run("count", "deck-barge", *options)
+    assert (status, said) == (2, "")
+    assert fault in complaints
+
+
+def test_a_scenario_without_a_newcomer(run, pontoon):
+    """Nobody to count."""
+    pontoon.write_text("".join(pontoon.read_text().splitlines(keepends=True)[:-1]))
+    status, _, complaints = run("count", pontoon, "--quality", "1")
+    assert status == 2
+    assert "there is no newcomer to count" in complaints

@@ -1,0 +1,193 @@
+import csv
+import io
+import json
+
+import pytest
+
+ROUND = "fx,fy,tz\n100,0,-50\n\n0,100,-150\n0,0,-50\n"
+
+
+@pytest.fixture
+def table(tmp_path):
+    """Three wrenches in a file, with an empty line between them."""
+    path = tmp_path / "wrenches.csv"
+    path.write_text(ROUND)
+    return path
+
+
+def test_tells_who_pushes_how_hard(run):
+    """300 kN ahead, mostly from the stern; the report says so in words."""
+    status, said, complaints = run("forces", "deck-barge", "--wrench", "300e3", "0", "0")
+    assert (status, complaints) == (0, "")
+    assert said.startswith("Deck barge: the robots make it, with loads up to 38.9 %\n")
+    assert "Wanted        300.00 kN along x: " in said
+    assert "Largest load  38.9 %: Castor\n" in said
+    assert "Reserve       the robots could make up to 2.57 times this" in said
+    assert "Castor       305.39  38.9 %" in said
+    assert "Ajax              0     0 %" in said
+    assert "Metric: force weights 1 and 1" in said
+
+
+def test_negative_numbers_are_numbers(run):
+    """A hyphen begins no option here; small forces have a unit of their own."""
+    status, said, _ = run("forces", "deck-barge", "--wrench", "-5", "0", "-1e-3")
+    assert status == 0
+    assert "Wanted        -5.0000 N along x" in said
+    assert "force [N]       load  limit [kN]" in said
+
+
+def test_out_of_reach_is_said_plainly(run):
+    """What is made instead, how far short it falls, and what it would take."""
+    status, said, _ = run("forces", "deck-barge", "--wrench", "900e3", "0", "0")
+    assert status == 0
+    assert said.startswith("Deck barge: out of reach by 120.")
+    for label in ("Made instead", "Missing", "Short by", "It takes      limits larger by 16.8 %"):
+        assert label in said
+    assert "limits 5.97 times" in run("forces", "deck-barge", "--wrench", "-2e6", "-1e5", "5e6")[1]
+
+
+def test_a_wrench_may_be_beyond_all_limits(run):
+    """Five robots of a rectangle do not push to port, however strong."""
+    _, said, _ = run("forces", "rectangle-5", "--wrench", "0", "1", "0")
+    assert "Made instead  no wrench" in said
+    assert "no limits would be large enough" in said
+
+
+def test_no_wrench_needs_no_force(run, pontoon):
+    """The table is there all the same."""
+    _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0")
+    assert said.startswith("Pontoon: no force is needed\n")
+    assert "Wanted  no wrench" in said
+    assert said.count("    0   0 %") == 4
+
+
+def test_a_scenario_may_have_no_robots(run, pontoon):
+    """Nobody there: nothing is made, and no table."""
+    text = pontoon.read_text()
+    pontoon.write_text(text[: text.index("robots:")] + "robots: []\n")
+    status, said, _ = run("forces", pontoon, "--wrench", "0", "1", "0")
+    assert status == 0
+    assert "out of reach by 1.0000 N" in said
+
+
+def test_the_load_is_held_too(run, pontoon):
+    """The environment's part and the robots' are told apart."""
+    wrench = ("--wrench", "0", "0", "0", "--load", "-500", "0", "0")
+    _, said, _ = run("forces", pontoon, *wrench)
+    assert "Wanted         no wrench" in said
+    assert "Load           -500.00 N along x" in said
+    assert "By the robots  500.00 N along x" in said
+
+
+def test_the_load_may_be_the_scenarios(run, pontoon):
+    """That of its criterion, unless an option says otherwise."""
+    pontoon.write_text(pontoon.read_text() + "criterion: {load: [0, 0, 300]}\n")
+    _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0")
+    assert "By the robots  -300.00 N m of torque" in said
+    _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0", "--load", "0", "0", "0")
+    assert "no force is needed" in said
+
+
+def test_json_and_a_picture(run, pontoon, tmp_path):
+    """The numbers in SI units; what was written is told."""
+    numbers, picture = tmp_path / "forces.json", tmp_path / "forces.svg"
+    wrench = ("--wrench", "500", "0", "-100")
+    status, said, _ = run("forces", pontoon, *wrench, "--json", numbers, "--plot", picture)
+    found = json.loads(numbers.read_text())
+    assert status == 0
+    assert said.endswith(f"wrote {numbers}\nwrote {picture}\n")
+    assert picture.read_text().startswith("<?xml")
+    assert [robot["name"] for robot in found["robots"]] == ["A", "B", "C", "D"]
+    assert found["largest_load"] == max(robot["load"] for robot in found["robots"])
+    assert found["wrench"] == pytest.approx([500.0, 0.0, -100.0], abs=1e-9)
+    _, printed, aside = run("forces", pontoon, *wrench, "--json", "-", "--plot", picture)
+    assert json.loads(printed) == found
+    assert aside == f"wrote {picture}\n"
+
+
+def test_a_table_of_wrenches(run, pontoon, table, tmp_path):
+    """In one go: the hardest, what each robot does at most, and a table of all forces."""
+    target = tmp_path / "forces.csv"
+    status, said, _ = run("forces", pontoon, "--wrenches", table, "--csv", target)
+    assert status == 0
+    assert said.startswith("Pontoon: 3 wrenches, all made, with loads up to ")
+    assert said.endswith(f"wrote {target}\n")
+    rows = list(csv.reader(io.StringIO(target.read_text())))
+    assert rows[0] == [
+        "fx", "fy", "tz", "largest_load", "needed", "shortfall", "A [N]", "B [N]", "C [N]", "D [N]",
+    ]  # fmt: skip
+    assert [row[:3] for row in rows[1:]] == [
+        ["100.0", "0.0", "-50.0"], ["0.0", "100.0", "-150.0"], ["0.0", "0.0", "-50.0"],
+    ]  # fmt: skip
+    assert float(rows[1][9]) - float(rows[1][8]) == pytest.approx(100.0)
+    for option in ("--csv", "--json"):
+        _, printed, _ = run("forces", pontoon, "--wrenches", table, option, "-")
+        if option == "--csv":
+            assert printed == target.read_text()
+        else:
+            assert [len(row["loads"]) for row in json.loads(printed)["wrenches"]] == [4, 4, 4]
+
+
+def test_wrenches_out_of_reach_are_told_by_line(run, pontoon, table):
+    """Lines are those of the file; other columns and the order of columns do not matter."""
+    lines = "\n".join(f"{i},-9,0,{9000 if i in (3, 4, 7) else 1}" for i in range(30))
+    table.write_text(f"t, tz, fy, FX\n{lines}\n")
+    status, said, _ = run("forces", pontoon, "--wrenches", table)
+    assert status == 0
+    assert "30 wrenches, 3 out of reach" in said
+    assert "Out of reach  lines 5 to 6, 9 of the table" in said
+    assert "The 20 hardest wrenches" in said
+
+
+def test_faults_of_a_table_are_told_at_once(run, table):
+    """Each with its line, and those of the options and the scenario with them."""
+    table.write_text("fx,fy,tz\n1,2\n1,a,3\nnan,0,0\n1,2,3\n")
+    status, said, complaints = run("forces", "nowhere", "--wrenches", table, "--plot", "a.png")
+    assert (status, said) == (2, "")
+    assert complaints.splitlines()[:4] == [
+        "--plot goes with --wrench; it draws the forces for one",
+        f"{table}:2: has 2 values; the first line names 3 columns",
+        f"{table}:3: fy is 'a'; it should be a number",
+        f"{table}:4: fx, fy, tz are nan 0 0; they should be finite, the largest 0 or 1e-100 to "
+        "1e+100 in size [N, N, N m]",
+    ]
+    assert "nowhere: there is no such file" in complaints
+
+
+@pytest.mark.parametrize(
+    ("text", "complaint"),
+    [
+        ("", ":1: has no column fx; the first line should name fx, fy and tz"),
+        ("fx;fy;tz\n1;2;3\n", "separated by commas"),
+        ("fx,fy,fy\n", ":1: has 2 columns fy"),
+        ("fx,fy,tz\n", ":1: has no wrenches below its first line"),
+        ("fx,fy,tz\n" + "x,y,z\n" * 30, "... and 70 more"),
+        ("fx,fy,tz\n" + "1" * 200_000 + ",0,0\n", ":2: cannot be read as a table"),
+    ],
+)
+def test_no_table_is_refused(run, pontoon, table, text, complaint):
+    """With what is wrong about it."""
+    table.write_text(text)
+    status, said, complaints = run("forces", pontoon, "--wrenches", table)
+    assert (status, said) == (2, "")
+    assert complaint in complaints
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        ((), "--wrench is missing"),
+        (("--wrench", "1", "2"), "requires 3"),
+        (("--wrench", "1", "nan", "2"), "--wrench is 1.0 nan 2.0; they should be finite"),
+        (("--wrench", "1", "0", "0", "--load", "1e200", "0", "0"), "--load is 1e+200 0.0 0.0"),
+        (("--wrench", "1", "0", "0", "--wrenches", "a.csv"), "do not go together"),
+        (("--wrench", "1", "0", "0", "--csv", "a.csv"), "--csv goes with --wrenches"),
+        (("--wrenches", "a.csv", "--csv", "-", "--json", "-"), "cannot both be printed"),
+        (("--wrenches", "none.csv"), "none.csv: cannot be read: No such file"),
+    ],
+)
+def test_wrong_options_are_told(run, pontoon, options, complaint):
+    """Before anything is computed."""
+    status, said, complaints = run("forces", pontoon, *options)
+    assert (status, said) == (2, "")
+    assert complaint in complaints

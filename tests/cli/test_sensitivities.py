@@ -1,0 +1,38 @@
+"""The table of sensitivities, and the same as data."""
+
+import numpy as np
+
+from swarmgrasp import sensitivities
+from swarmgrasp.cli.report import Forces, Report
+from swarmgrasp.cli.sensitivities import sensitivities_data, show_sensitivities
+from swarmgrasp.scenario import load_example
+
+
+def test_a_row_per_robot_in_the_units_of_the_headings(capsys):
+    """Both ways of shifting, turning and strengthening."""
+    found = sensitivities(load_example("deck-barge").swarm)
+    show_sensitivities(Report(), found, Forces.for_size(found.quality.value))
+    lines = capsys.readouterr().out.splitlines()
+    heading, *rows = lines[2:8]
+    assert "along - [kN/m]  along + [kN/m]  to - [kN/deg]  to + [kN/deg]" in heading
+    castor = next(row.split() for row in rows if row.startswith("Castor"))
+    assert castor == ["Castor", "-6.622", "6.622", "8.415", "-8.415", "0", "0"]
+    assert "- clockwise, + counter-clockwise" in lines[-1]
+
+
+def test_a_ridge_is_told_and_thrusters_do_not_move(capsys):
+    """Empty cells for what cannot move, and why both ways may be worse."""
+    found = sensitivities(load_example("supply-vessel").swarm)
+    show_sensitivities(Report(), found, Forces.for_size(found.quality.value))
+    assert "8 facets are equally weak" in capsys.readouterr().out
+    assert all(row["per_metre"] is None for row in sensitivities_data(found))
+
+
+def test_data_are_in_si_units():
+    """Per metre, radian and newton."""
+    found = sensitivities(load_example("deck-barge").swarm)
+    rows = sensitivities_data(found)
+    assert [row["robot"] for row in rows] == [robot.name for robot in found.swarm.robots]
+    np.testing.assert_array_equal([row["per_metre"] for row in rows], found.contact)
+    np.testing.assert_array_equal([row["per_radian"] for row in rows], found.direction)
+    np.testing.assert_array_equal([row["per_newton"] for row in rows], found.limit)

@@ -1,0 +1,105 @@
+import os
+import re
+import sys
+from html.parser import HTMLParser
+
+import pytest
+from matplotlib.figure import Figure
+
+from swarmgrasp.paper import report, sections
+from swarmgrasp.paper.measured import measure
+from swarmgrasp.paper.page import Picture
+from swarmgrasp.paper.runner import THREADS, Runner, workers
+from swarmgrasp.paper.sizes import FULL, QUICK, Size
+from swarmgrasp.paper.statements import Statement
+from swarmgrasp.paper.studies.gains import gain_of
+
+SMALL = Size("small", 400, 10, (5, 15, 25), (50,), 1, 10, 12, 1000)
+TINY = Size("tiny", 20, 2, (5, 10), (12,), 1, 2, 2, 50)
+
+
+def test_every_statement_of_the_report_holds():
+    """The report's own sentences and checks, on few draws; what hangs on times is left out."""
+    found = measure(Runner(), SMALL, seed=1)
+    assert len(found.every) > 30
+    assert [one.text for one in found.every if not (one.holds or one.is_timing)] == []
+    assert not any("nan" in one.text or "inf" in one.text for one in found.every)
+
+
+class Page(HTMLParser):
+    """Collects what a page refers to, and what it does not close."""
+
+    def __init__(self):
+        super().__init__()
+        self.sources, self.open = [], []
+
+    def handle_starttag(self, tag, attrs):
+        """Note a tag."""
+        self.sources += [value for name, value in attrs if name in ("src", "href")]
+        if tag not in ("meta", "img"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        """Note that a tag ends."""
+        assert self.open.pop() == tag
+
+
+def test_a_report_is_whole_and_refers_to_nothing_else(tmp_path, monkeypatch):
+    """One HTML page with its pictures inside, Markdown with its pictures beside it."""
+    false = Statement("Two and two are five & <more>.", holds=False)
+    monkeypatch.setattr("swarmgrasp.paper.studies.construction.statements", lambda _: [false])
+    monkeypatch.setattr(sys.modules["swarmgrasp.plot.save"], "PIXELS_PER_INCH", 30)
+    for slow in ("plan", "wrench_sets"):  # tested where they are at home
+        monkeypatch.setattr(sections, slow, lambda *_, **__: Figure())
+    seen, folder = [], tmp_path / "new" / "report"
+    written = report.write_report(folder, TINY, 1, progress=seen.append, in_processes=False)
+    assert seen == sorted(seen)
+    assert seen[-1] == report.report_steps(TINY)
+    assert {path.name for path in written.paths} == {path.name for path in folder.iterdir()}
+    assert false in written.failed
+    page = (folder / report.HTML).read_text("utf-8")
+    parser = Page()
+    parser.feed(page)
+    assert parser.open == []
+    assert all(source.startswith("data:image/png;base64,") for source in parser.sources)
+    assert "not so in this run:</b> Two and two are five &amp; &lt;more&gt;." in page
+    text = (folder / report.MARKDOWN).read_text("utf-8")
+    pictures = re.findall(r"\]\(([^)]+)\)", text)
+    assert set(pictures) == {path.name for path in written.paths if path.suffix == ".png"}
+    assert "✗ not so in this run: Two and two are five & &lt;more>." in text
+
+
+def test_nothing_is_left_behind_when_it_fails(tmp_path, monkeypatch):
+    """An earlier report stays as it was."""
+    (tmp_path / report.HTML).write_text("an earlier one")
+
+    def fail(*_):
+        raise OSError("the disk is full")
+
+    monkeypatch.setattr(report, "sections", lambda _: [Picture("a.png", Figure(), "A")])
+    monkeypatch.setattr(report, "save", fail)
+    with pytest.raises(OSError, match="the disk is full"):
+        report.write_report(tmp_path, TINY, 1, in_processes=False)
+    assert [path.name for path in tmp_path.iterdir()] == [report.HTML]
+    assert (tmp_path / report.HTML).read_text() == "an earlier one"
+
+
+def test_processes_find_the_same(monkeypatch):
+    """In their order, each with one thread for its matrix products; the environment is restored."""
+    monkeypatch.setenv(THREADS[0], "3")
+    monkeypatch.delenv(THREADS[1], raising=False)
+    tasks, seen = [(1, 5, k) for k in range(6)], []
+    with workers() as executor:
+        found = Runner(executor, seen.append).map(gain_of, tasks)
+        threads = executor.submit(os.getenv, THREADS[0]).result()
+    assert found == [gain_of(task) for task in tasks]
+    assert seen == [1, 2, 3, 4, 5, 6]
+    assert (threads, os.environ[THREADS[0]]) == ("1", "3")
+    assert THREADS[1] not in os.environ
+
+
+def test_the_sizes_are_what_is_promised():
+    """At least a thousand draws for the pictures, five hundred for what the paper left out."""
+    assert min(FULL.gains, QUICK.gains) >= 1000
+    assert FULL.relaxed >= 500
+    assert (FULL.timed, FULL.configurations) == (tuple(range(5, 26)), 10)

@@ -1,0 +1,70 @@
+"""The picture of push forces: limits, forces as parts of them, and the wrench."""
+
+import math
+
+import numpy as np
+import pytest
+
+from swarmgrasp import Outline, Robot, Swarm, forces
+from swarmgrasp.plot import forces_plan, save
+
+
+def by_gid(figure, gid):
+    return figure.findobj(lambda artist: artist.get_gid() == gid)
+
+
+def lengths(figure, gid):
+    """Return the lengths [m] of all arrows of a kind."""
+    (arrows,) = by_gid(figure, gid)
+    return np.hypot(arrows.U, arrows.V)
+
+
+def test_a_force_is_its_share_of_the_limit(barge):
+    """The dark part of each arrow, and the load beside the name."""
+    found = forces(barge, (50e3, 20e3, 0.0))
+    figure = forces_plan(found)
+    hardest = found.loads >= found.largest_load - 1e-9
+    limits = lengths(figure, "limit")
+    drawn = np.sort(np.concatenate([lengths(figure, "force"), lengths(figure, "hardest")]))
+    np.testing.assert_allclose(drawn, np.sort((found.loads * limits)[found.loads > 0.002]))
+    assert len(lengths(figure, "hardest")) == hardest.sum()
+    texts = {text.get_text() for text in by_gid(figure, "robot-label")}
+    assert len(texts) == 5
+    assert any(text.endswith(f": {100 * found.largest_load:.0f} %") for text in texts)
+
+
+def test_the_outcome_stands_below_the_title(barge):
+    """Made, or out of reach and by how much."""
+
+    def said(wrench, **terms):
+        figure = forces_plan(forces(barge, wrench, **terms))
+        texts = (text.get_text() for text in figure.axes[0].texts)
+        return " ".join(texts).replace("\xa0", " ")
+
+    assert "made, with loads up to" in said((50e3, 0.0, 0.0))
+    assert "out of reach by" in said((5e6, 0.0, 0.0))
+    assert "Load on the object" in said((50e3, 0.0, 0.0), load=(0.0, 1e3, 0.0))
+
+
+def test_halves_of_a_thruster_share_a_label():
+    """That which does more is told."""
+    hull = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
+    halves = [("bow +", (1, 0), 0.5), ("bow -", (1, 0), -0.5), ("aft +", (-1, 0), 0.5)]
+    halves += [("aft -", (-1, 0), -0.5)]
+    crew = [Robot(c, math.pi * a, name=n, mounted=True) for n, c, a in halves]
+    figure = forces_plan(forces(Swarm(hull, crew), (0.0, 1.0, 0.0)))
+    texts = {text.get_text() for text in by_gid(figure, "robot-label")}
+    assert texts == {"bow: 50 %", "aft: 50 %"}
+
+
+@pytest.mark.parametrize("count", [0, 1, 60])
+@pytest.mark.parametrize("wrench", [(0.0, 0.0, 0.0), (2.0, -1.0, 0.3)])
+def test_any_number_of_robots_is_drawn(count, wrench, tmp_path):
+    """No wrench is no arrow."""
+    angles = np.linspace(0.0, math.tau, 24, endpoint=False)
+    outline = Outline(np.column_stack([np.cos(angles), np.sin(angles)]))
+    places = [outline.at_arc_length(outline.perimeter * (i + 0.3) / count) for i in range(count)]
+    robots = [Robot(c.point, c.inward + 0.4 * math.sin(3 * k)) for k, c in enumerate(places)]
+    figure = forces_plan(forces(Swarm(outline, robots), wrench))
+    assert bool(by_gid(figure, "wrench")) is any(wrench)
+    save(figure, tmp_path / "picture.png")

@@ -1,0 +1,122 @@
+"""The environment of a scenario file: units, defaults and faults."""
+
+import math
+
+import pytest
+
+from swarmgrasp.environment import BLENDERMANN, KNOT, CurrentCoefficients, WindCoefficients
+from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.scenario import parse_scenario
+
+HEAD = "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}\nrobots: []\n"
+WIND = "vessel: ferry, frontal_area: 1, lateral_area: 2"
+
+
+def environment(text: str, units: str = ""):
+    return parse_scenario(f"{units}{HEAD}environment: {text}\n", "a.yaml").environment
+
+
+def test_units_of_wind_and_current() -> None:
+    """Feet, degrees and knots in the file; metres, radians and metres per second behind it."""
+    found = environment(
+        "{wind: {vessel: ferry, frontal_area: 100, lateral_area: 300, lateral_centroid: -5, "
+        "speed: 20, from: 90}, current: {frontal_area: 40, lateral_area: 90, speed: 2, from: -45}, "
+        "dynamic_factor: 1.25}",
+        "units: {length: ft, angle: deg, speed: knot}\n",
+    )
+    wind, current = found.wind, found.current
+    assert (wind.frontal_area, wind.lateral_area) == pytest.approx((9.290304, 27.870912))
+    assert wind.lateral_centroid == pytest.approx(-1.524)
+    assert (wind.speed, wind.bearing) == pytest.approx((20 * KNOT, math.pi / 2))
+    assert (current.speed, current.bearing) == pytest.approx((2 * KNOT, -math.pi / 4))
+    assert current.lateral_area == pytest.approx(8.3612736)
+    assert (wind.coefficients, found.dynamic_factor) == (BLENDERMANN["ferry"], 1.25)
+
+
+def test_what_is_left_out_has_its_published_value() -> None:
+    """SI units, still water, DNV's densities and current coefficients, no allowance."""
+    found = environment(f"{{wind: {{{WIND}}}, current: {{frontal_area: 1, lateral_area: 2}}}}")
+    assert not found.is_steady
+    assert (found.wind.density, found.current.density) == (1.226, 1026.0)
+    assert found.current.coefficients == CurrentCoefficients(0.07, 0.6)
+    assert (found.current.speed, found.current.bearing, found.dynamic_factor) == (0.0, None, 1.0)
+    assert environment(f"{{wind: {{{WIND}}}}}").current is None
+    assert parse_scenario(HEAD).environment is None
+
+
+def test_coefficients_may_be_given() -> None:
+    """Instead of a type of vessel, and for the current."""
+    found = environment(
+        "{wind: {coefficients: {transverse: 1, bow: 0.8, stern: 0.9, cross_force: 0.2}, "
+        "frontal_area: 1, lateral_area: 2}, current: {frontal_area: 1, lateral_area: 2, "
+        "coefficients: {surge: 0.3}}}"
+    )
+    assert found.wind.coefficients == WindCoefficients(1.0, 0.8, 0.9, 0.2)
+    assert found.current.coefficients == CurrentCoefficients(0.3, 0.6)
+
+
+FAULTS = {
+    "{}": "3:14: environment.wind: is missing; give what the object shows to the wind",
+    "{wind: {frontal_area: 1, lateral_area: 2}}": (
+        "3:21: environment.wind: should say its drag, by vessel, a type such as 'offshore supply "
+        "vessel', or by coefficients"
+    ),
+    f"{{wind: {{{WIND}, coefficients: {{transverse: 1, bow: 1, stern: 1}}}}}}": (
+        "3:21: environment.wind: vessel and coefficients each say the drag; keep one"
+    ),
+    "{wind: {vessel: Supply-vessel, frontal_area: 1, lateral_area: 2}}": (
+        "3:30: environment.wind.vessel: there is no such type of vessel; did you mean 'offshore "
+        "supply vessel'? (got 'Supply-vessel')"
+    ),
+    "{wind: {vessel: ferry, lateral_area: 2}}": (
+        "3:21: environment.wind.frontal_area: is missing; give the area seen from ahead"
+    ),
+    f"{{wind: {{{WIND}, speed: 3}}}}": (
+        "3:78: environment.wind.speed: a wind also needs from, the bearing it comes from (got 3)"
+    ),
+    f"{{wind: {{{WIND}, from: 3}}}}": (
+        "3:77: environment.wind.from: a wind also needs its speed (got 3)"
+    ),
+    f"{{wind: {{{WIND}, speed: -3, from: 0}}}}": (
+        "3:78: environment.wind.speed: should be at least 0 (got -3)"
+    ),
+    f"{{wind: {{{WIND}}}, dynamic_factor: 0.9}}": (
+        "3:88: environment.dynamic_factor: should be at least 1 (got 0.9)"
+    ),
+    f"{{wind: {{{WIND}}}, current: {{frontal_area: 0, lateral_area: 2}}}}": (
+        "3:96: environment.current.frontal_area: should be greater than 0 (got 0)"
+    ),
+    f"{{wind: {{{WIND}}}, current: {{frontal_area: 1e-20, lateral_area: 2}}}}": (
+        "3:14: environment: current: the frontal area is 1e-20; it should be 1e-09 <= frontal "
+        "area <= 1e+09 [m^2]"
+    ),
+}
+
+
+@pytest.mark.parametrize("text", FAULTS)
+def test_a_fault_is_told_with_its_place(text: str) -> None:
+    """One fault, one sentence, with line, column and key path."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        environment(text)
+    assert list(caught.value.faults) == [f"a.yaml:{FAULTS[text]}"]
+
+
+def test_faults_of_wind_and_current_are_told_with_all_others() -> None:
+    """None hides another."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(
+            "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}\n"
+            "robots: [{at: 99, direction: 0, limit: 1}]\n"
+            "environment:\n"
+            "  wind: {vessel: boat, frontal_area: x, lateral_area: 2}\n"
+            "  current: {speed: fast}\n"
+        )
+    keys = [fault.split(": ")[1] for fault in caught.value.faults]
+    assert keys == [
+        "robots.0.at",
+        "environment.wind.vessel",
+        "environment.wind.frontal_area",
+        "environment.current.frontal_area",
+        "environment.current.lateral_area",
+        "environment.current.speed",
+    ]

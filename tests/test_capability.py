@@ -1,0 +1,165 @@
+"""The largest wind held at every bearing, beside the linear programs that define it."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from reference import largest_wind
+from swarmgrasp import (
+    BLENDERMANN,
+    Current,
+    Environment,
+    Outline,
+    Robot,
+    Swarm,
+    Tolerance,
+    Wind,
+    WindCoefficients,
+    WrenchSet,
+    capability,
+)
+from swarmgrasp.errors import CriterionInvalid, EnvironmentInvalid, RobotInvalid
+from swarmgrasp.scenario import load_example
+
+COMPASS = np.radians(np.arange(0.0, 360.0, 45.0))
+BARGE = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+FLAT = WindCoefficients(transverse=0.9, bow=0.7, stern=0.7)
+
+
+def by_programs(swarm, environment, bearings, losing):
+    """Compute the same wind speeds from the generators alone."""
+    currents = environment.current_load(swarm.outline, bearings) * swarm.scale
+    winds = environment.wind_load(swarm.outline, bearings, 1.0) * swarm.scale
+    rows = swarm.scaled_generators
+    return [
+        math.sqrt(largest_wind(rows, current, wind, losing))
+        for current, wind in zip(currents, winds, strict=True)
+    ]
+
+
+@pytest.mark.parametrize("name", ["supply-vessel", "deck-barge", "model-ship"])
+def test_an_example_holds_what_linear_programs_say(name):
+    """Intact and after losing any one, at bearings all round."""
+    scenario = load_example(name)
+    bearings = np.radians([10.0, 75.0, 130.0, 200.0, 290.0])
+    found = capability(scenario.swarm, scenario.environment, bearings)
+    for losing, speeds in ((0, found.intact), (1, found.after_loss)):
+        expected = by_programs(scenario.swarm, scenario.environment, bearings, losing)
+        np.testing.assert_allclose(speeds, expected, rtol=1e-6)
+
+
+def test_random_crowds_hold_what_linear_programs_say():
+    """Six to nine robots anywhere, a current from its own bearing, two of them lost."""
+    rng = np.random.default_rng(3)
+    for _ in range(6):
+        count = rng.integers(6, 10)
+        arcs = rng.uniform(0.0, BARGE.perimeter, count)
+        contacts = [BARGE.at_arc_length(arc).point for arc in arcs]
+        ways, limits = rng.uniform(-math.pi, math.pi, count), rng.uniform(20e3, 90e3, count)
+        swarm = Swarm.from_arrays(BARGE, contacts, ways, limits)
+        kind = BLENDERMANN[rng.choice(list(BLENDERMANN))]
+        current = Current(40.0, 160.0, speed=0.3, bearing=rng.uniform(-3.0, 3.0))
+        weather = Environment(Wind(150.0, 500.0, kind, rng.uniform(-5.0, 5.0)), current)
+        for losing in (1, 2):
+            found = capability(swarm, weather, COMPASS[::2], losing=losing)
+            for k, speeds in ((0, found.intact), (losing, found.after_loss)):
+                expected = by_programs(swarm, weather, COMPASS[::2], k)
+                np.testing.assert_allclose(speeds, expected, rtol=1e-6, atol=1e-6)
+
+
+def test_the_largest_wind_is_just_held():
+    """A little less is in the wrench set, a little more is not, of all robots and of those left."""
+    scenario = load_example("supply-vessel")
+    swarm, weather = scenario.swarm, scenario.environment
+    found = capability(swarm, weather, COMPASS)
+    for i, bearing in enumerate(COMPASS):
+        left = Swarm(
+            swarm.outline,
+            [r for k, r in enumerate(swarm.robots) if k not in found.worst_losses[i]],
+        )
+        for robots, speed in ((swarm, found.intact[i]), (left, found.after_loss[i])):
+            wrenches = WrenchSet(robots)
+            for share, held in ((0.999, True), (1.001, False)):
+                load = weather.wind_load(swarm.outline, bearing, share * speed)
+                load += weather.current_load(swarm.outline, bearing)
+                assert wrenches.contains(-load) is held
+
+
+def test_a_thruster_that_pushes_either_way_is_lost_as_a_whole():
+    """The half left behind is of no use: the same as without both, and one name for them."""
+    scenario = load_example("supply-vessel")
+    swarm, weather = scenario.swarm, scenario.environment
+    found = capability(swarm, weather, [math.pi / 3])
+    (name,) = found.lost_names(0)
+    assert name == found.lost_words(0) == "port propeller"
+    assert capability(swarm, weather, [0.0], losing=3).lost_words(0, most=1).endswith(" and 1 more")
+    others = [r for r in swarm.robots if not r.name.startswith(name)]
+    assert len(others) == len(swarm) - 2
+    left = capability(Swarm(swarm.outline, others), weather, [math.pi / 3])
+    assert found.after_loss[0] == pytest.approx(left.intact[0], rel=1e-9)
+
+
+def test_a_current_that_is_not_held_leaves_no_wind():
+    """Even where a wind against it would help: before it blows, the object drifts."""
+    crew = [Robot((-40, 0), 0.0, 50e3), Robot((0, -10), math.pi / 2, 50e3)]
+    crew += [Robot((0, 10), -math.pi / 2, 50e3)]
+    swarm = Swarm(BARGE, crew)
+    astern = Current(60.0, 240.0, speed=2.0, bearing=math.pi)
+    weather = Environment(Wind(150.0, 500.0, FLAT), astern)
+    found = capability(swarm, weather, [0.0, math.pi])
+    assert found.intact.tolist() == [0.0, 0.0]
+    assert found.holds_current.tolist() == [False, False]
+    ahead = replace(weather, current=replace(astern, bearing=0.0))
+    held = capability(swarm, ahead, [0.0, math.pi / 4])
+    assert held.intact[0] > 0.0
+    assert held.holds_current.tolist() == [True, True]  # though no wind from the bow quarter
+    assert held.intact[1] == 0.0
+    assert not held.holds_current_after_loss.any()
+
+
+def test_a_hull_alike_on_both_sides_holds_alike():
+    """Mirrored bearings give the same winds; the default is every 5 degrees."""
+    scenario = load_example("supply-vessel")
+    found = capability(scenario.swarm, scenario.environment)
+    assert len(found.bearings) == 72
+    mirrored = np.roll(found.intact[::-1], 1)
+    np.testing.assert_allclose(found.intact, mirrored, rtol=1e-9)
+    assert (found.after_loss <= found.intact).all()
+    assert found.intact[found.worst] == found.intact.min()
+    assert not found.intact.flags.writeable
+
+
+def test_tolerances_count_in_the_worst_case_only():
+    """Robots that may be weaker than they are said to be hold less."""
+    ways = {(-40, 0): 0.0, (40, 0): math.pi, (0, -10): math.pi / 2, (0, 10): -math.pi / 2}
+    weak = Tolerance(least_limit=30e3)
+    swarm = Swarm(BARGE, [Robot(c, way, 60e3, tolerance=weak) for c, way in ways.items()])
+    weather = Environment(Wind(150.0, 500.0, FLAT))
+    said = capability(swarm, weather, [0.0]).intact[0]
+    certain = capability(swarm, weather, [0.0], worst_case=True).intact[0]
+    assert certain == pytest.approx(said / math.sqrt(2.0), rel=1e-6)
+
+
+def test_nobody_holds_nothing():
+    """No robots: no wind, but still water is held."""
+    found = capability(Swarm(BARGE, []), Environment(Wind(150.0, 500.0, FLAT)), [0.0, 1.0])
+    assert found.intact.tolist() == [0.0, 0.0]
+    assert found.holds_current.tolist() == [True, True]
+    assert found.worst_losses == ((), ())
+
+
+def test_wrong_questions_are_refused():
+    """Each by its own error."""
+    swarm, weather = Swarm(BARGE, []), Environment(Wind(150.0, 500.0, FLAT))
+    with pytest.raises(EnvironmentInvalid, match="Wind is no Environment"):
+        capability(swarm, weather.wind)
+    with pytest.raises(EnvironmentInvalid, match=r"shape \(\)"):
+        capability(swarm, weather, 0.0)
+    with pytest.raises(EnvironmentInvalid, match="the bearing is nan"):
+        capability(swarm, weather, [0.0, math.nan])
+    with pytest.raises(CriterionInvalid, match="robots to lose is -1"):
+        capability(swarm, weather, [0.0], losing=-1)
+    with pytest.raises(RobotInvalid, match="no Swarm"):
+        capability(BARGE, weather)
