@@ -294,10 +294,10 @@ def test_recomputed_qualities_are_those_of_the_formulas(family, seed, n, name):
         swarm.scaled_generators,
         terms.get("losing", 0),
         terms.get("load", np.zeros(3)) * swarm.scale,
-        None if task is None else task.rows * swarm.scale,
+        None if task is None else task.generators * swarm.scale,
         None if task is None else type(task).__name__.lower(),
     )
-    size = 1e-9 * n / (1.0 if task is None else np.abs(task.rows).max())
+    size = 1e-9 * n / (1.0 if task is None else np.abs(task.generators).max())
     assert low - size <= expected <= most + size
     assert most - low <= size
 

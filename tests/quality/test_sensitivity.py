@@ -105,7 +105,7 @@ def test_slopes_by_a_criterion(family, losing, load, kind):
     """With robots to lose, several of them alike, beside a load, relative to a task."""
     swarm = swarm_of(family, 3, 14 if family == "duplicated" else 10)
     task = TASKS[kind]
-    rows = None if task is None else task.rows * swarm.scale
+    rows = None if task is None else task.generators * swarm.scale
 
     def quality_of(B):
         return reference.quality_by_criterion(B, losing, load * swarm.scale, rows, kind)

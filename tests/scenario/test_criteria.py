@@ -34,10 +34,10 @@ def test_units_of_wrenches() -> None:
     assert found.load == pytest.approx(wrench)
     task = criterion("{task: {polytope: [[1, -2, 3], [0, 0, 1]]}}", units).task
     assert isinstance(task, Polytope)
-    assert task.rows[0] == pytest.approx(wrench)
+    assert task.generators[0] == pytest.approx(wrench)
     task = criterion("{task: {ellipsoid: [[1, -2, 3]]}}", units).task
     assert isinstance(task, Ellipsoid)
-    assert task.rows[0] == pytest.approx(wrench)
+    assert task.generators[0] == pytest.approx(wrench)
 
 
 def test_the_load_may_be_that_of_the_environment() -> None:

@@ -58,5 +58,5 @@ def criterion_data(criterion: "Criterion") -> dict[str, Any]:
         "losing": criterion.losing,
         "worst_case": criterion.worst_case,
         "load": list(criterion.load),
-        "task": None if task is None else {kind: task.rows.tolist()},
+        "task": None if task is None else {kind: task.generators.tolist()},
     }

@@ -69,7 +69,8 @@ def _opening(found: Measured) -> list[Block]:
             f"robots of 1 N anywhere on a rectangle of {LENGTH:g} m by {BREADTH:g} m, which pull "
             "along the outward normal as the paper's do. Torques are divided by "
             f"{rectangle().radius:.3f} m, the distance of a corner from the middle. Sides and "
-            "metric are a choice made here, so single numbers can only agree in kind. A newcomer has 1 N too, and acts either along the outward normal or in any "
+            "metric are a choice made here, so single numbers can only agree in kind. A newcomer "
+            "has 1 N too, and acts either along the outward normal or in any "
             "direction, as a free robot can. Quality is the radius of the largest ball of wrenches "
             "that the robots can exert: with 0 they do not hold the object."
         ),

@@ -157,7 +157,7 @@ def _criterion(criterion: Criterion) -> dict[str, Any]:
         "losing": criterion.losing,
         "worst_case": criterion.worst_case,
         "load": list(criterion.load),
-        "task": None if task is None else {"kind": kind, "rows": task.rows.tolist()},
+        "task": None if task is None else {"kind": kind, "rows": task.generators.tolist()},
     }
 
 

@@ -132,7 +132,7 @@ class Gauge:
         if self.is_plain:
             return weakest_of(both)
         task = self.criterion.task
-        rows = NO_TASK if task is None else task.rows * self.swarm.scale / self.unit
+        rows = NO_TASK if task is None else task.generators * self.swarm.scale / self.unit
         x, y, z = self.swarm.scale.tolist()
         fx, fy, turn = self.load.tolist()
         judge = core.Criterion(

@@ -106,19 +106,15 @@ class Together:
                 "force closure takes at least 4 robots, wherever they are; with these there "
                 f"{'are' if robots > 1 else 'is'} {robots}"
             )
+        many = f"{len(self.robots)} such robots" if len(self.robots) > 1 else "such robot"
         if self.upper_bound == 0.0:
-            return f"{self._many} give the swarm no quality, wherever they are: place more"
+            return f"no {many} can give the swarm any quality, wherever they are: place more"
         if self.is_optimal():
-            return f"{self._many} raise what is weakest, {weakest}, nowhere: place more"
+            return f"no {many} can raise what is weakest, {weakest}: place more"
         return (
-            f"no place was found where {self._many} raise what is weakest, {weakest}; whether "
-            "there is one is not settled: allow more time, or place more"
+            f"no {many} that raise what is weakest, {weakest}, were found; whether there are any "
+            "is not settled: allow more time, or place more"
         )
-
-    @property
-    def _many(self) -> str:
-        """The newcomers in words."""
-        return f"{len(self.robots)} such robots" if len(self.robots) > 1 else "one such robot"
 
 
 def place_together(

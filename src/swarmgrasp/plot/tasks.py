@@ -69,7 +69,7 @@ def solid(criterion: Criterion, scale: Vectors) -> Solid:
     task = criterion.task
     if task is None:
         return Solid(*unit_ball(), is_ball=True)
-    rows = task.rows * scale
+    rows = task.generators * scale
     if isinstance(task, Polytope):
         return hull(np.vstack([np.zeros(3), rows]))
     _, sizes, axes = np.linalg.svd(rows, full_matrices=False)

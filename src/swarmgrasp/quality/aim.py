@@ -59,7 +59,7 @@ class Aim:
         rows = [row for u, s in enumerate([*spread, *more]) for row in s.rows(u, origin)]
         self.known = np.ascontiguousarray(known[certain])
         self.gap = CERTIFIED if rows else EXACT
-        task = NO_TASK if criterion.task is None else criterion.task.rows * swarm.scale
+        task = NO_TASK if criterion.task is None else criterion.task.generators * swarm.scale
         self.unit = 1.0 if criterion.task is None else float(np.linalg.norm(task, axis=1).max())
         self._task = np.ascontiguousarray(task / self.unit)
         self.core = self._core_of(self.known, np.array(rows, dtype=float).reshape(-1, 12))

@@ -139,7 +139,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
 
 def _heights(swarm: Swarm, criterion: Criterion) -> Heights:
     """Return a criterion over plain arrays, in the metric's coordinates."""
-    task = np.zeros((0, 3)) if criterion.task is None else criterion.task.rows * swarm.scale
+    task = np.zeros((0, 3)) if criterion.task is None else criterion.task.generators * swarm.scale
     load = np.array(criterion.load) * swarm.scale
     is_polytope = isinstance(criterion.task, Polytope)
     return Heights(swarm.scaled_generators, load, criterion.losing, task, is_polytope)

@@ -50,7 +50,7 @@ class Polytope:
         return np.array(self.vertices[best])
 
     @property
-    def rows(self) -> NDArray[np.float64]:
+    def generators(self) -> NDArray[np.float64]:
         """The vertices."""
         return self.vertices
 
@@ -92,7 +92,7 @@ class Ellipsoid:
         return np.asarray(along @ self.axes / size) if size > 0.0 else np.zeros(3)
 
     @property
-    def rows(self) -> NDArray[np.float64]:
+    def generators(self) -> NDArray[np.float64]:
         """The axes."""
         return self.axes
 
