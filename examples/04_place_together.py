@@ -19,17 +19,18 @@ empty = sg.Swarm(barge, [])
 tug = sg.Newcomer(60 * TONNE_FORCE, attachment="push", half_angle=radians(30), name="tug")
 problem = sg.Problem(empty, tug, spacing=8.0)
 
-print("tugs  one after the other  together  no places exceed")
+print("tugs  one after the other  together  no places exceed [kN]")
 for count in (4, 6, 12):
-    answer = sg.place_together(problem, count, seconds=3.0)
+    answer = sg.place_together(problem, count, seconds=2.0)
     qualities = (answer.sequential, answer.quality, answer.upper_bound)
-    print(f"{count:4}  {'':8}{'{:9.0f} kN{:7.0f} kN{:15.0f} kN'.format(*(q / 1e3 for q in qualities))}")
+    one_by_one, together, bound = (round(quality / 1e3) for quality in qualities)
+    print(f"{count:4}  {one_by_one:19}  {together:8}  {bound:16}")
     if count == 6:
         six = answer
 print("With six,", six.reason)
 
 # How many tugs does it take to hold 1 MN in every direction?
-found = sg.how_many(problem, 1e6, seconds=5.0)
+found = sg.how_many(problem, 1e6, seconds=4.0)
 print("For 1 MN,", found.reason)
 
 # One of the six was sent to the wrong place: which should move, and where?

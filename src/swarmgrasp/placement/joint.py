@@ -130,7 +130,7 @@ class JointSearch:
         """Climb from a relaxed solution, from the best with some moved away, or from anywhere."""
         turn, self._climbs = self._climbs, self._climbs + 1
         if turn % 4 == 0 and relaxed is not None:
-            self.offer(self._rounded(*relaxed))
+            self.offer(self.ground.parted(self._rounded(*relaxed), self._random))
         elif turn % 2 and self.best.quality > 0.0 and self.count > 1:
             self.offer(self._shaken())
         else:

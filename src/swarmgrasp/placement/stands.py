@@ -149,11 +149,11 @@ class Ground:
         return best, found[best]
 
     def random(self, rng: np.random.Generator, count: int, others: Stands | None = None) -> Stands:
-        """Return stands anywhere, if possible at the spacing from each other and from others."""
+        """Return so many stands, others and more anywhere, at the spacing if that succeeds."""
         lengths = self.high[:, 0] - self.low[:, 0] + self.near
         shares = lengths / lengths.sum()
         found = Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))) if others is None else others
-        for _ in range(count):
+        for _ in range(count - len(found.piece)):
             for _ in range(TRIES):
                 piece = rng.choice(len(shares), 1, p=shares)
                 low, high = self.low[piece], self.high[piece]
@@ -161,7 +161,16 @@ class Ground:
                 if self.keeps_spacing(one):
                     break
             found = one
-        return found if others is None else found.take(range(len(others.piece), len(found.piece)))
+        return found
+
+    def parted(self, stands: Stands, rng: np.random.Generator) -> Stands:
+        """Return stands with those that are too near the ones before them anywhere instead."""
+        points, kept = self.contacts(stands), list[int]()
+        for row, point in enumerate(points):
+            apart = np.linalg.norm(points[kept] - point, axis=1)
+            if apart.min(initial=np.inf) >= self.spacing - self.near:
+                kept.append(row)
+        return self.random(rng, len(points), stands.take(kept))
 
     def packed(self, rng: np.random.Generator, count: int) -> Stands:
         """Return as many stands as fit, up to a number, one after the other along the boundary."""

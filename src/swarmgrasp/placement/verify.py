@@ -20,7 +20,7 @@ import numpy as np
 from swarmgrasp.placement.allowed import Allowed
 from swarmgrasp.placement.boundary import Boundary
 from swarmgrasp.placement.digest import digest_of
-from swarmgrasp.placement.judge import MOST_LISTED, MOST_SWEPT, UNASKED, Judge, over
+from swarmgrasp.placement.judge import MOST_LISTED, MOST_SWEPT, SUMMED, UNASKED, Judge, over
 from swarmgrasp.placement.recompute import (
     ABSOLUTE,
     ANGLE,
@@ -194,7 +194,8 @@ class _Check:
             yield f"the upper bound {claim.upper_bound:.12g}{unit} is below the quality"
         most = claim.quality * (1.0 + claim.tolerance)
         bound = claim.upper_bound if self.is_tolerant else self.bound
-        if not claim.stopped_early and not bound <= most + self.slack(most):
+        near = max(most + self.slack(most), 10.0 * self.rounding)  # of none, as good as none
+        if not claim.stopped_early and not bound <= near:
             yield (
                 f"the upper bound {bound:.12g}{unit} exceeds the quality "
                 f"{claim.quality:.12g}{unit} by more than the stated tolerance of "
@@ -266,7 +267,7 @@ class _Check:
         )
         lo, hi = np.array([c.lo for c in cells]), np.array([c.hi for c in cells])
         bounds = np.full(len(cells), math.inf)
-        rounding = self.rounding * self.judge.unit
+        rounding = self.rounding * self.judge.unit * (SUMMED / ABSOLUTE)
         for proof in self.claim.proofs:
             normals, weights = units_of(proof.normals), np.array(proof.weights)
             if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
