@@ -95,3 +95,31 @@ def test_what_cannot_be_asked(run):
     status, said, complaints = run("quality", "supply-vessel", "--worst-case")
     assert (status, said) == (2, "")
     assert "no robot has a tolerance" in complaints
+
+
+def test_tasks_and_loads_are_told_in_their_units(run, tmp_path):
+    """The quality is a factor, the weakest wrench a wrench; a load too great is said to be."""
+    text = run("examples", "deck-barge")[1]
+    barge = tmp_path / "barge.yaml"
+    barge.write_text(text + "\ncriterion: {task: {polytope: [[10, 0, 0]]}}\n")
+    status, said, _ = run("quality", barge)
+    assert status == 0
+    assert " times the task relative to the task" in said
+    assert "the robots exert at most" in said
+    assert "times the task along x" not in said
+    barge.write_text(text + "\ncriterion: {load: [0, 1e6, 0]}\n")
+    assert "the robots do not hold the load there" in run("quality", barge)[1]
+    assert "robots and load come to at most" in run("quality", "escort-ring")[1]
+
+
+def test_nothing_is_left_of_nobody(run):
+    """As many losses as there are robots are refused; equal losses are all named."""
+    status, _, complaints = run("quality", "deck-barge", "--losing", "5")
+    assert (status, complaints) == (
+        2,
+        "--losing is 5, and there are 5 robots: none would be left\n",
+    )
+    assert (
+        "Worst loss      Ajax, Castor or Dione\n"
+        in run("quality", "deck-barge", "--losing", "1")[1]
+    )

@@ -27,6 +27,7 @@ def document():
         (("format",), "swarmgrasp answer 1", "format: Input should be 'swarmgrasp answer 2'"),
         (("metric", "characteristic_length"), math.nan, "should be a finite number"),
         (("metric", "characteristic_length"), 0.0, "greater than 0"),
+        (("metric", "characteristic_length"), 5e-324, "should be at least 1e-100"),
         (("metric", "force_weights"), [1.0], "metric.force_weights"),
         (("metric", "force_weights"), [-1.0, 1.0], "metric.force_weights"),
         (("metric", "force_weights"), [0.0, 1.0], "metric.force_weights"),

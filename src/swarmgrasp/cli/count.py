@@ -65,7 +65,7 @@ def count(
     """
     faults = _number_faults(quality, most, seconds) + losing_faults(losing) + json_faults(json)
     scenario = read_scenario(file, faults)
-    criterion = criterion_of(scenario, file, losing, worst_case)
+    criterion = criterion_of(scenario, file, losing, worst_case, int(most))
     if scenario.newcomer is None:
         raise UsageFault(
             f"{source_of(file)}:1:1: there is no newcomer to count; add one, such as "

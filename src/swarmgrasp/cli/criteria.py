@@ -15,18 +15,28 @@ def losing_faults(losing: str | None) -> list[str]:
     """Return what is wrong with --losing."""
     if losing is None or re.fullmatch(r"[0-9]{1,6}", losing):
         return []
-    return [f"--losing is {losing}; it should be a whole number, 0 or more"]
+    return [f"--losing is {losing}; it should be a whole number from 0 to 999999"]
 
 
 def criterion_of(
-    scenario: "Scenario", file: str, losing: str | None, worst_case: bool
+    scenario: "Scenario", file: str, losing: str | None, worst_case: bool, more: int = 0
 ) -> "Criterion":
     """Return the scenario's criterion, as changed by options.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    file : str
+        What messages call it.
+    losing, worst_case
+        The options.
+    more : int
+        Robots that will be there beside those of the scenario.
 
     Raises
     ------
     UsageFault
-        If the worst case is asked for and nothing has a tolerance.
+        If all robots are to be lost, or the worst case is asked for and nothing has a tolerance.
     """
     from dataclasses import replace
 
@@ -37,6 +47,11 @@ def criterion_of(
         raise UsageFault(
             f"{source_of(file)}:1:1: no robot has a tolerance, so --worst-case asks for nothing; "
             "give some, such as `tolerance: {contact: 2, direction: 5}`"
+        )
+    robots = len(scenario.swarm) + more
+    if losing is not None and int(losing) >= max(robots, 1):
+        raise UsageFault(
+            f"--losing is {int(losing)}, and there are {robots} robots: none would be left"
         )
     if losing is not None:
         criterion = replace(criterion, losing=int(losing))

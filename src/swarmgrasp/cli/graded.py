@@ -1,6 +1,7 @@
 """How `swarmgrasp quality` tells its answer."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 
 from swarmgrasp.cli.criteria import unit_for
 from swarmgrasp.cli.report import NOTES, Column, Forces, Lengths, Report, percent
@@ -10,6 +11,9 @@ from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities, wrench_w
 from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
+
+EQUAL = 1e-9
+"""Relative difference of two qualities that is none."""
 
 
 def show(
@@ -25,9 +29,9 @@ def show(
     )
     report.blank()
     facts = [
-        *_beside(swarm, found, unit),
+        *_beside(swarm, found, lost, unit),
         ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
-        *_weakest(swarm, found, unit),
+        *_weakest(swarm, found),
     ]
     if len(swarm) and criterion.is_nominal:
         facts.append(_efficiency(swarm, found, unit))
@@ -69,7 +73,21 @@ def _efficiency(swarm: Swarm, found: Quality, unit: Forces) -> tuple[str, str]:
     )
 
 
-def _beside(swarm: Swarm, found: Quality, unit: Forces) -> list[tuple[str, str]]:
+def _worst_loss(swarm: Swarm, found: Quality, lost: Sequence[Loss]) -> str:
+    """Name the robots whose loss is worst, and those whose loss is as bad."""
+    if found.criterion.losing == 1:
+        equal = [loss.name for loss in lost if loss.quality <= found.value * (1.0 + EQUAL)]
+        if len(equal) > 1:
+            return f"{', '.join(equal[:-1])} or {equal[-1]}"
+    names = ", ".join(swarm.robot_label(i) for i in found.lost)
+    if len(found.lost) < found.criterion.losing:
+        return f"{names}: that alone leaves nothing"
+    return names
+
+
+def _beside(
+    swarm: Swarm, found: Quality, lost: Sequence[Loss], unit: Forces
+) -> list[tuple[str, str]]:
     """Tell what else the swarm can do, and who is lost, by a criterion."""
     criterion = found.criterion
     if criterion.is_nominal:
@@ -81,14 +99,12 @@ def _beside(swarm: Swarm, found: Quality, unit: Forces) -> list[tuple[str, str]]
     if found.bound < found.value:
         facts.append(("Certified", f"no less than {unit.text(found.bound)}"))
     if found.lost:
-        facts.append(("Worst loss", ", ".join(swarm.robot_label(i) for i in found.lost)))
+        facts.append(("Worst loss", _worst_loss(swarm, found, lost)))
+    absent = [swarm.robot_label(i) for i, t in swarm.tolerances.items() if t.may_be_absent]
+    if criterion.worst_case and absent:
+        facts.append(("Absent", ", ".join(absent)))
     if criterion.has_load:
-        x, y, turn = criterion.load
-        size = max(abs(x), abs(y), abs(turn) / swarm.characteristic_length)
-        forces = Forces.for_size(size)
-        told = f"{forces.part(x, size)} along x, {forces.part(y, size)} along y, "
-        torque = forces.part(turn, size * swarm.characteristic_length, " m")
-        facts.append(("Load", f"{told}{torque} of torque on the object"))
+        facts.append(("Load", f"{_parts(swarm, criterion.load)} of torque on the object"))
     return facts
 
 
@@ -114,21 +130,28 @@ def _show_losses(report: Report, lost: Sequence[Loss], unit: Forces) -> None:
     report.table(columns, rows)
 
 
-def _weakest(swarm: Swarm, found: Quality, unit: Forces) -> list[tuple[str, str]]:
+def _parts(swarm: Swarm, wrench: Iterable[float]) -> str:
+    """Return the parts of a wrench [N, N, N m] in words, the torque last."""
+    x, y, turn = (float(v) for v in wrench)
+    length = swarm.characteristic_length
+    size = math.hypot(x, y, turn / length)
+    unit = Forces.for_size(size)
+    torque = unit.part(turn, size * length, " m")
+    return f"{unit.part(x, size)} along x, {unit.part(y, size)} along y and {torque}"
+
+
+def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
     """Tell the weakest wrench and the robots that define it."""
     if not len(swarm):
         return [("Weakest", "there are no robots")]
 
     words = wrench_words(found.direction)
     if found.value > 0.0:
-        x, y, turn = (float(v) for v in found.weakest_wrench)
-        length = swarm.characteristic_length
-        most_there = (
-            f"the robots exert at most {unit.part(x, found.value)} along x, "
-            f"{unit.part(y, found.value)} along y and "
-            f"{unit.part(turn, found.value * length, ' m')} of torque at once"
-        )
-        facts = [("Weakest wrench", words), ("", most_there)]
+        who = "robots and load come to" if found.criterion.has_load else "the robots exert"
+        told = _parts(swarm, found.weakest_wrench)
+        facts = [("Weakest wrench", words), ("", f"{who} at most {told} of torque at once")]
+    elif found.criterion.has_load and found.is_force_closure:
+        facts = [("Weakest wrench", f"{words}: the robots do not hold the load there")]
     else:
         facts = [("Weakest wrench", f"{words}: the robots exert nothing that way")]
     if len(found.facet_robots) > 1:

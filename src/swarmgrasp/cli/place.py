@@ -92,8 +92,8 @@ def place(
     )
     faults += output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
-    criterion = criterion_of(scenario, file, losing, worst_case)
-    if together:
+    criterion = criterion_of(scenario, file, losing, worst_case, int(robots))
+    if together and int(robots) > 1:
         _together(scenario, file, int(robots), gap, seconds, criterion, plot, json)
         return
     answers = solve(scenario, file, int(robots), gap, runners_up, criterion)

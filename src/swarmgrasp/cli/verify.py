@@ -84,6 +84,11 @@ def _read(answer: str) -> dict[str, Any]:
     except AnswerInvalid as error:
         readable = answer == DASH or (os.access(answer, os.R_OK) and not Path(answer).is_dir())
         raise AnswerInvalid([*[no_answer][: int(readable)], *error.faults]) from None
+    if "sequential" in document and "format" not in document:
+        raise AnswerInvalid(
+            f"{name}: robots placed together carry no proof that could be checked; their bound is "
+            "the word of the search"
+        )
     if not str(document.get("format")).startswith("swarmgrasp answer "):
         raise AnswerInvalid(no_answer)
     return document
@@ -130,11 +135,13 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         return
     report.blank()
     placements = document["placements"]
-    questions = list(map(_question, placements))
-    is_one = len(set(questions)) == 1
-    facts = [("Question", questions[0])] if is_one else []
+    questions = list(map(_questions, placements))
+    is_one = all(asked == questions[0] for asked in questions)
+    facts = questions[0] if is_one else []
     for claim, bound, asked in zip(placements, verdict.upper_bounds, questions, strict=True):
         unit = Forces.for_size(claim["quality"], bound)
+        if claim["criterion"]["task"]:
+            unit = Forces(1.0, "times the task")
         robot = claim["robot"]
         x, y = robot["contact"]
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
@@ -142,7 +149,7 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         near = f"the answer is at most {percent(gap)} below the best possible"
         near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
         facts += [
-            *([] if is_one else [("Question", asked)]),
+            *([] if is_one else asked),
             (robot["name"], f"at ({x:.6g}, {y:.6g}) m, {degrees(robot['direction'])} deg"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
@@ -166,6 +173,35 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
         f"{metric['characteristic_length']:.6g} m."
     )
+
+
+def _questions(claim: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return as facts what a placement was asked, and by what criterion if not as things stand."""
+    words = criterion_words(claim["criterion"])
+    return [("Question", _question(claim)), *([("", f"quality {words}")] if words else [])]
+
+
+def criterion_words(criterion: dict[str, Any]) -> str:
+    """Say in words what a criterion asks, as a document has it; nothing if it is nominal.
+
+    Examples
+    --------
+    >>> criterion_words({"losing": 2, "worst_case": False, "load": [0, -5.0, 0], "task": None})
+    'after the worst loss of 2 robots, beside a load of (0, -5) N and 0 N m'
+    """
+    parts, task = [], criterion["task"]
+    if criterion["worst_case"]:
+        parts.append("in the worst poses that the tolerances allow")
+    if criterion["losing"]:
+        parts.append(f"after the worst loss of {_count(criterion['losing'], 'robot')}")
+    x, y, torque = criterion["load"]
+    if (x, y, torque) != (0.0, 0.0, 0.0):
+        parts.append(f"beside a load of ({x:.6g}, {y:.6g}) N and {torque:.6g} N m")
+    if task and task["kind"] == "polytope":
+        parts.append(f"relative to a polytope of {_count(len(task['rows']), 'wrench', 'wrenches')}")
+    elif task:
+        parts.append(f"relative to an ellipsoid of {_count(len(task['rows']), 'axis', 'axes')}")
+    return ", ".join(parts)
 
 
 def _question(claim: dict[str, Any]) -> str:

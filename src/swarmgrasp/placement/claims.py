@@ -14,7 +14,7 @@ MOST_TURNED = 1e6
 LARGEST = 1e100
 """Of any number: its cube is still one."""
 SMALLEST = 1e-100
-"""Of the largest number of a task."""
+"""Of the metric's numbers, and of the largest number of a task: it can be divided by."""
 
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 Size = Annotated[float, Field(ge=0.0, le=LARGEST)]
@@ -185,6 +185,13 @@ class MetricClaim(_Form):
 
     force_weights: tuple[Positive, Positive]
     characteristic_length: Positive
+
+    @model_validator(mode="after")
+    def check_size(self) -> Self:
+        """Refuse numbers that cannot be divided by."""
+        if min(*self.force_weights, self.characteristic_length) < SMALLEST:
+            raise ValueError(f"weights and length should be at least {SMALLEST:g}")
+        return self
 
 
 class Claims(_Form):

@@ -38,11 +38,16 @@ def reason_of(answer: "Placement") -> str:
         return f"what remains weakest is {wrench_words(answer.after.normal)}"
     present = len(answer.problem.swarm)
     weakest = wrench_words(answer.before.normal)
-    if present < 3:
+    criterion = answer.problem.criterion
+    left = present + 1 - criterion.losing
+    if left < 4 and criterion.task is None:
+        after = f", {max(left, 0)} of them after the loss" if criterion.losing else ""
         return (
             "force closure takes at least 4 robots, wherever they are; with this one there "
-            f"{'are' if present else 'is'} {present + 1}"
+            f"{'are' if present else 'is'} {present + 1}{after}"
         )
+    if criterion.has_load and answer.quality == 0.0:
+        return "no allowed robot makes the swarm hold the load"
     before = answer.before.quality
     if before > 0.0 and answer.opposite <= before * (1.0 + answer.tolerance + ROUNDING):
         return (

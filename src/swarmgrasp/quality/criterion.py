@@ -9,6 +9,9 @@ from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.quality.task import Task
 from swarmgrasp.ranges import STRONGEST, numbers
 
+MOST_LOST = 10**9
+"""Robots that may be lost; all there are, if that is more."""
+
 
 class Terms(TypedDict, total=False):
     """The parts of a criterion, as keywords."""
@@ -60,9 +63,10 @@ class Criterion:
         """Check the values."""
         faults = []
         is_whole = isinstance(self.losing, int | np.integer) and not isinstance(self.losing, bool)
-        if not is_whole or self.losing < 0:
+        if not is_whole or not 0 <= self.losing <= MOST_LOST:
             faults.append(
-                f"the number of robots to lose is {self.losing!r}; it should be a whole number >= 0"
+                f"the number of robots to lose is {self.losing!r}; it should be a whole number, "
+                f"0 <= number <= {MOST_LOST}"
             )
         if not isinstance(self.worst_case, bool):
             faults.append(f"worst_case is {self.worst_case!r}; it should be True or False")
