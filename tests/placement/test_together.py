@@ -29,10 +29,10 @@ from swarmgrasp import (
     quality,
 )
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
-from swarmgrasp.placement.gauge import Gauge
-from swarmgrasp.placement.regions import CONTACT, DIRECTION, whole
-from swarmgrasp.placement.relaxation import Relaxation, Rows, Share
-from swarmgrasp.placement.stands import Ground
+from swarmgrasp.placement.together.gauge import Gauge
+from swarmgrasp.placement.together.regions import CONTACT, DIRECTION, whole
+from swarmgrasp.placement.together.relaxation import Relaxation, Rows, Share
+from swarmgrasp.placement.together.stands import Ground
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 PULLS = [

@@ -3,12 +3,18 @@
 from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
-from swarmgrasp.placement.how_many import HowMany, how_many
 from swarmgrasp.placement.many import cell_qualities, qualities_with
-from swarmgrasp.placement.moving import Move, Relocation, best_move
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import place, place_sequence
-from swarmgrasp.placement.together import Together, place_together
+from swarmgrasp.placement.together import (
+    HowMany,
+    Move,
+    Relocation,
+    Together,
+    best_move,
+    how_many,
+    place_together,
+)
 from swarmgrasp.placement.verify import Verdict, verify_document
 
 __all__ = [

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.linear import Program
-from swarmgrasp.placement.gauge import Gauge, Levels
-from swarmgrasp.placement.regions import Region
+from swarmgrasp.placement.together.gauge import Gauge, Levels
+from swarmgrasp.placement.together.regions import Region
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]

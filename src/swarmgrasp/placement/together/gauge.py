@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.kernels import core
-from swarmgrasp.placement.stands import Ground, Stands
+from swarmgrasp.placement.together.stands import Ground, Stands
 from swarmgrasp.quality.aim import EXACT, NO_SPREAD, NO_TASK, Aim
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of

@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.branching import Tree
-from swarmgrasp.placement.gauge import Gauge
-from swarmgrasp.placement.polish import GAIN, Climb, Polish
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.regions import whole
-from swarmgrasp.placement.relaxation import Relaxation, Relaxed, Share
-from swarmgrasp.placement.stands import Ground, Stands
+from swarmgrasp.placement.together.branching import Tree
+from swarmgrasp.placement.together.gauge import Gauge
+from swarmgrasp.placement.together.polish import GAIN, Climb, Polish
+from swarmgrasp.placement.together.regions import whole
+from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Share
+from swarmgrasp.placement.together.stands import Ground, Stands
 from swarmgrasp.quality.weakest import MARGINAL
 
 Array = NDArray[np.float64]

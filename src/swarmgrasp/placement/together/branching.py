@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.regions import CONTACT, DIRECTION, Cut, Region
-from swarmgrasp.placement.relaxation import Relaxation, Relaxed, Rows, Share
+from swarmgrasp.placement.together.regions import CONTACT, DIRECTION, Cut, Region
+from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Rows, Share
 
 Array = NDArray[np.float64]
 EVEN = 0.03

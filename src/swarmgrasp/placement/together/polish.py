@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.linear import Program
-from swarmgrasp.placement.gauge import Gauge, Levels
 from swarmgrasp.placement.optimum import Search, search_for
-from swarmgrasp.placement.stands import Stands
+from swarmgrasp.placement.together.gauge import Gauge, Levels
+from swarmgrasp.placement.together.stands import Stands
 
 Array = NDArray[np.float64]
 FIRST_STEP, LAST_STEP, LONGEST_STEP = 1.0, 1e-6, 5.0

@@ -9,10 +9,10 @@ from typing import TypeGuard
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
-from swarmgrasp.placement.joint import JointSearch
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import RISE, is_whole, place_sequence
-from swarmgrasp.placement.stands import Stands
+from swarmgrasp.placement.together.joint import JointSearch
+from swarmgrasp.placement.together.stands import Stands
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.robot import Robot

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.stands import Ground
+from swarmgrasp.placement.together.stands import Ground
 
 Array = NDArray[np.float64]
 PIECE, START, END, LOW, HIGH = range(5)
