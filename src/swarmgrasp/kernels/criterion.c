@@ -8,6 +8,8 @@
 
 #define LISTED 12       /* planes that may cross a triangle for its vertices to be listed */
 #define TRIES 3         /* cuts made in a triangle before it is split */
+#define UNHELD 1e3      /* times the tolerance: what a load that is not held lacks at least */
+#define AROUND 128      /* directions looked at to begin with */
 #define ROUNDS 256      /* triangles between two looks at the keyboard */
 #define SMALLEST 1e-13  /* edge of a triangle that is a point, */
 #define DEPTH 110       /* halvings until then, and more */
@@ -170,14 +172,16 @@ void criterion_end(Criterion *aim) {
 /* Keep a normal with its H and D if it is the weakest so far. A load that is not held where the
  * task asks for nothing counts as the worst there is. */
 static void offer(Hunt *h, const double *normal, double height, double extent) {
-    double size = length(normal), value;
-    if (extent > UNASKED * size)
+    double size = length(normal), value, error = 0.0;
+    if (extent > UNASKED * size) {
         value = height / extent;
-    else if (height < -h->tolerance * size)
+        error = h->tolerance * size / extent; /* large where next to nothing is asked */
+    } else if (height < -UNHELD * h->tolerance * size) {
         value = height / (UNASKED * size);
-    else
+    } else {
         return;
-    if (value < h->best) {
+    }
+    if (value < h->best - error) {
         h->best = value;
         memcpy(h->normal, normal, sizeof h->normal);
     }
@@ -380,8 +384,8 @@ static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, con
 
 /* Finish a triangle that few planes cross, or many that meet in one direction, by listing its
  * vertices: H is concave between the planes of the known robots, as long as the others do not
- * change sign; so its least is at a vertex. If there are uncertain robots the vertices on the
- * triangle's edges count too. Returns whether that could be done. */
+ * change sign; so its least is at a vertex. Those on the triangle's edges count too: there may be no
+ * others, if all generators lie in a plane. Returns whether that could be done. */
 static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) {
     const Active *planes[LISTED], *pair[2];
     int count = find_planes(h, begin, end, planes);
@@ -393,10 +397,7 @@ static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) 
             return 0;
         try_vertex(h, place, begin, end, pair[0], pair[1]);
     }
-    int is_curved = 0;
-    for (size_t a = begin; a < end && !is_curved; a++)
-        is_curved = known(h->aim, h->extra, h->active[a].robot) == NULL;
-    for (size_t a = begin; a < end && is_curved; a++)
+    for (size_t a = begin; a < end; a++)
         if (h->active[a].is_crossing)
             try_edges(h, place, begin, end, h->active + a);
     return 1;
@@ -466,6 +467,20 @@ static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
     return status;
 }
 
+/* Look at directions spread evenly on a Fibonacci spiral: a low value to begin with keeps the search
+ * out of valleys that are not the deepest. */
+static void look_around(Hunt *h, const Tree *tree) {
+    for (int k = 0; k < AROUND && h->best > h->zero; k++) {
+        double z = 1.0 - (2.0 * k + 1.0) / AROUND, radius = sqrt(1.0 - z * z), cap, normal[3];
+        double turn = k * PI * (3.0 - sqrt(5.0));
+        double white[3] = {radius * cos(turn), radius * sin(turn), z};
+        tree_normal(tree, white, normal);
+        double height = criterion_height(h->aim, normal, h->extra, &cap);
+        if (!isnan(height))
+            offer(h, normal, height, criterion_extent(h->aim, normal));
+    }
+}
+
 int criterion_search(const Criterion *aim, const double *extra, double gap, double below,
                      double zero, int (*interrupted)(void), double *value, double *normal) {
     Tree tree;
@@ -479,6 +494,8 @@ int criterion_search(const Criterion *aim, const double *extra, double gap, doub
     memcpy(tree.whiten, aim->whiten, sizeof tree.whiten);
     if (!h.active || !h.top)
         status = -1;
+    if (status == 0)
+        look_around(&h, &tree);
     for (int octant = 0; octant < 8 && status == 0 && h.best > zero; octant++) {
         Place place = {.white = {0.0}};
         memcpy(place.fixed, aim->load, sizeof place.fixed);

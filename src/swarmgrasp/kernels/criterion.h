@@ -10,7 +10,7 @@
 
 #include "sector.h"
 
-#define UNASKED 1e-10      /* D, relative to the normal, at which the task asks for nothing there */
+#define UNASKED 1e-6       /* D, relative to the normal, at which the task asks for nothing there */
 #define SPREAD (PIECE + 2) /* numbers in a row of a robot whose pose is uncertain */
 
 typedef struct {

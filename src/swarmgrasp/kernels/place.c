@@ -62,9 +62,11 @@ static int add_normal(Search *s, const double *normal) {
     double extent = criterion_extent(s->criterion, normal), least = UNASKED * length(normal);
     if (isnan(height))
         return NO_MEMORY;
-    if (extent < least && height >= 0.0)
-        return SOLVED;
-    extent = larger(extent, least);
+    if (extent < least) {
+        if (height >= -ZERO * s->size * length(normal))
+            return SOLVED;
+        extent = UNASKED * least; /* the load alone is what counts */
+    }
     for (int k = 0; k < 3; k++)
         unit[k] = normal[k] / extent;
     return add_row(s, unit, height / extent, cap / extent);

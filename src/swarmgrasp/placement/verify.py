@@ -44,6 +44,8 @@ RELATIVE = 1e-9
 CERTIFIED = 1e-7
 """The same for the worst of uncertain poses, which the search finds no nearer, and for a task,
 which may hang on directions in which it asks for next to nothing."""
+SMALL = 1e-2
+"""Worst of uncertain poses relative to sum |b_i|, below which that is relative to this."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 
@@ -216,8 +218,9 @@ class _Check:
 
     def slack(self, value: float) -> float:
         """Return the difference that counts as rounding at a value."""
-        is_sure = not (self.base.spread or self.is_tolerant or self.claim.criterion.task)
-        return (RELATIVE if is_sure else CERTIFIED) * value + self.rounding
+        if self.base.spread or self.is_tolerant:
+            return CERTIFIED * max(value, SMALL * self.rounding / ABSOLUTE) + self.rounding
+        return (CERTIFIED if self.claim.criterion.task else RELATIVE) * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""

@@ -73,7 +73,7 @@ def spread_at(
     point = tuple(np.asarray(contact, dtype=float).tolist())
     parts: tuple[tuple[Point, Point], ...] = ((point, point),)
     if tolerance.is_adrift:
-        at = outline.at_point(outline.at_arc_length(_on_boundary(outline, point)).point).arc_length
+        at = _on_boundary(outline, point)
         parts = tuple(boundary_parts(outline, at + first, at + last))
     lo, hi = tolerance.turns
     least = limit if tolerance.least_limit is None else tolerance.least_limit
