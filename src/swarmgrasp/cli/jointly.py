@@ -21,18 +21,12 @@ def solve(
     Raises
     ------
     UsageFault
-        If the scenario has no newcomer, or leaves them no place.
+        If the scenario leaves them no place.
     """
-    source = source_of(file)
-    if scenario.newcomer is None:
-        raise UsageFault(
-            f"{source}:1:1: has no newcomer to place; add one, such as "
-            "`newcomer: {limit: 100, attachment: push}`"
-        )
     try:
         return place_together(problem_of(scenario, criterion), robots, gap=gap, seconds=seconds)
     except SwarmGraspError as error:
-        raise UsageFault(f"{source}: {fault}" for fault in error.faults) from error
+        raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
 
 
 def data_of(name: str, found: Together) -> dict[str, Any]:

@@ -126,6 +126,7 @@ def _together(
     """Place the newcomers all at once."""
     from swarmgrasp.cli import jointly
 
+    check_newcomer(scenario, file, robots)
     found = jointly.solve(scenario, file, robots, gap, seconds, criterion)
     data = jointly.data_of(scenario.name, found)
     if json == DASH:
@@ -164,6 +165,23 @@ def solve(
     UsageFault
         If the scenario has no newcomer, leaves it no place, or has a robot of its name.
     """
+    check_newcomer(scenario, file, robots)
+    from swarmgrasp.cli.gains import problem_of
+    from swarmgrasp.cli.progress import shown_progress
+    from swarmgrasp.placement import place_sequence
+
+    try:
+        problem = problem_of(scenario, criterion or scenario.criterion)
+        with shown_progress(robots) as progress:
+            return place_sequence(
+                problem, robots, gap=gap, runners_up=runners_up, progress=progress
+            )
+    except SwarmGraspError as error:
+        raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
+
+
+def check_newcomer(scenario: "Scenario", file: str, robots: int) -> None:
+    """Raise `UsageFault` if there is no newcomer, or a robot has a name that one would get."""
     source = source_of(file)
     if scenario.newcomer is None:
         raise UsageFault(
@@ -178,24 +196,6 @@ def solve(
             f"{source}: {', '.join(taken)} is there already, and --robots {robots} gives that name "
             "to a newcomer; names should differ"
         )
-    from swarmgrasp.cli.progress import shown_progress
-    from swarmgrasp.placement import Problem, place_sequence
-
-    try:
-        problem = Problem(
-            scenario.swarm,
-            scenario.newcomer,
-            scenario.zones,
-            scenario.no_go,
-            scenario.spacing,
-            scenario.criterion if criterion is None else criterion,
-        )
-        with shown_progress(robots) as progress:
-            return place_sequence(
-                problem, robots, gap=gap, runners_up=runners_up, progress=progress
-            )
-    except SwarmGraspError as error:
-        raise UsageFault(f"{source}: {fault}" for fault in error.faults) from error
 
 
 def _number_faults(robots: str, gap: float, runners_up: float, seconds: float) -> list[str]:
