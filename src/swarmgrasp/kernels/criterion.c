@@ -467,13 +467,12 @@ static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
     return status;
 }
 
-/* Look at directions spread evenly on a Fibonacci spiral: a low value to begin with keeps the search
- * out of valleys that are not the deepest. */
+/* Look at directions spread evenly: a low value to begin with keeps the search out of valleys that
+ * are not the deepest. */
 static void look_around(Hunt *h, const Tree *tree) {
     for (int k = 0; k < AROUND && h->best > h->zero; k++) {
-        double z = 1.0 - (2.0 * k + 1.0) / AROUND, radius = sqrt(1.0 - z * z), cap, normal[3];
-        double turn = k * PI * (3.0 - sqrt(5.0));
-        double white[3] = {radius * cos(turn), radius * sin(turn), z};
+        double white[3], cap, normal[3];
+        on_spiral(k, AROUND, white);
         tree_normal(tree, white, normal);
         double height = criterion_height(h->aim, normal, h->extra, &cap);
         if (!isnan(height))

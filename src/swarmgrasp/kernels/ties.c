@@ -46,13 +46,12 @@ int search_is_tied(const Search *s, const Best *best, const Proof *proofs, doubl
     return 0;
 }
 
-/* Spread directions evenly over the sphere on a Fibonacci spiral, and evaluate h there. */
+/* Evaluate h at directions spread evenly over the sphere. */
 static void fill_field(const Search *s, Field *field) {
     double mean = 0.0;
     for (int k = 0; k < DIRECTIONS; k++) {
-        double z = 1.0 - (2.0 * k + 1.0) / DIRECTIONS, radius = sqrt(1.0 - z * z);
-        double turn = k * PI * (3.0 - sqrt(5.0));
-        double n[3] = {radius * cos(turn), radius * sin(turn), z};
+        double n[3];
+        on_spiral(k, DIRECTIONS, n);
         field->height[k] = s->criterion ? criterion_total(s->criterion, n) : search_height(s, n);
         mean += field->height[k] / DIRECTIONS;
         for (int c = 0; c < 3; c++)

@@ -34,6 +34,15 @@ static inline double total_size(const double *generators, ptrdiff_t n) {
     return size;
 }
 
+/* The k-th of some unit vectors spread evenly over the sphere, on a Fibonacci spiral. */
+static inline void on_spiral(int k, int count, double *v) {
+    double z = 1.0 - (2.0 * k + 1.0) / count, radius = sqrt(1.0 - z * z);
+    double turn = k * PI * (3.0 - sqrt(5.0));
+    v[0] = radius * cos(turn);
+    v[1] = radius * sin(turn);
+    v[2] = z;
+}
+
 static inline double larger(double a, double b) { return a > b ? a : b; }
 
 static inline double smaller(double a, double b) { return a < b ? a : b; }
