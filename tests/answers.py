@@ -3,8 +3,9 @@
 from functools import cache
 
 from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place
-from swarmgrasp.placement import Problem, verify_document
+from swarmgrasp.placement import Problem
 from swarmgrasp.placement.document import digest_of, document_of
+from swarmgrasp.verify import verify_document
 
 OUTLINE = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)], edge_names=["s", "e", "n", "w"])
 CREW = [

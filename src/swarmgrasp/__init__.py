@@ -27,7 +27,6 @@ from swarmgrasp.placement import (
     place_together,
     qualities_with,
     read_answer,
-    verify_document,
     write_answer,
 )
 from swarmgrasp.quality import (
@@ -44,10 +43,9 @@ from swarmgrasp.quality import (
     sensitivities,
     wrench_words,
 )
-from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.summary import Summary
-from swarmgrasp.swarm import Swarm, wrenches
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
+from swarmgrasp.verify import Verdict, verify_document
 from swarmgrasp.wrench_set import WrenchSet
 
 __all__ = [
@@ -80,6 +78,7 @@ __all__ = [
     "SwarmGraspError",
     "Together",
     "Tolerance",
+    "Verdict",
     "Wind",
     "WindCoefficients",
     "WrenchSet",

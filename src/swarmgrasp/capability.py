@@ -14,7 +14,8 @@ from swarmgrasp.environment.limits import BEARING
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.quality import Polytope, quality
 from swarmgrasp.ranges import WEAKEST
-from swarmgrasp.swarm import Swarm, check_swarm
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
 HELD = 1e-9
 """Share of a current by which it may fail to be held, for rounding."""

@@ -7,8 +7,8 @@ import pytest
 
 from swarmgrasp import Newcomer, Outline, Problem, Robot, Stretch, Swarm, Zone, place_sequence
 from swarmgrasp.errors import NowhereToAttach
-from swarmgrasp.placement import verify_document
 from swarmgrasp.placement.document import document_of
+from swarmgrasp.verify import verify_document
 
 
 def outline_of(rng):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from swarmgrasp.outline import Stretch
-from swarmgrasp.robot import Zone
 from swarmgrasp.scenario import load_scenario, parse_scenario
+from swarmgrasp.swarm import Zone
 
 SQUARE = "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]], edges: [s, e, n, w]}\n"
 CLOCKWISE = "outline: {vertices: [[0, 0], [0, 2], [4, 2], [4, 0]], edges: [w, n, e, s]}\n"

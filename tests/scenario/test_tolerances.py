@@ -7,7 +7,7 @@ import pytest
 
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.scenario import Scenario, load_example, parse_scenario, scenario_schema
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Tolerance
 
 OUTLINE = "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}\n"
 ROBOT = "at: 1, direction: 0, limit: 2"

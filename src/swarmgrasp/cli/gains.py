@@ -7,8 +7,8 @@ from swarmgrasp.cli.words import degrees, stance
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem, Together
 from swarmgrasp.quality import Criterion
-from swarmgrasp.robot import Newcomer, Robot
 from swarmgrasp.scenario import Scenario
+from swarmgrasp.swarm import Newcomer, Robot
 
 SAME = 1e-9
 """Relative difference of two qualities that is none."""

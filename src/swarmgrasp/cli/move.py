@@ -21,7 +21,7 @@ from swarmgrasp.errors import SwarmGraspError
 if TYPE_CHECKING:
     from swarmgrasp.cli.report import Forces, Report
     from swarmgrasp.placement import Move
-    from swarmgrasp.robot import Robot
+    from swarmgrasp.swarm import Robot
 
 
 def move(

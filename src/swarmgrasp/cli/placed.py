@@ -7,7 +7,7 @@ from swarmgrasp.cli.report import ALONG, NOTES, Column, Forces, Lengths, Report,
 from swarmgrasp.cli.words import Stance, degrees, stance
 from swarmgrasp.placement import Placement
 from swarmgrasp.quality import quality
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Robot
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from swarmgrasp.quality import Loss, Quality
-    from swarmgrasp.robot import Robot
     from swarmgrasp.scenario import Scenario
+    from swarmgrasp.swarm import Robot
 
 
 def quality(

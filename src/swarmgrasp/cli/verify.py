@@ -20,7 +20,7 @@ from swarmgrasp.cli.words import degrees
 from swarmgrasp.errors import AnswerInvalid, SwarmGraspError
 
 if TYPE_CHECKING:
-    from swarmgrasp.placement import Verdict
+    from swarmgrasp.verify import Verdict
 
 REFUSED = 1
 FEWEST = 1e-12
@@ -52,7 +52,7 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
         raise AnswerInvalid([*faults, *error.faults]) from None
     if faults:
         raise AnswerInvalid(faults)
-    from swarmgrasp.placement import verify_document
+    from swarmgrasp.verify import verify_document
 
     name = source_of(answer)
     try:

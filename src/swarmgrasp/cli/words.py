@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Robot
 
 SQUARE = 0.05
 """Angle [deg] below which a force counts as square to the edge."""

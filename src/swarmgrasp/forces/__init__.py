@@ -3,6 +3,5 @@
 from swarmgrasp.forces.answer import Forces, ForcesAlong
 from swarmgrasp.forces.certificate import LoadCertificate
 from swarmgrasp.forces.least import forces, forces_along
-from swarmgrasp.forces.verify import LoadVerdict
 
-__all__ = ["Forces", "ForcesAlong", "LoadCertificate", "LoadVerdict", "forces", "forces_along"]
+__all__ = ["Forces", "ForcesAlong", "LoadCertificate", "forces", "forces_along"]

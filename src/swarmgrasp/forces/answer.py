@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.forces.certificate import LoadCertificate
-from swarmgrasp.forces.verify import Claim, LoadVerdict, faults_of
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.verify import Verdict
+from swarmgrasp.verify.forces import Claim, faults_of
 
 Array = NDArray[np.float64]
 
@@ -80,15 +81,15 @@ class Forces:
         normals = self.certificate.normals
         return normals[0] if len(normals) else np.zeros(3)
 
-    def verify(self) -> LoadVerdict:
+    def verify(self) -> Verdict:
         """Check that no other loads are better, by code that shares nothing with the solver.
 
         Returns
         -------
-        LoadVerdict
+        Verdict
             True in a condition when all claims hold; its faults say which do not.
         """
-        return LoadVerdict(tuple(faults_of(self._claim())))
+        return Verdict(tuple(faults_of(self._claim())))
 
     def _claim(self) -> Claim:
         """Return what is claimed, as plain data."""
@@ -174,10 +175,10 @@ class ForcesAlong:
         """(m,): which wrenches are out of reach."""
         return self.shortfalls > 0.0
 
-    def verify(self) -> LoadVerdict:
+    def verify(self) -> Verdict:
         """Check each wrench as `Forces.verify` does; faults begin with its index."""
         verdicts = ((i, found.verify()) for i, found in enumerate(self))
-        return LoadVerdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
+        return Verdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
 
 
 def read_only(array: Array) -> Array:

@@ -5,10 +5,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.crew import MOST_LISTED
 from swarmgrasp.errors import RobotInvalid, WrenchInvalid
 from swarmgrasp.ranges import STRONGEST, WEAKEST
-from swarmgrasp.swarm import Swarm, check_swarm
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.columns import MOST_LISTED
+from swarmgrasp.swarm.swarm import check_swarm
 
 Triple = tuple[float, float, float]
 UNITS = "[N, N, N m]"

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.placement import Problem
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Robot
 
 Array = NDArray[np.float64]
 

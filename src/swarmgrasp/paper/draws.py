@@ -7,8 +7,7 @@ import numpy as np
 
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
-from swarmgrasp.robot import Newcomer, Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 LENGTH, BREADTH = 2.0, 1.0
 """Of the rectangle [m], a choice made here."""

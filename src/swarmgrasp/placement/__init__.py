@@ -4,8 +4,8 @@ from swarmgrasp.placement.answer import Placement, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
 from swarmgrasp.placement.many import cell_qualities, qualities_with
+from swarmgrasp.placement.place import place, place_sequence
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import place, place_sequence
 from swarmgrasp.placement.together import (
     HowMany,
     Move,
@@ -15,7 +15,6 @@ from swarmgrasp.placement.together import (
     how_many,
     place_together,
 )
-from swarmgrasp.placement.verify import Verdict, verify_document
 
 __all__ = [
     "Certificate",
@@ -27,7 +26,6 @@ __all__ = [
     "Relocation",
     "RunnerUp",
     "Together",
-    "Verdict",
     "best_move",
     "cell_qualities",
     "how_many",
@@ -37,6 +35,5 @@ __all__ = [
     "place_together",
     "qualities_with",
     "read_answer",
-    "verify_document",
     "write_answer",
 ]

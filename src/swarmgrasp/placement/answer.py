@@ -2,18 +2,14 @@
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
-
-if TYPE_CHECKING:
-    from swarmgrasp.placement.verify import Verdict
+from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.verify import Verdict, verify_document
 
 
 @dataclass(frozen=True)
@@ -114,7 +110,7 @@ class Placement:
         """The swarm with the newcomer."""
         return self.problem.swarm.with_robot(self.robot)
 
-    def verify(self) -> "Verdict":
+    def verify(self) -> Verdict:
         """Check everything this answer claims, by code that shares nothing with the search.
 
         Returns
@@ -124,6 +120,5 @@ class Placement:
             reason is prose and is not checked.
         """
         from swarmgrasp.placement.document import document_of
-        from swarmgrasp.placement.verify import verify_document
 
         return verify_document(document_of(self))

@@ -10,11 +10,10 @@ from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.files import write_whole
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement
-from swarmgrasp.placement.digest import digest_of
 from swarmgrasp.quality.criterion import Criterion
 from swarmgrasp.quality.task import Polytope
-from swarmgrasp.robot import Robot, Zone
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Robot, Tolerance, Zone
+from swarmgrasp.verify.digest import digest_of
 
 FORMAT = "swarmgrasp answer 2"
 LARGEST_FILE = 50_000_000

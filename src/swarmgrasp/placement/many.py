@@ -6,14 +6,14 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.crew import NAMELESS, check_contacts, checked_crew
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.placement.optimum import search_for
+from swarmgrasp.placement.place import is_whole
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import is_whole
 from swarmgrasp.quality.criterion import Criterion, Terms
-from swarmgrasp.robot import Newcomer
-from swarmgrasp.swarm import Swarm, check_swarm, wrenches
+from swarmgrasp.swarm import Newcomer, Swarm, wrenches
+from swarmgrasp.swarm.columns import NAMELESS, check_contacts, checked_columns
+from swarmgrasp.swarm.swarm import check_swarm
 
 
 def qualities_with(
@@ -58,15 +58,15 @@ def qualities_with(
     """
     check_swarm(swarm)
     criterion = Criterion(**terms)
-    crew = checked_crew(contacts, directions, limits, False)
-    check_contacts(swarm.outline, crew, NAMELESS)
-    if not len(crew.limits):
+    columns = checked_columns(contacts, directions, limits, False)
+    check_contacts(swarm.outline, columns, NAMELESS)
+    if not len(columns.limits):
         return np.zeros(0)
-    limit = float(crew.limits.max())
+    limit = float(columns.limits.max())
     problem = Problem(swarm, Newcomer(limit), criterion=criterion)
     search = search_for(problem, problem.pieces().rows)
-    arms = crew.contacts - swarm.outline.origin
-    return search.qualities_with(wrenches(arms, crew.directions, crew.limits / limit))
+    arms = columns.contacts - swarm.outline.origin
+    return search.qualities_with(wrenches(arms, columns.directions, columns.limits / limit))
 
 
 def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.float64]:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
-from swarmgrasp.robot import RIGHT_ANGLE, Newcomer, Zone
+from swarmgrasp.swarm import Newcomer, Zone
+from swarmgrasp.swarm.robot import RIGHT_ANGLE
 
 Interval = tuple[float, float]
 

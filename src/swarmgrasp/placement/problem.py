@@ -7,8 +7,7 @@ from swarmgrasp.errors import ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
-from swarmgrasp.robot import Newcomer, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Swarm, Zone
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,8 +19,7 @@ from swarmgrasp.quality.words import share_words, wrench_words
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
-    from swarmgrasp.robot import Robot
-    from swarmgrasp.swarm import Swarm
+    from swarmgrasp.swarm import Robot, Swarm
 
 ROUNDING = 2e-13
 """Of the quality before: a difference that is none."""

@@ -12,7 +12,7 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.poses import spread_at
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Tolerance
 
 Array = NDArray[np.float64]
 MOST_CELLS = 60_000

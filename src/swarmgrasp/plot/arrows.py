@@ -13,7 +13,7 @@ from matplotlib.patches import FancyArrow, Patch
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Robot
 
 Vector = NDArray[np.float64]
 

@@ -22,8 +22,7 @@ from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, writ
 from swarmgrasp.plot.strips import BOLLARD, STRIP, STRIPES, draw_strips, name_bollards, name_strips
 from swarmgrasp.quality import Quality
 from swarmgrasp.quality.criterion import NOMINAL
-from swarmgrasp.robot import Robot, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm, Zone
 
 MOST_LABELS: Final = 40
 """With more robots or named edges than this none is labelled."""

@@ -18,8 +18,7 @@ from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.quality import Quality, quality
 from swarmgrasp.quality.poses import Spread, spread_at
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm
 
 BAND: Final[dict[str, Any]] = {"color": "#8CCBF0", "linewidth": 6.0}
 """The contacts of a robot; zorder: above the object, below its edge."""

@@ -27,7 +27,7 @@ from swarmgrasp.plot.plan import (
 )
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
 from swarmgrasp.quality import Sensitivities
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm import Robot
 
 Vectors = NDArray[np.float64]
 

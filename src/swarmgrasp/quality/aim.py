@@ -11,8 +11,7 @@ from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.poses import Spread, spreads_of
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest import MARGINAL, Weakest
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm
 
 Array = NDArray[np.float64]
 EXACT, CERTIFIED = 1e-12, 1e-7

@@ -5,8 +5,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.crew import MOST_LISTED
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.swarm.columns import MOST_LISTED
 
 SMALLEST, LARGEST = 1e-120, 1e120
 """Range of a generator's largest component [N] whose squares are still numbers."""

@@ -6,7 +6,8 @@ from typing import Unpack
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
 from swarmgrasp.quality.words import wrench_words
-from swarmgrasp.swarm import Swarm, check_swarm
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
 
 @dataclass(frozen=True, eq=False)

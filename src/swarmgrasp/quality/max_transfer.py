@@ -14,7 +14,8 @@ from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of
-from swarmgrasp.swarm import Swarm, check_swarm
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
 SEPARATED = 1e-9
 """Cosine by which a direction opposes all robots where force closure is clearly lacking."""

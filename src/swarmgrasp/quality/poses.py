@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.swarm import Swarm
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Swarm, Tolerance
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]

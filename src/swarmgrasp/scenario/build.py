@@ -4,7 +4,6 @@ import math
 
 from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError
 from swarmgrasp.outline import Outline, Stretch
-from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.locate import Locator, Place
@@ -15,7 +14,7 @@ from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, robot_names, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
 SMALLEST_EXTENT = 1e-6
 """Least diagonal of an outline's bounding box, in the file's unit."""

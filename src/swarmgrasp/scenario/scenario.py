@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Stretch
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
-from swarmgrasp.robot import Newcomer, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Swarm, Zone
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,6 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.config import JsonDict, JsonValue
 
-from swarmgrasp.robot import Attachment
 from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
     Angle,
@@ -24,6 +23,7 @@ from swarmgrasp.scenario.fields import (
 )
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
+from swarmgrasp.swarm.robot import Attachment
 
 
 def _kind(value: object) -> str:

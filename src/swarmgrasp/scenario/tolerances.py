@@ -7,7 +7,7 @@ from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm import Tolerance
 
 DEFAULT: Path = ("tolerance",)
 """Where a file gives the tolerance of every robot that has none of its own."""

@@ -14,7 +14,7 @@ from swarmgrasp.errors import MetricInvalid, SummaryInvalid
 from swarmgrasp.summary.cells import MOST_SIDE
 from swarmgrasp.summary.content import MOST_ROBOTS, Content
 from swarmgrasp.summary.records import RECORD, Records, moments_from, records_of
-from swarmgrasp.swarm import check_metric
+from swarmgrasp.swarm.swarm import check_metric
 
 MAGIC = b"SGsm"
 VERSION = 1

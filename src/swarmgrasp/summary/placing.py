@@ -8,12 +8,11 @@ import numpy as np
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.optimum import Search
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.robot import Newcomer, Robot, Zone
 from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.heights import EVALUATION, Heights
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
 GAP = 1e-4
 """Gap of the search over the bins' sums beside their load, far below what a summary leaves open."""

@@ -12,7 +12,6 @@ from swarmgrasp.errors import SummaryInvalid
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.quality.generators import checked_generators
 from swarmgrasp.ranges import numbers
-from swarmgrasp.robot import Newcomer, Zone
 from swarmgrasp.summary.bounds import Bounds, quality_bounds
 from swarmgrasp.summary.cells import Array, side_of
 from swarmgrasp.summary.content import MOST_ROBOTS, Content
@@ -20,7 +19,8 @@ from swarmgrasp.summary.encoding import decode, encode
 from swarmgrasp.summary.heights import Heights
 from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
-from swarmgrasp.swarm import Swarm, check_metric, check_swarm
+from swarmgrasp.swarm import Newcomer, Swarm, Zone
+from swarmgrasp.swarm.swarm import check_metric, check_swarm
 
 BINS = 1024
 """Bins asked for unless told otherwise."""

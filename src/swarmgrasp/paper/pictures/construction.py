@@ -12,11 +12,11 @@ from mpl_toolkits.mplot3d.art3d import (  # type: ignore[import-untyped]
 from mpl_toolkits.mplot3d.axes3d import Axes3D  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 
-from swarmgrasp.mesh import Mesh
 from swarmgrasp.plot import style
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
+from swarmgrasp.wrench_set.mesh import Mesh
 
 Vectors = NDArray[np.float64]
 

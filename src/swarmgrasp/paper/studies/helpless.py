@@ -9,8 +9,7 @@ from swarmgrasp.paper.draws import FREE, NEWCOMERS, NORMAL, generator, pulling, 
 from swarmgrasp.paper.statements import Statement, listed, newtons, percent
 from swarmgrasp.paper.studies.gains import Gains
 from swarmgrasp.placement import Problem, place, place_sequence
-from swarmgrasp.robot import Newcomer, Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 BALANCED = 40
 """Balanced swarms drawn."""

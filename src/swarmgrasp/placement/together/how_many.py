@@ -5,8 +5,8 @@ import time
 from dataclasses import dataclass
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.placement.place import place_sequence
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import place_sequence
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.place import (
     SECONDS,

@@ -8,12 +8,11 @@ import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, RobotInvalid
 from swarmgrasp.placement.answer import Placement
+from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import RISE, place_sequence
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.words import wrench_words
-from swarmgrasp.robot import Newcomer, Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 
 @dataclass(frozen=True, eq=False)

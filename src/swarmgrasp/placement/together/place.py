@@ -9,14 +9,13 @@ from typing import TypeGuard
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.placement.place import RISE, is_whole, place_sequence
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import RISE, is_whole, place_sequence
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.stands import Stands
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.quality.words import wrench_words
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm
 
 GAP = 1e-3
 """Difference between bound and quality, relative to the quality, at which a search ends."""

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.placement.pieces import SLIVER, Pieces, pieces_of
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import wrenches
+from swarmgrasp.swarm import Robot, wrenches
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]

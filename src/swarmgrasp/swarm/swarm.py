@@ -9,20 +9,20 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.crew import (
-    NAMELESS,
-    Crew,
-    Names,
-    check_contacts,
-    checked_crew,
-    crew_of,
-    robot_label,
-)
 from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid
 from swarmgrasp.outline import Outline
 from swarmgrasp.ranges import STRONGEST, WEAKEST, numbers
-from swarmgrasp.robot import Robot
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm.columns import (
+    NAMELESS,
+    Columns,
+    Names,
+    check_contacts,
+    checked_columns,
+    columns_of,
+    robot_label,
+)
+from swarmgrasp.swarm.robot import Robot
+from swarmgrasp.swarm.tolerance import Tolerance
 
 Column = TypeVar("Column", NDArray[np.float64], NDArray[np.bool_])
 Tolerances = Mapping[int, Tolerance]
@@ -88,12 +88,12 @@ class Swarm:
         characteristic_length: float | None = None,
         force_weights: tuple[float, float] = (1.0, 1.0),
     ) -> None:
-        crew = tuple(robots)
-        columns = crew_of(crew)
-        names = {i: robot.name for i, robot in enumerate(crew) if robot.name}
-        tolerances = {i: robot.tolerance for i, robot in enumerate(crew) if robot.tolerance}
+        robots = tuple(robots)
+        columns = columns_of(robots)
+        names = {i: robot.name for i, robot in enumerate(robots) if robot.name}
+        tolerances = {i: robot.tolerance for i, robot in enumerate(robots) if robot.tolerance}
         self._fill(outline, columns, names, tolerances, characteristic_length, force_weights)
-        vars(self)["robots"] = crew
+        vars(self)["robots"] = robots
 
     @classmethod
     def from_arrays(
@@ -141,15 +141,15 @@ class Swarm:
         >>> swarm.robots[1]
         Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='', mounted=False, tolerance=None)
         """
-        crew = checked_crew(contacts, directions, limits, mounted)
+        columns = checked_columns(contacts, directions, limits, mounted)
         swarm = cls.__new__(cls)
-        swarm._fill(outline, crew, NAMELESS, {}, characteristic_length, force_weights)
+        swarm._fill(outline, columns, NAMELESS, {}, characteristic_length, force_weights)
         return swarm
 
     def _fill(
         self,
         outline: Outline,
-        crew: Crew,
+        columns: Columns,
         names: Names,
         tolerances: Tolerances,
         length: float | None,
@@ -160,11 +160,11 @@ class Swarm:
             raise OutlineInvalid(f"{outline!r} is no outline: make one with Outline(vertices)")
         length = outline.radius if length is None else length
         check_metric(length, force_weights)
-        check_contacts(outline, crew, names)
+        check_contacts(outline, columns, names)
         check_tolerances(outline, tolerances, names)
-        generators = wrenches(crew.contacts - outline.origin, crew.directions, crew.limits)
+        generators = wrenches(columns.contacts - outline.origin, columns.directions, columns.limits)
         vars(self).update(
-            {name: _read_only(column) for name, column in crew._asdict().items()},
+            {name: _read_only(column) for name, column in columns._asdict().items()},
             outline=outline,
             generators=_read_only(generators),
             characteristic_length=float(length),
@@ -187,8 +187,8 @@ class Swarm:
     @cached_property
     def robots(self) -> tuple[Robot, ...]:
         """The robots one by one; those of a swarm made from arrays are made when asked for."""
-        crew = (self.contacts, self.directions, self.limits, self.mounted)
-        rows = zip(*(column.tolist() for column in crew), strict=True)
+        columns = (self.contacts, self.directions, self.limits, self.mounted)
+        rows = zip(*(column.tolist() for column in columns), strict=True)
         return tuple(
             Robot((x, y), direction, limit, self._names.get(i, ""), mounted, self.tolerances.get(i))
             for i, ((x, y), direction, limit, mounted) in enumerate(rows)
@@ -229,7 +229,7 @@ class Swarm:
         >>> len(Swarm(square, []).with_robot(Robot((1, 0), direction=3.14)))
         1
         """
-        outline, count, one = self.outline, len(self), crew_of((robot,))
+        outline, count, one = self.outline, len(self), columns_of((robot,))
         names = {**self._names, count: robot.name} if robot.name else self._names
         tolerances = self.tolerances
         if robot.tolerance:

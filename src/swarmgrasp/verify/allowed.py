@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swarmgrasp.placement.boundary import Boundary
-from swarmgrasp.placement.recompute import Array, covers, labels_of, sides_of
+from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.recompute import Array, covers, labels_of, sides_of
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import PlacementClaim, RobotClaim, ZoneClaim
+    from swarmgrasp.verify.claims import PlacementClaim, RobotClaim, ZoneClaim
 
 
 @dataclass(frozen=True)

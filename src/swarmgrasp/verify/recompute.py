@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import PlacementClaim, StretchClaim, ZoneClaim
+    from swarmgrasp.verify.claims import PlacementClaim, StretchClaim, ZoneClaim
 
 ABSOLUTE = 1e-12
 """Share of sum |b_i| that counts as rounding, and up to which a quality counts as 0."""

@@ -15,8 +15,7 @@ from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.robot import Newcomer, Robot, Zone
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
 EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from swarmgrasp.placement.boundary import Boundary
-from swarmgrasp.placement.recompute import Array, crest
+from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.recompute import Array, crest
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import RobotClaim
+    from swarmgrasp.verify.claims import RobotClaim
 
 
 class Spread(NamedTuple):

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swarmgrasp.placement.recompute import Array, distance_to, share_along
+from swarmgrasp.verify.recompute import Array, distance_to, share_along
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import OutlineClaim
+    from swarmgrasp.verify.claims import OutlineClaim
 
 NEAR = 1e-6
 """Distance of a contact from the boundary that counts as none, relative to the extent."""

@@ -12,32 +12,20 @@ A claim is trusted only after it was recomputed; the normals and weights need no
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from swarmgrasp.placement.allowed import Allowed
-from swarmgrasp.placement.boundary import Boundary
-from swarmgrasp.placement.digest import digest_of
-from swarmgrasp.placement.judge import MOST_LISTED, MOST_SWEPT, SUMMED, UNASKED, Judge, over
-from swarmgrasp.placement.recompute import (
-    ABSOLUTE,
-    ANGLE,
-    crest,
-    distance_to,
-    turns_into,
-    units_of,
-)
-from swarmgrasp.placement.team import Team
+from swarmgrasp.verify.allowed import Allowed
+from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.digest import digest_of
+from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, SUMMED, UNASKED, Judge, over
+from swarmgrasp.verify.recompute import ABSOLUTE, ANGLE, crest, distance_to, turns_into, units_of
+from swarmgrasp.verify.team import Team
+from swarmgrasp.verify.verdict import Verdict
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import (
-        Claims,
-        PlacementClaim,
-        RobotClaim,
-        RunnerUpClaim,
-    )
+    from swarmgrasp.verify.claims import Claims, PlacementClaim, RobotClaim, RunnerUpClaim
 
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
@@ -48,29 +36,6 @@ SMALL = 1e-2
 """Worst of uncertain poses relative to sum |b_i|, below which that is relative to this."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """The outcome of a check; true in a condition when everything holds.
-
-    Attributes
-    ----------
-    faults : tuple of str
-        Every claim that does not hold.
-    upper_bounds : tuple of float [N]
-        The recomputed bound of each placement; with a task, without a unit.
-    unchecked : tuple of str
-        What was taken on trust: of very many robots or uncertain poses, that the qualities
-        are no less than stated; of a newcomer that cannot hit its place, the upper bound.
-    """
-
-    faults: tuple[str, ...]
-    upper_bounds: tuple[float, ...]
-    unchecked: tuple[str, ...] = ()
-
-    def __bool__(self) -> bool:
-        return not self.faults
 
 
 def verify_document(document: dict[str, Any]) -> Verdict:
@@ -106,7 +71,7 @@ def verify_document(document: dict[str, Any]) -> Verdict:
     >>> verify_document(document).faults[0]
     'the digest does not fit the content: the file was altered'
     """
-    from swarmgrasp.placement.claims import read_claims
+    from swarmgrasp.verify.claims import read_claims
 
     claims = read_claims(document)
     faults = []

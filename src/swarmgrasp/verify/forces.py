@@ -23,22 +23,6 @@ FLAT = 1e-12
 """Cosine within which a generator may count as at right angles to a normal."""
 
 
-@dataclass(frozen=True)
-class LoadVerdict:
-    """The outcome of a check; true in a condition when everything holds.
-
-    Attributes
-    ----------
-    faults : tuple of str
-        Every claim that does not hold.
-    """
-
-    faults: tuple[str, ...]
-
-    def __bool__(self) -> bool:
-        return not self.faults
-
-
 @dataclass(frozen=True, eq=False)
 class Claim:
     """What is claimed of the loads of one wrench.

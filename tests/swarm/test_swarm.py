@@ -12,8 +12,7 @@ import pytest
 import reference
 from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm, wrenches
+from swarmgrasp.swarm import Robot, Swarm, wrenches
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 ARRAYS = ("contacts", "directions", "limits", "mounted", "generators", "scaled_generators")

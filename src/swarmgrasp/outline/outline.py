@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid
-from swarmgrasp.nearest import Edges, edges_of
-from swarmgrasp.polygon import (
+from swarmgrasp.outline.nearest import Edges, edges_of
+from swarmgrasp.outline.polygon import (
     as_point,
     centroid,
     checked_vertices,

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
 from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST
-from swarmgrasp.robot import Robot
+from swarmgrasp.swarm.robot import Robot
 
 MOST_LISTED = 10
 """Robots at fault that a message describes; it counts the others."""
@@ -18,7 +18,7 @@ Names = Mapping[int, str]
 NAMELESS: Names = {}
 
 
-class Crew(NamedTuple):
+class Columns(NamedTuple):
     """The values of n robots, one array each."""
 
     contacts: NDArray[np.float64]
@@ -31,7 +31,7 @@ class Crew(NamedTuple):
     """(n,)"""
 
 
-def crew_of(robots: Iterable[Robot]) -> Crew:
+def columns_of(robots: Iterable[Robot]) -> Columns:
     """Return the values of robots, which have checked them.
 
     Raises
@@ -43,7 +43,7 @@ def crew_of(robots: Iterable[Robot]) -> Crew:
     strangers = [robot for robot in found if not isinstance(robot, Robot)]
     if strangers:
         raise RobotInvalid(f"{robot!r} is no Robot" for robot in strangers)
-    return Crew(
+    return Columns(
         np.array([robot.contact for robot in found], dtype=float).reshape(-1, 2),
         np.array([robot.direction for robot in found], dtype=float),
         np.array([robot.limit for robot in found], dtype=float),
@@ -51,9 +51,9 @@ def crew_of(robots: Iterable[Robot]) -> Crew:
     )
 
 
-def checked_crew(
+def checked_columns(
     contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike, mounted: ArrayLike
-) -> Crew:
+) -> Columns:
     """Return copies of arrays of the right type and shape, in the ranges of a `Robot`.
 
     Parameters
@@ -70,9 +70,9 @@ def checked_crew(
 
     Examples
     --------
-    >>> checked_crew([(0, 1), (2, 3)], [0.5, 0.6], 7.0, False).limits.tolist()
+    >>> checked_columns([(0, 1), (2, 3)], [0.5, 0.6], 7.0, False).limits.tolist()
     [7.0, 7.0]
-    >>> checked_crew([(0, 1), (2, 3)], [0.5, 2e6], 7.0, False)
+    >>> checked_columns([(0, 1), (2, 3)], [0.5, 2e6], 7.0, False)
     Traceback (most recent call last):
     ...
     swarmgrasp.errors.RobotInvalid: robot 1: the direction is 2000000.0; it should be ...
@@ -90,32 +90,32 @@ def checked_crew(
             faults.append(f"the {name} have shape {array.shape}; it should be () or ({count},)")
     if faults:
         raise RobotInvalid(faults)
-    crew = Crew(
+    found = Columns(
         np.array(points, dtype=float, order="C").reshape(count, 2),
         np.array(turns, dtype=float),
         np.array(np.broadcast_to(forces, count), dtype=float),
         np.array(np.broadcast_to(flags, count), dtype=bool),
     )
-    _check_values(crew)
-    return crew
+    _check_values(found)
+    return found
 
 
-def check_contacts(outline: Outline, crew: Crew, names: Names, first: int = 0) -> None:
+def check_contacts(outline: Outline, columns: Columns, names: Names, first: int = 0) -> None:
     """Raise `RobotOffBoundary` if robots, numbered from `first`, hold nothing."""
-    distances, arc_lengths = outline.nearest(crew.contacts)
+    distances, arc_lengths = outline.nearest(columns.contacts)
     if distances.max(initial=0.0) <= outline.tolerance:
         return
     off = np.flatnonzero(~(distances <= outline.tolerance))
-    aboard = crew.mounted[off]
-    aboard[aboard] = outline.contains_each(crew.contacts[off[aboard]])
+    aboard = columns.mounted[off]
+    aboard[aboard] = outline.contains_each(columns.contacts[off[aboard]])
     off = off[~aboard]
     faults = []
     for i in off[:MOST_LISTED].tolist():
         nearest = outline.at_arc_length(float(arc_lengths[i]))
-        where = outline.off_boundary(crew.contacts[i], nearest, float(distances[i]))
+        where = outline.off_boundary(columns.contacts[i], nearest, float(distances[i]))
         remedy = (
             "a mounted robot should be inside the outline"
-            if crew.mounted[i]
+            if columns.mounted[i]
             else "move it there, or declare it mounted if it sits inside the outline"
         )
         faults.append(f"{robot_label(first + i, names)} at {where}; {remedy}")
@@ -146,20 +146,20 @@ def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
     return arrays
 
 
-def _check_values(crew: Crew) -> None:
+def _check_values(columns: Columns) -> None:
     """Raise `RobotInvalid`, in the words of `Robot`, for values outside its ranges."""
-    x, y = crew.contacts.T
+    x, y = columns.contacts.T
     wrong = {
         "contacts": ~(np.isfinite(x) & np.isfinite(y)),
-        "directions": ~(np.abs(crew.directions) <= MOST_TURNED),
-        "limits": ~((crew.limits >= WEAKEST) & (crew.limits <= STRONGEST)),
+        "directions": ~(np.abs(columns.directions) <= MOST_TURNED),
+        "limits": ~((columns.limits >= WEAKEST) & (columns.limits <= STRONGEST)),
     }
     found = np.flatnonzero(np.logical_or.reduce(list(wrong.values())))
     if not len(found):
         return
     faults: list[str] = []
     for i in found[:MOST_LISTED].tolist():
-        point, direction, limit = (column[i].tolist() for column in crew[:3])
+        point, direction, limit = (column[i].tolist() for column in columns[:3])
         try:
             Robot(tuple(point), direction, limit, name=robot_label(i))
         except RobotInvalid as error:

@@ -6,7 +6,7 @@ import pytest
 
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
-from swarmgrasp.robot import Newcomer, Robot, Zone
+from swarmgrasp.swarm import Newcomer, Robot, Zone
 
 
 def test_a_robot_keeps_its_contact_as_two_floats():

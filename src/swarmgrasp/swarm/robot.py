@@ -7,7 +7,7 @@ from typing import Literal, get_args
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.ranges import angles, limit_faults, name_faults, numbers
-from swarmgrasp.tolerance import Tolerance
+from swarmgrasp.swarm.tolerance import Tolerance
 
 Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""

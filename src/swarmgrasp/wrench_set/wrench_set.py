@@ -7,7 +7,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import MetricInvalid, WrenchInvalid
 from swarmgrasp.linear import minimise
-from swarmgrasp.mesh import (
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.wrench_set.mesh import (
     ANGLE_TOLERANCE,
     Mesh,
     across,
@@ -16,7 +17,6 @@ from swarmgrasp.mesh import (
     unit_directions,
     zonotope_mesh,
 )
-from swarmgrasp.swarm import Swarm
 
 
 @dataclass(frozen=True, eq=False)

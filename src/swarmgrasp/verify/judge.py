@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.boundary import Boundary
-from swarmgrasp.placement.recompute import ABSOLUTE, Array, exact_quality, spiral
-from swarmgrasp.placement.team import Team, team_of
+from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.recompute import ABSOLUTE, Array, exact_quality, spiral
+from swarmgrasp.verify.team import Team, team_of
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.placement.claims import CriterionClaim, MetricClaim, RobotClaim
+    from swarmgrasp.verify.claims import CriterionClaim, MetricClaim, RobotClaim
 
 MOST_SWEPT, MOST_LISTED = 2000, 400
 """Robots up to which a quality is recomputed, by the nominal criterion and by any other: a few

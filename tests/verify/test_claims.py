@@ -7,7 +7,8 @@ import pytest
 
 from answers import first, honest_document
 from swarmgrasp.errors import AnswerInvalid
-from swarmgrasp.placement import read_answer, verify_document
+from swarmgrasp.placement import read_answer
+from swarmgrasp.verify import verify_document
 
 TOLERANCE = {
     "contact": [-0.1, 0.1], "direction": [0.0, 0.0], "least_limit": None, "may_be_absent": False

@@ -10,11 +10,10 @@ from hypothesis import strategies as st
 
 import reference
 from swarmgrasp.errors import MetricInvalid, WrenchInvalid, WrenchSetTooLarge
-from swarmgrasp.mesh import MESH_LINES
 from swarmgrasp.outline import Outline
-from swarmgrasp.robot import Robot
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.wrench_set import WrenchSet
+from swarmgrasp.wrench_set.mesh import MESH_LINES
 
 X, Y, Z = np.eye(3)
 

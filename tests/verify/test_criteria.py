@@ -25,12 +25,12 @@ from swarmgrasp import (
     place,
     place_sequence,
 )
-from swarmgrasp.placement import judge as judge_of
-from swarmgrasp.placement import verify_document
-from swarmgrasp.placement.boundary import Boundary
-from swarmgrasp.placement.claims import OutlineClaim, read_claims
 from swarmgrasp.placement.document import document_of
-from swarmgrasp.placement.judge import Judge
+from swarmgrasp.verify import judge as judge_of
+from swarmgrasp.verify import verify_document
+from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.claims import OutlineClaim, read_claims
+from swarmgrasp.verify.judge import Judge
 
 SPOTS = (0.7, 3.2, 5.1, 6.8, 7.9, 9.4, 11.2)
 MORE = [Robot(OUTLINE.at_arc_length(s).point, 2.1 * k, 0.9) for k, s in enumerate(SPOTS)]
@@ -378,7 +378,7 @@ def test_of_many_robots_other_criteria_are_bounded_from_above(monkeypatch):
     """Said as taken on trust; one that is too high is still found out."""
     document = document_of(place(SWARM, NEWCOMER, losing=1))
     monkeypatch.setattr(judge_of, "MOST_LISTED", 4)
-    monkeypatch.setattr("swarmgrasp.placement.verify.MOST_LISTED", 4)
+    monkeypatch.setattr("swarmgrasp.verify.placement.MOST_LISTED", 4)
     verdict = verify_document(document)
     assert verdict, verdict.faults
     assert verdict.unchecked == (

@@ -1,0 +1,26 @@
+"""The outcome of a check."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The outcome of a check; true in a condition when everything holds.
+
+    Attributes
+    ----------
+    faults : tuple of str
+        Every claim that does not hold.
+    upper_bounds : tuple of float [N]
+        Of placements, the recomputed bound of each; with a task, without a unit.
+    unchecked : tuple of str
+        What was taken on trust: of very many robots or uncertain poses, that the qualities
+        are no less than stated; of a newcomer that cannot hit its place, the upper bound.
+    """
+
+    faults: tuple[str, ...]
+    upper_bounds: tuple[float, ...] = ()
+    unchecked: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        return not self.faults
