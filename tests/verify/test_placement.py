@@ -328,6 +328,44 @@ def test_a_forgery_is_refused_by_more_than_its_digest(document, spoil):
     assert not any("digest" in fault for fault in verdict.faults)
 
 
+@pytest.mark.parametrize(
+    ("giant", "claimed"),
+    [
+        ({"contact": [0.0, 0.0], "mounted": True, "limit": 1e16}, 123.0),
+        ({"limit": 1e14}, 5.0),
+        ({"limit": 1e9}, 1e-3),
+    ],
+)
+def test_no_giant_lends_a_claim_its_rounding(document, giant, claimed):
+    """Beside a robot that is much stronger a claim is refused, or said not to be checked."""
+    document["robots"].append({**document["robots"][0], **giant})
+    claim = first(document)
+    claim.update(runners_up=[], improves=False)
+    claim.update(quality_before=claimed, quality=claimed, upper_bound=claimed)
+    verdict = judge(document)
+    assert not verdict
+    claim.update(quality_before=1e-3, quality=1e-3, upper_bound=1e-3)
+    if verdict := judge(document):
+        assert "by the rounding of robots that are so much stronger" in verdict.unchecked[0]
+
+
+def test_a_true_answer_beside_a_giant_says_how_far_it_is_checked():
+    """Its rounding is far above a millionth of the quality."""
+    mighty = Robot(OUTLINE.at_arc_length(0.2).point, 1.0, limit=1e10)
+    verdict = place(SWARM.with_robot(mighty), NEWCOMER).verify()
+    assert verdict, verdict.faults
+    assert "by the rounding of robots that are so much stronger" in verdict.unchecked[0]
+    assert not place(SWARM, NEWCOMER).verify().unchecked
+
+
+def test_numbers_whose_squares_overflow_are_refused(document):
+    """Nothing near them can be checked, so that anything would pass."""
+    document["metric"]["characteristic_length"] = 1e-100
+    first(document)["criterion"]["load"] = [1e100, 0.0, 1e100]
+    with pytest.raises(AnswerInvalid, match="too large to be squared"):
+        judge(document)
+
+
 def test_a_changed_name_is_refused_by_the_digest(document):
     """Mathematics does not know names."""
     _name(document)

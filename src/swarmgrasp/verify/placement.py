@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.verify.allowed import Allowed
 from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.digest import digest_of
@@ -36,6 +37,14 @@ SMALL = 1e-2
 """Worst of uncertain poses relative to sum |b_i|, below which that is relative to this."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
+ROUNDED = 1e-14
+"""Share of sum |b_i| by which rounding changes a quality or a bound, of up to 100 robots; that of
+more grows with their number."""
+CLOSED = 0.3
+"""Of the quality that counts as 0: a gap between bound and quality that is closed."""
+TOLD = 1e-6
+"""Slack relative to what is claimed, above which the claim is not checked, and the verdict says so:
+robots much stronger than what is claimed, by whose rounding anything near it may be claimed."""
 
 
 def verify_document(document: dict[str, Any]) -> Verdict:
@@ -112,7 +121,15 @@ class _Check:
             self.certain_limit = tolerance.certain(self.certain_limit)
         force, turn = judge.scale[:2].max(), judge.scale[2]
         reach = claim.newcomer.limit * (force + turn * boundary.radius)
-        self.rounding = ABSOLUTE * float(judge.size(self.base) + reach) / judge.unit
+        with np.errstate(over="ignore"):
+            size = float(judge.size(self.base) + reach) / judge.unit
+        if not size * size < math.inf:
+            raise AnswerInvalid(
+                f"forces, load and lengths make wrenches of {size:.3g}{self.unit} in this metric, "
+                "too large to be squared; their size should be below 1e150"
+            )
+        self.zero = ABSOLUTE * size
+        self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
         self.cells = list(Allowed(claim, boundary, present).cells())
         units = [units_of(proof.normals) for proof in claim.proofs]
         self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
@@ -138,7 +155,7 @@ class _Check:
         gain = claim.quality - claim.quality_before
         if claim.improves and gain <= self.rounding:
             yield "the newcomer is said to improve the swarm, and does not"
-        if not claim.improves and gain > 2.0 * RISE * claim.quality_before + 20.0 * self.rounding:
+        if not claim.improves and gain > 2.0 * RISE * claim.quality_before + 20.0 * self.zero:
             yield "the newcomer is said not to improve the swarm, and does"
 
     def bound_faults(self) -> Iterator[str]:
@@ -148,9 +165,8 @@ class _Check:
         one that can.
         """
         claim, unit = self.claim, self.unit
-        if not (
-            self.is_tolerant or self.bound <= claim.upper_bound + self.slack(claim.upper_bound)
-        ):
+        most = math.inf if self.is_tolerant else claim.upper_bound + self.slack(claim.upper_bound)
+        if not (self.bound < math.inf and self.bound <= most):
             yield (
                 f"the proofs show an upper bound of {self.bound:.12g}{unit} only, not "
                 f"{claim.upper_bound:.12g}{unit}"
@@ -161,7 +177,8 @@ class _Check:
             yield f"the upper bound {claim.upper_bound:.12g}{unit} is below the quality"
         most = claim.quality * (1.0 + claim.tolerance)
         bound = claim.upper_bound if self.is_tolerant else self.bound
-        near = max(most + self.slack(most), 10.0 * self.rounding)  # of none, as good as none
+        # a search ends where rounding hides what is left; of none, as good as none
+        near = max(most + max(self.slack(most), CLOSED * self.zero), 10.0 * self.zero)
         if not claim.stopped_early and not bound <= near:
             yield (
                 f"the upper bound {bound:.12g}{unit} exceeds the quality "
@@ -171,6 +188,12 @@ class _Check:
 
     def unchecked(self) -> Iterator[str]:
         """Yield what is taken on trust."""
+        claimed = self.claim.quality
+        if claimed > 0.0 and self.slack(claimed) > TOLD * claimed:
+            yield (
+                f"a quality of {claimed:.6g}{self.unit} is checked to {self.slack(claimed):.2g}"
+                f"{self.unit} only, by the rounding of robots that are so much stronger"
+            )
         plain = self.judge.is_plain
         most, count = (MOST_SWEPT if plain else MOST_LISTED), len(self.base) + 1
         if self.base.spread or self.is_tolerant:
@@ -184,12 +207,14 @@ class _Check:
     def slack(self, value: float) -> float:
         """Return the difference that counts as rounding at a value."""
         if self.base.spread or self.is_tolerant:
-            return CERTIFIED * max(value, SMALL * self.rounding / ABSOLUTE) + self.rounding
+            return CERTIFIED * max(value, SMALL * self.zero / ABSOLUTE) + self.rounding
         return (CERTIFIED if self.claim.criterion.task else RELATIVE) * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""
         least, most = self.judge.value(team, self.normals)
+        if claimed == 0.0 and least <= 2.0 * self.zero:
+            return
         if not least - self.slack(least) <= claimed <= most + self.slack(most):
             is_known = "at most" if least < 0.5 * most else "is"
             yield (
@@ -235,7 +260,7 @@ class _Check:
         )
         lo, hi = np.array([c.lo for c in cells]), np.array([c.hi for c in cells])
         bounds = np.full(len(cells), math.inf)
-        rounding = self.rounding * self.judge.unit * (SUMMED / ABSOLUTE)
+        rounding = self.zero * self.judge.unit * (SUMMED / ABSOLUTE)
         for proof in self.claim.proofs:
             normals, weights = units_of(proof.normals), np.array(proof.weights)
             if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
