@@ -120,10 +120,14 @@ class Program:
 
 
 def _solver(presolve: bool) -> Any:
-    """Return a silent solver."""
-    import highspy
+    """Return a silent solver.
 
-    solver = highspy.Highs()
+    HiGHS 1.16 prints a banner, from C, as callbacks are set, which the constructor of
+    `highspy.Highs` does before anything can be told to it. Its base class sets none.
+    """
+    from highspy._core import _Highs
+
+    solver = _Highs()
     solver.setOptionValue("output_flag", False)
     solver.setOptionValue("primal_feasibility_tolerance", TOLERANCE)
     solver.setOptionValue("dual_feasibility_tolerance", TOLERANCE)
