@@ -1,11 +1,14 @@
 """Ranges of the numbers that users give, and what to say of those outside."""
 
 import math
+import re
 
 MOST_TURNED = 1e6
 """Largest angle [rad]: beyond it, rounding eats the direction."""
 WEAKEST, STRONGEST = 1e-100, 1e100
 """Range of force limits [N] whose squares and cubes are still numbers."""
+_CONTROL = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff\\ufffe\\uffff]")
+"""What steers a terminal, breaks a line, or may not stand in XML or UTF-8."""
 
 
 def numbers(values: object) -> tuple[float, ...]:
@@ -24,8 +27,24 @@ def angles(value: object) -> tuple[float, ...]:
 
 
 def name_faults(name: object) -> list[str]:
-    """Return what is wrong with a name."""
-    return [] if isinstance(name, str) else [f"the name is {name!r}; it should be text"]
+    r"""Return what is wrong with a name: it should be text that every terminal and picture takes.
+
+    Examples
+    --------
+    >>> name_faults("Zoë"), name_faults("\x1b[31mZoë")
+    ([], ["the name '\\x1b[31mZoë' holds the control character '\\x1b'; leave it out"])
+    """
+    if not isinstance(name, str):
+        return [f"the name is {name!r}; it should be text"]
+    found = _CONTROL.search(name)
+    if found is None:
+        return []
+    return [f"the name {name!r} holds the control character {found[0]!r}; leave it out"]
+
+
+def plain_name(name: str) -> str:
+    """Return a name that `name_faults` takes, made of one that may have come from anywhere."""
+    return _CONTROL.sub("?", name)
 
 
 def limit_faults(limit: object) -> list[str]:

@@ -160,11 +160,16 @@ def test_a_scenario_without_newcomer_has_nobody_to_place(run, pontoon):
 
 
 def test_names_cannot_play_tricks(run, pontoon):
-    """Control characters in a name are shown, not sent to the terminal."""
-    pontoon.write_text(pontoon.read_text().replace("name: E", r'name: "E\e[31m[red]\n"'))
+    """Control characters in a name are refused, and shown, not sent to the terminal."""
+    plain = pontoon.read_text()
+    pontoon.write_text(plain.replace("name: E", "name: 'E[red]'"))
     status, said, _ = run("place", pontoon)
     assert status == 0
-    assert r"the best place for E\x1b[31m[red]\n" in said.splitlines()[0]
+    assert "the best place for E[red]" in said.splitlines()[0]
+    pontoon.write_text(plain.replace("name: E", r'name: "E\e[31m\n"'))
+    status, said, complaints = run("place", pontoon)
+    assert (status, said) == (2, "")
+    assert r"newcomer.name: should have no control characters (got 'E\x1b[31m\n')" in complaints
 
 
 def test_a_place_for_the_worst_loss(run):

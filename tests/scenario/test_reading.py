@@ -37,6 +37,13 @@ def test_edges_are_named_and_counted_as_the_file_lists_them(edge: str) -> None:
     assert where == pytest.approx((4, 0.5, 0))
 
 
+def test_a_file_without_a_title_goes_by_its_name_whatever_that_holds(tmp_path: Path) -> None:
+    """A name that no terminal or picture could take is made plain."""
+    path = tmp_path / "a\x1b[31m\udcff.yaml"
+    path.write_text(f"{SQUARE}robots: []\n")
+    assert load_scenario(path).name == "a?[31m?"
+
+
 def test_at_a_corner_the_named_edge_gives_the_normal() -> None:
     """The far end of the south edge is a corner, but the robot holds the south edge."""
     where = contact("edge: s, along: 4, direction: inward")

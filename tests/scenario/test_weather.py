@@ -64,10 +64,6 @@ FAULTS = {
     f"{{wind: {{{WIND}, coefficients: {{transverse: 1, bow: 1, stern: 1}}}}}}": (
         "3:21: environment.wind: vessel and coefficients each say the drag; keep one"
     ),
-    "{wind: {vessel: Supply-vessel, frontal_area: 1, lateral_area: 2}}": (
-        "3:30: environment.wind.vessel: there is no such type of vessel; did you mean 'offshore "
-        "supply vessel'? (got 'Supply-vessel')"
-    ),
     "{wind: {vessel: ferry, lateral_area: 2}}": (
         "3:21: environment.wind.frontal_area: is missing; give the area seen from ahead"
     ),
@@ -91,6 +87,27 @@ FAULTS = {
         "area <= 1e+09 [m^2]"
     ),
 }
+
+
+def test_a_wrong_vessel_is_shown_all_types_and_no_other_ship() -> None:
+    """A bulk carrier is no car carrier, however alike their letters."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        environment("{wind: {vessel: bulk carrier, frontal_area: 1, lateral_area: 2}}")
+    (fault,) = caught.value.faults
+    assert "did you mean" not in fault
+    assert all(repr(vessel) in fault for vessel in BLENDERMANN)
+
+
+def test_a_vessel_with_a_comma_goes_in_quotes() -> None:
+    """In a flow mapping the comma ends the value, and the rest becomes a key."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        environment("{wind: {vessel: tanker, in ballast, frontal_area: 1, lateral_area: 2}}")
+    assert list(caught.value.faults) == [
+        "a.yaml:3:30: environment.wind.vessel: there is no such type of vessel; put a type with a "
+        "comma in quotes: 'tanker, loaded' or 'tanker, in ballast' (got 'tanker')",
+        "a.yaml:3:38: environment.wind.in ballast: has no value; if it goes on a text with a "
+        "comma, put the text in quotes",
+    ]
 
 
 @pytest.mark.parametrize("text", FAULTS)

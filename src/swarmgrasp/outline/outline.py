@@ -18,6 +18,7 @@ from swarmgrasp.outline.polygon import (
     edge_name_faults,
     signed_area,
 )
+from swarmgrasp.ranges import name_faults
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
@@ -69,6 +70,12 @@ class Stretch:
     start: float
     end: float
     name: str = ""
+
+    def __post_init__(self) -> None:
+        """Check the name; whether it lies on an outline is seen where there is one."""
+        faults = name_faults(self.name)
+        if faults:
+            raise ZoneInvalid(faults)
 
     @property
     def is_point(self) -> bool:

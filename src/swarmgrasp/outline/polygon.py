@@ -1,9 +1,12 @@
 """Polygons as arrays: what makes one valid, its area and its centroid."""
 
+from collections import Counter
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import OutlineInvalid
+from swarmgrasp.ranges import name_faults
 
 
 def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
@@ -50,10 +53,12 @@ def edge_name_faults(names: list[str], count: int) -> list[str]:
     faults = []
     if len(names) != count:
         faults.append(f"there are {len(names)} edge names for {count} edges; give one per edge")
-    given = [n for n in names if n]
+    faults += [f"edge {i}: {fault}" for i, name in enumerate(names) for fault in name_faults(name)]
+    uses = Counter(name for name in names if isinstance(name, str) and name)
     return faults + [
-        f"the edge name {name!r} is used {given.count(name)} times"
-        for name in sorted({n for n in given if given.count(n) > 1})
+        f"the edge name {name!r} is used {uses[name]} times"
+        for name in sorted(uses)
+        if uses[name] > 1
     ]
 
 

@@ -4,6 +4,7 @@ import math
 
 from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError
 from swarmgrasp.outline import Outline, Stretch
+from swarmgrasp.ranges import plain_name
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.locate import Locator, Place
@@ -61,7 +62,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         raise checked.faults.error() from error
     environment = environment_of(checked, units)
     return Scenario(
-        name=file.name or default_name,
+        name=file.name or plain_name(default_name),
         description=file.description,
         swarm=swarm,
         newcomer=_newcomer(checked, units),
@@ -121,7 +122,8 @@ def _edge_names(checked: Checked, count: int) -> list[str]:
         said = f"there are {len(written)} edge names for {count} edges; give one per edge"
         checked.fault(("outline", "edges"), said, got=False)
         return [""] * count
-    return [name if name not in written[:i] else "" for i, name in enumerate(written)]
+    seen = {"": 0}
+    return [name if seen.setdefault(name, i) == i else "" for i, name in enumerate(written)]
 
 
 # -- robots -------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ ruamel's own resolver is looser (dates, `0b11`, `1_000`, merge keys) and is not 
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from ruamel.yaml import YAML
@@ -16,6 +17,7 @@ from ruamel.yaml.events import (
     CollectionEndEvent,
     CollectionStartEvent,
     DocumentStartEvent,
+    Event,
     MappingStartEvent,
     NodeEvent,
     ScalarEvent,
@@ -90,9 +92,9 @@ class Node:
             return f"[{inside}{', ...' if depth and len(self.value) > 4 else ''}]"
         if self.value is None:
             return "nothing"
-        if not isinstance(self.value, str):
-            return self.raw
-        return repr(self.value if len(self.value) <= 40 else self.value[:37] + "...")
+        text = self.value if isinstance(self.value, str) else self.raw
+        text = text if len(text) <= 40 else f"{text[:37]}..."
+        return repr(text) if isinstance(self.value, str) else text
 
     def find(self, path: Path) -> "Node":
         """Return the node a path leads to, or the last one met on the way."""
@@ -149,9 +151,31 @@ def read_document(text: str, faults: Faults) -> Node:
         once its aliases are expanded.
     """
     builder = _Builder(faults)
+    _check_version(text, builder)
+    for event in _events(text, builder):
+        builder.take(event)
+    if builder.root is None:
+        raise builder.fatal((1, 1), "the file is empty; it should hold a scenario")
+    if not isinstance(builder.root.value, dict):
+        said = f"should be a mapping of keys to values (got {builder.root.shown()})"
+        raise builder.fatal(builder.root.mark, said)
+    return builder.root
+
+
+def _check_version(text: str, builder: "_Builder") -> None:
+    """Refuse a document that says it is YAML of another version than 1.2."""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if line.startswith("%YAML") and line.split("#")[0].split()[1:] != ["1.2"]:
+            said = f"a scenario is YAML 1.2; leave out the line {line.strip()[:40]!r}"
+            raise builder.fatal((number, 1), said)
+        if line.strip() and line[0] not in "%#\ufeff":
+            return
+
+
+def _events(text: str, builder: "_Builder") -> Iterator[Event]:
+    """Yield the parsing events of a text; whatever the parser raises is a fault of the text."""
     try:
-        for event in YAML(typ="safe", pure=True).parse(text):
-            builder.take(event)
+        yield from YAML(typ="safe", pure=True).parse(text)
     except ReaderError as error:
         before = text[: error.position]
         mark = before.count("\n") + 1, error.position - before.rfind("\n")
@@ -161,17 +185,9 @@ def read_document(text: str, faults: Faults) -> Node:
         mark = (at.line + 1, at.column + 1) if at else (1, 1)
         said = " ".join(f"{error.context or ''} {error.problem or ''}".split())
         raise builder.fatal(mark, f"not valid YAML: {said}") from None
-    except ScenarioInvalid:
-        raise
-    except (ArithmeticError, AttributeError, LookupError, ValueError) as error:
-        # ruamel.yaml lets a few of these out, for instance on "\UFFFFFFFF"
-        raise builder.fatal(builder.last, f"not valid YAML: {error}") from None
-    if builder.root is None:
-        raise builder.fatal((1, 1), "the file is empty; it should hold a scenario")
-    if not isinstance(builder.root.value, dict):
-        said = f"should be a mapping of keys to values (got {builder.root.shown()})"
-        raise builder.fatal(builder.root.mark, said)
-    return builder.root
+    except Exception as error:  # ruamel.yaml asserts, and stumbles over "\UFFFFFFFF"
+        said = " ".join(str(error).split())[:100] or type(error).__name__
+        raise builder.fatal(builder.last, f"not valid YAML: {said}") from None
 
 
 @dataclass(slots=True, eq=False)

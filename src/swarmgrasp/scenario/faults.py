@@ -8,6 +8,9 @@ from swarmgrasp.errors import ScenarioInvalid
 MOST_FAULTS_SHOWN = 50
 """Faults listed one by one; of the others only the number is told."""
 
+MOST_LOOKED_AT = 100
+"""Names among which one like a wrong name is looked for; a file may have many faults."""
+
 Path = tuple[str | int, ...]
 """Keys and list positions that lead to a value, such as ``("robots", 0, "limit")``."""
 
@@ -77,6 +80,8 @@ def nearest_name(wanted: str, known: list[str]) -> str:
     >>> nearest_name("colour", ["limit", "name"])
     '; known: limit, name'
     """
+    if len(known) > MOST_LOOKED_AT:
+        return f"; known: {', '.join(known[:20])}, ..."
     # spelling differs by case and by hyphens more often than by letters
     plain = {name.lower().replace("-", "_"): name for name in reversed(known)}
     close = get_close_matches(wanted[:80].lower().replace("-", "_"), plain, n=1)

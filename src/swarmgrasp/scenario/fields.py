@@ -2,7 +2,10 @@
 
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+from pydantic_core import PydanticCustomError
+
+from swarmgrasp.ranges import name_faults
 
 FARTHEST = 1e9
 """Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
@@ -19,7 +22,16 @@ Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
 Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 Angle = Annotated[Number, Field(ge=-1e6, le=1e6)]
 Range = Annotated[list[Angle], Field(min_length=2, max_length=2)]
-Label = Annotated[str, StringConstraints(max_length=200)]
+
+
+def _plain(name: str) -> str:
+    """Return a name that may stand anywhere."""
+    if name_faults(name):
+        raise PydanticCustomError("control_character", "should have no control characters")
+    return name
+
+
+Label = Annotated[str, StringConstraints(max_length=200), AfterValidator(_plain)]
 
 
 class Section(BaseModel):

@@ -4,6 +4,7 @@ Everything here is in the file's own units, so that messages speak the file's la
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -224,16 +225,18 @@ class Locator:
         count = len(self.labels)
         if isinstance(edge, str) and not self._has_names():
             return None
-        if isinstance(edge, str) and edge in self.labels:
-            position = self.labels.index(edge)
-        elif isinstance(edge, int) and edge < count:
-            position = edge
-        else:
-            known = "" if isinstance(edge, int) else nearest_name(edge, self.labels)
-            said = f"there is no such edge; they run from 0 to {count - 1}{known}"
-            self.checked.fault(path, said)
-            return None
-        return self.outline.edge_names.index(self.labels[position])
+        label = self.labels[edge] if isinstance(edge, int) and edge < count else edge
+        if label in self._edges:
+            return self._edges[label]
+        known = "" if isinstance(edge, int) else nearest_name(edge, self.labels)
+        said = f"there is no such edge; they run from 0 to {count - 1}{known}"
+        self.checked.fault(path, said)
+        return None
+
+    @cached_property
+    def _edges(self) -> dict[int | str, int]:
+        """The outline's index of each edge by its label."""
+        return {label: index for index, label in enumerate(self.outline.edge_names)}
 
     def _has_names(self) -> bool:
         """Tell whether the file's names of edges are one per edge; if not, that is noted."""

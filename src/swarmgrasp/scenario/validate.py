@@ -122,7 +122,10 @@ def _drop_empty(data: Any, path: Path, root: Node, bad: set[Path], faults: Fault
             _drop_empty(value, here, root, bad, faults)
         elif value is None and isinstance(data, dict):
             bad.add(here)
-            faults.add(root.key_mark(here), here, "has no value; give one or leave the key out")
+            said = "has no value; give one or leave the key out"
+            if key not in _known_keys(here):
+                said = "has no value; if it goes on a text with a comma, put the text in quotes"
+            faults.add(root.key_mark(here), here, said)
             del data[key]
 
 
@@ -215,6 +218,7 @@ _SENTENCES = {
     "list_type": "should be a list",
     "literal_error": "should be {expected}",
     "model_type": "should be a mapping of keys to values",
+    "string_unicode": "should have no control characters",
     "string_too_long": "should be at most {max_length} characters long",
     "string_type": "should be text; put it in quotes if it is",
     "too_long": "should hold {max_length} values, not {actual_length}",
@@ -228,7 +232,7 @@ def _section(path: Path) -> type[BaseModel]:
     for part in path[:-1]:
         for name, info in model.model_fields.items():
             if part == (info.alias or name):
-                model = next(m for m in _models(info.annotation))
+                model = next(iter(_models(info.annotation)), model)
     return model
 
 

@@ -9,7 +9,7 @@ from swarmgrasp.environment import (
     WindCoefficients,
 )
 from swarmgrasp.errors import EnvironmentInvalid
-from swarmgrasp.scenario.faults import Path, nearest_name
+from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.weather_schema import CurrentSection, WindSection
@@ -33,14 +33,27 @@ def check_weather(checked: Checked) -> None:
         checked.fault(_WIND, "vessel and coefficients each say the drag; keep one", got=False)
     vessel = section.wind.vessel
     if vessel is not None and vessel not in BLENDERMANN:
-        said = f"there is no such type of vessel{nearest_name(vessel, list(BLENDERMANN))}"
-        checked.fault((*_WIND, "vessel"), said)
+        checked.fault((*_WIND, "vessel"), f"there is no such type of vessel; {_types(vessel)}")
     for key, other, said in (
         ("speed", "from", "a wind also needs from, the bearing it comes from"),
         ("from", "speed", "a wind also needs its speed"),
     ):
         if checked.has(*_WIND, key) and not checked.has(*_WIND, other):
             checked.fault((*_WIND, key), said)
+
+
+def _types(vessel: str) -> str:
+    """Say what types of vessel there are: a near miss in letters may be another kind of ship.
+
+    Examples
+    --------
+    >>> _types("tanker")[:75]
+    "put a type with a comma in quotes: 'tanker, loaded' or 'tanker, in ballast'"
+    """
+    begun = [repr(known) for known in BLENDERMANN if known.startswith(f"{vessel.lower()}, ")]
+    if begun:
+        return f"put a type with a comma in quotes: {' or '.join(begun)}"
+    return f"the types are {', '.join(map(repr, BLENDERMANN))}"
 
 
 def environment_of(checked: Checked, units: Units) -> Environment | None:

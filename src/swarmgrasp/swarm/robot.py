@@ -70,7 +70,7 @@ class Robot:
         if self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
             faults.append("a mounted robot stays where it is: its tolerance can have no contact")
         if faults:
-            raise RobotInvalid(f"{self.name or 'robot'}: {fault}" for fault in faults)
+            raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
         object.__setattr__(self, "contact", point)
         object.__setattr__(self, "direction", float(self.direction))
         object.__setattr__(self, "limit", float(self.limit))
@@ -119,7 +119,7 @@ class Newcomer:
         faults = limit_faults(self.limit) + attachment_faults(self.attachment, self.half_angle)
         faults += name_faults(self.name) + _tolerance_faults(self.tolerance, self.limit)
         if faults:
-            raise RobotInvalid(f"{self.name or 'newcomer'}: {fault}" for fault in faults)
+            raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
         object.__setattr__(self, "limit", float(self.limit))
 
 
@@ -232,3 +232,8 @@ def _tolerance_faults(tolerance: object, limit: float) -> list[str]:
     if least is not None and not least <= limit:
         return [f"the least limit is {least!r}; it should be <= {limit!r}, the limit [N]"]
     return []
+
+
+def _called(name: str, otherwise: str) -> str:
+    """Return what messages call a robot, whose name may be at fault."""
+    return otherwise if name_faults(name) else name or otherwise
