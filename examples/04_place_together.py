@@ -21,7 +21,7 @@ problem = sg.Problem(empty, tug, spacing=8.0)
 
 print("tugs  one after the other  together  no places exceed [kN]")
 for count in (4, 6, 12):
-    answer = sg.place_together(problem, count, seconds=2.0)
+    answer = sg.place_together(problem, count)
     qualities = (answer.sequential, answer.quality, answer.upper_bound)
     one_by_one, together, bound = (round(quality / 1e3) for quality in qualities)
     print(f"{count:4}  {one_by_one:19}  {together:8}  {bound:16}")
@@ -30,7 +30,7 @@ for count in (4, 6, 12):
 print("With six,", six.reason)
 
 # How many tugs does it take to hold 1 MN in every direction?
-found = sg.how_many(problem, 1e6, seconds=4.0)
+found = sg.how_many(problem, 1e6)
 print("For 1 MN,", found.reason)
 
 # One of the six was sent to the wrong place: which should move, and where?

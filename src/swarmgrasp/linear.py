@@ -129,6 +129,8 @@ def _solver(presolve: bool) -> Any:
 
     solver = _Highs()
     solver.setOptionValue("output_flag", False)
+    solver.setOptionValue("threads", 1)  # so that it finds the same minimiser everywhere
+    solver.setOptionValue("parallel", "off")
     solver.setOptionValue("primal_feasibility_tolerance", TOLERANCE)
     solver.setOptionValue("dual_feasibility_tolerance", TOLERANCE)
     if not presolve:

@@ -40,7 +40,7 @@ def test_none_is_needed(run):
     [
         (["--quality", "0"], "--quality is 0; it should be greater than 0 [N]"),
         (["--quality", "1", "--most", "1.5"], "--most is 1.5; it should be a whole number"),
-        (["--quality", "1", "--seconds", "-1"], "--seconds is -1; it should be a number, 0"),
+        (["--quality", "1", "--effort", "1.5"], "--effort is 1.5; it should be a whole number"),
     ],
 )
 def test_wrong_numbers(run, options, fault):

@@ -202,4 +202,24 @@ def test_several_at_once(run, tmp_path):
     assert found["quality"] <= found["upper_bound"] <= 1.011 * found["quality"]
     assert [robot["name"] for robot in found["robots"]] == ["Fortuna 1", "Fortuna 2", "Fortuna 3"]
     assert picture.exists()
-    assert run("place", "deck-barge", "--together", "--seconds", "-1")[0] == 2
+
+
+@pytest.mark.parametrize(
+    ("options", "fault"),
+    [
+        (["--effort", "100"], "--effort is for robots placed together: add --together"),
+        (["--together"], "--together places several robots: add --robots 2 or more"),
+        (
+            ["--together", "--robots", "3", "--runners-up", "0.5"],
+            "--runners-up is for robots placed one after the other: leave out --together",
+        ),
+        (
+            ["--together", "--robots", "3", "--effort", "-1"],
+            "--effort is -1; it should be a whole number from 0 to 999999999",
+        ),
+        (["--robots", "1001"], "--robots is 1001; it should be a whole number from 1 to 1000"),
+    ],
+)
+def test_options_that_do_not_go_together(run, options, fault):
+    """None is silently ignored."""
+    assert run("place", "deck-barge", *options) == (2, "", f"{fault}\n")

@@ -279,12 +279,19 @@ def test_bad_arguments_are_named(rest, says):
         place(THREE, Newcomer(), **rest)
 
 
-@pytest.mark.parametrize("count", [0, -1, 1.5, 2.0, True, "2", None, math.nan])
+@pytest.mark.parametrize("count", [0, -1, 1.5, 2.0, True, "2", None, math.nan, 1001, 2**63])
 def test_robots_are_counted_in_whole_numbers(count):
-    """At least one, told before any search."""
-    says = re.escape(f"the number of robots is {count!r}; it should be a whole number, at least 1")
-    with pytest.raises(SwarmGraspError, match=says):
+    """From one to a thousand, told before any search."""
+    says = f"the number of robots is {count!r}; it should be a whole number from 1 to 1000"
+    with pytest.raises(SwarmGraspError, match=re.escape(says)):
         place_sequence(Problem(THREE, Newcomer()), count)
+
+
+def test_a_number_of_thousands_of_digits_is_not_written_out():
+    """The message stays short."""
+    with pytest.raises(SwarmGraspError) as caught:
+        place_sequence(Problem(THREE, Newcomer()), 10**5000)
+    assert len(str(caught.value)) < 200
 
 
 def test_numbers_of_numpy_count_as_numbers():

@@ -1,9 +1,8 @@
 """What a command is asked about the swarm, by its options and by the scenario."""
 
-import re
 from typing import TYPE_CHECKING, Any
 
-from swarmgrasp.cli.inputs import UsageFault, source_of
+from swarmgrasp.cli.inputs import UsageFault, source_of, whole_faults
 from swarmgrasp.cli.report import Forces
 
 if TYPE_CHECKING:
@@ -13,9 +12,7 @@ if TYPE_CHECKING:
 
 def losing_faults(losing: str | None) -> list[str]:
     """Return what is wrong with --losing."""
-    if losing is None or re.fullmatch(r"[0-9]{1,6}", losing):
-        return []
-    return [f"--losing is {losing}; it should be a whole number from 0 to 999999"]
+    return whole_faults("--losing", losing, 0, 999_999)
 
 
 def criterion_of(

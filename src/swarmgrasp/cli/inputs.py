@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -136,3 +137,11 @@ def put_json(path: str | None, data: dict[str, Any]) -> list[str]:
 def json_faults(path: str | Path | None) -> list[str]:
     """Return what is wrong with where to write JSON."""
     return output_faults(path, (".json",))
+
+
+def whole_faults(option: str, text: str | None, low: int = 0, high: int = 999_999_999) -> list[str]:
+    """Return what is wrong with an option that takes a whole number, and may be left out."""
+    # int() would also take 1_0, and cyclopts 1.5 and 0x2
+    if text is None or (re.fullmatch(r"[0-9]{1,9}", text) and low <= int(text) <= high):
+        return []
+    return [f"{option} is {text}; it should be a whole number from {low} to {high}"]

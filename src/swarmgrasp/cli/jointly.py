@@ -14,7 +14,7 @@ from swarmgrasp.scenario import Scenario
 
 
 def solve(
-    scenario: Scenario, file: str, robots: int, gap: float, seconds: float, criterion: Criterion
+    scenario: Scenario, file: str, robots: int, gap: float, effort: int, criterion: Criterion
 ) -> Together:
     """Place newcomers together.
 
@@ -24,7 +24,7 @@ def solve(
         If the scenario leaves them no place.
     """
     try:
-        return place_together(problem_of(scenario, criterion), robots, gap=gap, seconds=seconds)
+        return place_together(problem_of(scenario, criterion), robots, gap=gap, effort=effort)
     except SwarmGraspError as error:
         raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
 
@@ -60,7 +60,7 @@ def show(name: str, found: Together) -> None:
         facts.append(("", criterion.words))
     if found.sequential >= 0.0:
         facts.append(("One by one", f"{unit.text(found.sequential)}, each best given those before"))
-    early = "; the time was over before the gap asked for" if found.stopped_early else ""
+    early = "; the effort was spent before the gap asked for" if found.stopped_early else ""
     told = proven("other places of so many", found.upper_bound, found.quality, unit)
     facts += [("Proven", told.replace(" is better", " are better") + early)]
     facts += [("Limit now" if found.improves else "Why", found.reason)]

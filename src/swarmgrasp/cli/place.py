@@ -1,7 +1,5 @@
 """`swarmgrasp place`: where the next robot goes."""
 
-import math
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -19,18 +17,17 @@ from swarmgrasp.cli.inputs import (
     put_json,
     read_scenario,
     source_of,
+    whole_faults,
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.report import told_written
 from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import Placement
     from swarmgrasp.quality import Criterion
     from swarmgrasp.scenario import Scenario
-
-MOST_ROBOTS = 1000
-"""That one command places."""
 
 
 def place(
@@ -39,11 +36,11 @@ def place(
     *,
     robots: Annotated[str, Parameter(metavar="INT")] = "1",
     together: Annotated[bool, Parameter(negative="")] = False,
-    seconds: float = 10.0,
+    effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     gap: float | None = None,
-    runners_up: float = 0.9,
+    runners_up: float | None = None,
     plot: Path | None = None,
     json: Dashed | None = None,
 ) -> None:
@@ -63,9 +60,10 @@ def place(
         is best given those before it.
     together
         Place them all at once instead, which is often better; the bound is then for all of
-        them.
-    seconds
-        Time for the search of robots placed together, about.
+        them. Takes --robots 2 or more.
+    effort
+        Steps of the search for robots placed together, 5000 unless given: about 2 ms each
+        for a dozen robots. The same steps give the same answer on every machine.
     losing
         Make the quality after the worst loss of so many robots best, the newcomer perhaps
         among them.
@@ -77,7 +75,7 @@ def place(
         between 0 and 1, both excluded; 1e-6 unless given, or 1e-3 of robots placed together.
     runners_up
         Also list the best place on every other edge or zone that reaches this share of
-        the best quality, from 0 (all that help) to 1 (only equals).
+        the best quality, from 0 (all that help) to 1 (only equals); 0.9 unless given.
     plot
         Write pictures of the plan (NAME.png), the wrenches (NAME-wrenches.png) and
         the landscape of all places (NAME-landscape.png); .png, .svg or .pdf.
@@ -87,16 +85,16 @@ def place(
         together have no such proof.
     """
     gap = (1e-3 if together else 1e-6) if gap is None else gap
-    faults = (
-        _number_faults(robots, gap, runners_up, seconds) + losing_faults(losing) + json_faults(json)
-    )
-    faults += output_faults(plot, PICTURES)
+    share = 0.9 if runners_up is None else runners_up
+    faults = _number_faults(robots, gap, share)
+    faults += _together_faults(robots, together, effort, runners_up)
+    faults += losing_faults(losing) + json_faults(json) + output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
     criterion = criterion_of(scenario, file, losing, worst_case, int(robots))
-    if together and int(robots) > 1:
-        _together(scenario, file, int(robots), gap, seconds, criterion, plot, json)
+    if together:
+        _together(scenario, file, int(robots), gap, effort, criterion, plot, json)
         return
-    answers = solve(scenario, file, int(robots), gap, runners_up, criterion)
+    answers = solve(scenario, file, int(robots), gap, share, criterion)
     # files first: whoever reads the report may leave before its end
     written: list[str | Path] = []
     if json not in (None, DASH):
@@ -120,14 +118,16 @@ def place(
 
 
 def _together(
-    scenario: "Scenario", file: str, robots: int, gap: float, seconds: float,
+    scenario: "Scenario", file: str, robots: int, gap: float, effort: str | None,
     criterion: "Criterion", plot: Path | None, json: str | None,
 ) -> None:  # fmt: skip
     """Place the newcomers all at once."""
     from swarmgrasp.cli import jointly
+    from swarmgrasp.placement.together.effort import EFFORT
 
     check_newcomer(scenario, file, robots)
-    found = jointly.solve(scenario, file, robots, gap, seconds, criterion)
+    steps = EFFORT if effort is None else int(effort)
+    found = jointly.solve(scenario, file, robots, gap, steps, criterion)
     data = jointly.data_of(scenario.name, found)
     if json == DASH:
         print_json(json_text(data))
@@ -198,18 +198,29 @@ def check_newcomer(scenario: "Scenario", file: str, robots: int) -> None:
         )
 
 
-def _number_faults(robots: str, gap: float, runners_up: float, seconds: float) -> list[str]:
+def _number_faults(robots: str, gap: float, runners_up: float) -> list[str]:
     """Return what is wrong with the numbers given as options."""
-    faults = []
-    # int() would also take 1_0, and cyclopts 1.5 and 0x2
-    if not (re.fullmatch(r"[0-9]{1,9}", robots) and 1 <= int(robots) <= MOST_ROBOTS):
-        faults.append(f"--robots is {robots}; it should be a whole number from 1 to {MOST_ROBOTS}")
+    faults = whole_faults("--robots", robots, 1, MOST_PLACED)
     if not 0.0 < gap < 1.0:
         faults.append(f"--gap is {gap:g}; it should be between 0 and 1, both excluded")
     if not 0.0 <= runners_up <= 1.0:
         faults.append(f"--runners-up is {runners_up:g}; it should be from 0 to 1")
-    if not 0.0 <= seconds < math.inf:
-        faults.append(f"--seconds is {seconds:g}; it should be a number, 0 or more")
+    return faults
+
+
+def _together_faults(
+    robots: str, together: bool, effort: str | None, runners_up: float | None
+) -> list[str]:
+    """Return what is wrong with options that go with --together, or not."""
+    faults = whole_faults("--effort", effort)
+    if not together and effort is not None:
+        faults.append("--effort is for robots placed together: add --together")
+    if not together:
+        return faults
+    if robots.lstrip("0") == "1":
+        faults.append("--together places several robots: add --robots 2 or more")
+    if runners_up is not None:
+        faults.append("--runners-up is for robots placed one after the other: leave out --together")
     return faults
 
 

@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.placement.optimum import search_for
-from swarmgrasp.placement.place import is_whole
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.ranges import is_whole
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
 from swarmgrasp.swarm.columns import NAMELESS, check_contacts, checked_columns
 from swarmgrasp.swarm.swarm import check_swarm

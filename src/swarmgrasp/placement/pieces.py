@@ -228,7 +228,7 @@ def _crowded(
     offsets = crowd - p
     heights = np.abs(offsets[:, 0] * along[1] - offsets[:, 1] * along[0])
     near = heights < spacing - SLIVER * outline.extent
-    middles = offsets[near] @ along
+    middles = (offsets[near] * along).sum(axis=1)
     halves = np.sqrt(spacing**2 - heights[near] ** 2)
     return list(zip((middles - halves).tolist(), (middles + halves).tolist(), strict=True))
 

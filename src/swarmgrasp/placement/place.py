@@ -15,6 +15,7 @@ from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.ranges import count_faults, is_whole
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
 EQUAL = 1e-5
@@ -110,7 +111,7 @@ def place_sequence(
     problem : Problem
         The first newcomer's question.
     count : int
-        How many to place, at least 1.
+        How many to place, from 1 to 1000.
     gap, runners_up
         As for `place`.
     progress : callable, optional
@@ -144,10 +145,7 @@ def place_sequence(
     (False, True)
     """
     faults = _fraction_faults(gap, runners_up)
-    if not is_whole(count) or count < 1:
-        faults.insert(
-            0, f"the number of robots is {count!r}; it should be a whole number, at least 1"
-        )
+    faults[:0] = count_faults(count)
     if not isinstance(problem, Problem):
         kind = type(problem).__name__
         faults.insert(0, f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
@@ -300,11 +298,6 @@ class _Aiming(_Placing):
 def _placing(problem: Problem, gap: float) -> _Placing:
     """Put a problem on its way."""
     return (_Aiming if problem.is_tolerant else _Placing)(problem, gap)
-
-
-def is_whole(value: object) -> bool:
-    """Tell whether a value counts something: True and 2.0 do not."""
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def _fraction_faults(gap: object, runners_up: object) -> list[str]:

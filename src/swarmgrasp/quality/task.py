@@ -1,11 +1,13 @@
 """Tasks: sets of wrenches that a swarm should be able to make (T16)."""
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.products import weighted
 from swarmgrasp.ranges import STRONGEST, WEAKEST
 
 
@@ -41,12 +43,12 @@ class Polytope:
 
     def support(self, normals: ArrayLike) -> NDArray[np.float64]:
         """Return the support function at normals (..., 3)."""
-        along = (np.asarray(normals, dtype=float) @ self.vertices.T).max(axis=-1)
+        along = _along(normals, self.vertices).max(axis=-1)
         return np.asarray(np.maximum(along, 0.0))
 
     def farthest(self, normal: ArrayLike) -> NDArray[np.float64]:
         """Return the wrench (3,) of the set that lies farthest along a normal."""
-        best = int(np.argmax(self.vertices @ np.asarray(normal, dtype=float)))
+        best = int(np.argmax(_along(normal, self.vertices)))
         return np.array(self.vertices[best])
 
     @property
@@ -82,14 +84,14 @@ class Ellipsoid:
 
     def support(self, normals: ArrayLike) -> NDArray[np.float64]:
         """Return the support function at normals (..., 3)."""
-        along = np.asarray(normals, dtype=float) @ self.axes.T
+        along = _along(normals, self.axes)
         return np.asarray(np.sqrt((along * along).sum(axis=-1)))
 
     def farthest(self, normal: ArrayLike) -> NDArray[np.float64]:
         """Return the wrench (3,) of the set that lies farthest along a normal."""
-        along = self.axes @ np.asarray(normal, dtype=float)
-        size = float(np.linalg.norm(along))
-        return np.asarray(along @ self.axes / size) if size > 0.0 else np.zeros(3)
+        along = _along(normal, self.axes)
+        size = math.sqrt(float((along * along).sum()))
+        return weighted(along / size, self.axes) if size > 0.0 else np.zeros(3)
 
     @property
     def generators(self) -> NDArray[np.float64]:
@@ -98,6 +100,12 @@ class Ellipsoid:
 
 
 Task = Polytope | Ellipsoid
+
+
+def _along(normals: ArrayLike, wrenches: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far wrenches (m, 3) lie along normals (..., 3): (..., m)."""
+    rows = np.asarray(normals, dtype=float)
+    return np.asarray((rows[..., None, :] * wrenches).sum(axis=-1))
 
 
 def _rows(given: ArrayLike, name: str) -> NDArray[np.float64]:

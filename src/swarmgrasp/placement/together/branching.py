@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.placement.together.regions import CONTACT, DIRECTION, Cut, Region
 from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Rows, Share
+from swarmgrasp.products import weighted
 
 Array = NDArray[np.float64]
 EVEN = 0.03
@@ -122,13 +123,13 @@ class Tree:
         """
         places, mass = relaxed.at[there, axis], relaxed.mass[there]
         below = np.where(np.abs(places - cut.where) <= 1e-9, 0.5, places < cut.where)
-        low, high = float(below @ mass), float((1.0 - below) @ mass)
+        low, high = float((below * mass).sum()), float(((1.0 - below) * mass).sum())
         if min(low, high) <= 1e-9:
             return 0.0
         divided = abs(low - round(low))
         terms = relaxed.terms[:, there]
-        means = terms @ (below * mass) / low - terms @ ((1.0 - below) * mass) / high
-        return (divided + EVEN) * min(float(relaxed.multipliers @ np.abs(means)), size)
+        means = weighted(below * mass / low - (1.0 - below) * mass / high, terms.T)
+        return (divided + EVEN) * min(float((relaxed.multipliers * np.abs(means)).sum()), size)
 
     def _parts(self, share: Share, index: int, cut: Cut) -> "list[Share]":
         """Return the shares of a region's newcomers between its halves."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.together.stands import Ground, Stands
+from swarmgrasp.products import dots
 from swarmgrasp.quality.aim import EXACT, NO_SPREAD, NO_TASK, Aim
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of
@@ -114,7 +115,7 @@ class Gauge:
         """Return what the swarm has along unit normals (m, 3) in which anything is asked."""
         rows = np.ascontiguousarray(normals, dtype=float).reshape(-1, 3)
         if self.is_plain:
-            heights = np.maximum(rows @ self.known.T, 0.0).sum(axis=1, keepdims=True)
+            heights = np.maximum(dots(rows, self.known), 0.0).sum(axis=1, keepdims=True)
             return Levels(rows, heights, np.ones(len(rows)))
         found = [aim.levels(rows) for aim in self._aims]
         levels = Levels(rows, np.column_stack([each[:, 0] for each in found]), found[0][:, 2])
@@ -183,7 +184,7 @@ class Gauge:
         base = self.known
         if len(base) > MOST_PAIRED:
             sizes = np.linalg.norm(base, axis=1)
-            near = np.abs(base @ normal) / np.where(sizes > 0.0, sizes, 1.0)
+            near = np.abs(dots(base, normal[None])[:, 0]) / np.where(sizes > 0.0, sizes, 1.0)
             base = base[np.argsort(near, kind="stable")[:MOST_PAIRED]]
         return np.vstack([normal, facet_normals(np.vstack([base, points]))])
 

@@ -1,29 +1,27 @@
 """The fewest robots of a kind that bring a required quality."""
 
 import math
-import time
 from dataclasses import dataclass
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.placement.place import place_sequence
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.place import (
-    SECONDS,
     Together,
     answer_of,
-    is_count,
     is_number,
     problem_faults,
     start,
-    time_faults,
 )
+from swarmgrasp.ranges import count_faults
 from swarmgrasp.swarm import Swarm
 
 MOST = 20
 """Robots tried unless told otherwise."""
 SLICE = 0.5
-"""Share of the time left that goes to one number of robots."""
+"""Share of the steps left that goes to one number of robots."""
 MET = 1e-9
 """Share of the required quality that may be missing, by rounding."""
 
@@ -91,13 +89,13 @@ class HowMany:
 
 
 def how_many(
-    problem: Problem, quality: float, *, most: int = MOST, seconds: float = SECONDS
+    problem: Problem, quality: float, *, most: int = MOST, effort: int = EFFORT
 ) -> HowMany:
     """Find the fewest newcomers with which the quality reaches a required one.
 
     One number after the other is tried: from the first that a relaxed bound allows, to the one
     that robots placed one after the other take. Each is either reached, or ruled out by the
-    bound of `place_together`, or left open when its share of the time is over.
+    bound of `place_together`, or left open when its share of the effort is spent.
 
     Parameters
     ----------
@@ -106,9 +104,9 @@ def how_many(
     quality : float [N]
         Required; without a unit if the problem's criterion has a task.
     most : int
-        How many to allow, at least 1.
-    seconds : float [s]
-        For the whole search.
+        How many to allow, from 1 to 1000.
+    effort : int
+        Steps of the whole search, as for `place_together`.
 
     Returns
     -------
@@ -132,24 +130,23 @@ def how_many(
     >>> found.count, found.is_proven, found.reason
     (4, True, '4 robots can, 3 cannot, wherever they attach')
     """
-    faults = problem_faults(problem) + time_faults(seconds)
+    faults = problem_faults(problem) + effort_faults(effort)
+    faults += count_faults(most, "the most robots to try")
     if not (is_number(quality) and 0.0 < quality < math.inf):
         faults.append(f"the quality is {quality!r}; it should be 0 < quality < inf [N]")
-    if not is_count(most):
-        faults.append(f"the most robots are {most!r}; it should be a whole number, at least 1")
     if faults:
         raise SwarmGraspError(faults)
-    return _Count(problem, float(quality), int(most), float(seconds)).found()
+    return _Count(problem, float(quality), int(most), Budget(int(effort))).found()
 
 
 class _Count:
     """One question on its way to an answer."""
 
-    def __init__(self, problem: Problem, quality: float, most: int, seconds: float) -> None:
+    def __init__(self, problem: Problem, quality: float, most: int, budget: Budget) -> None:
         self.problem, self.required, self.most = problem, quality, most
         self.enough = quality * (1.0 - MET)
-        self.end = time.monotonic() + seconds
-        self.before = self.search_for(1).gauge.before.quality
+        self.budget = budget
+        self.before = self.search_for(1, budget).gauge.before.quality
 
     def found(self) -> HowMany:
         """Try one number after the other."""
@@ -159,25 +156,28 @@ class _Count:
         reached = self.one_after_the_other()
         is_settled = True
         for count in range(least, min(reached, self.most + 1)):
-            search = self.search_for(count, SLICE * (self.end - time.monotonic()))
+            slice_ = Budget(int(SLICE * max(self.budget.left, 0)))
+            self.budget.left -= slice_.left
+            search = self.search_for(count, slice_)
             sequential = start(search)
             search.run()
+            self.budget.left += slice_.left
             if search.best.quality >= self.enough:
                 return self.told(count, least, answer_of(search, sequential))
             is_settled &= search.bound < self.enough
             least += is_settled
         if reached > self.most:
             return self.told(None, least, None)
-        search = self.search_for(reached)
+        search = self.search_for(reached, Budget(0))
         return self.told(reached, least, answer_of(search, start(search)))
 
     def told(self, count: int | None, least: int, answer: Together | None) -> HowMany:
         """Return an answer."""
         return HowMany(self.problem, self.required, count, least, self.most, answer, self.before)
 
-    def search_for(self, count: int, seconds: float = 0.0) -> JointSearch:
+    def search_for(self, count: int, budget: Budget) -> JointSearch:
         """Return the search for places of so many."""
-        return JointSearch(self.problem, count, MET, max(seconds, 0.0), self.enough)
+        return JointSearch(self.problem, count, MET, budget, self.enough)
 
     def at_least(self) -> int:
         """Return the first number that a relaxed bound does not rule out, or one beyond `most`.
@@ -187,7 +187,7 @@ class _Count:
         low, high = 1, self.most + 1
         while low < high:
             middle = (low + high) // 2
-            search = self.search_for(middle)
+            search = self.search_for(middle, self.budget)
             if search.has_room:
                 search.tree.step(-math.inf)
             if search.has_room and search.bound < self.enough:
@@ -200,6 +200,7 @@ class _Count:
         """Return how many it takes when each is placed after the others; too many if none do."""
         problem = self.problem
         for count in range(1, self.most + 1):
+            self.budget.spend()
             try:
                 (answer,) = place_sequence(problem, 1)
             except NowhereToAttach:

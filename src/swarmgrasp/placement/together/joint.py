@@ -1,7 +1,6 @@
 """The search for the best places of several newcomers at once: answers and a bound (T17)."""
 
 import math
-import time
 from collections.abc import Callable
 
 import numpy as np
@@ -9,6 +8,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.together.branching import Tree
+from swarmgrasp.placement.together.effort import Budget
 from swarmgrasp.placement.together.gauge import Gauge
 from swarmgrasp.placement.together.polish import GAIN, Climb, Polish
 from swarmgrasp.placement.together.regions import whole
@@ -21,7 +21,7 @@ Progress = Callable[[float, float], object]
 NODES_A_CLIMB, MOST_NODES = 2, 8
 """Shares looked at in the tree between climbs, for each that was in vain, and at most."""
 SEED = 17
-"""Of the random numbers: a search to the end finds the same answer again."""
+"""Of the random numbers: the same search finds the same answer again."""
 
 
 class JointSearch:
@@ -35,8 +35,8 @@ class JointSearch:
         Difference between bound and quality, relative to the quality, that is small enough.
     enough : float
         A quality that is good enough; whether there is one is then all that is asked.
-    seconds : float [s]
-        After which the search stops anyway.
+    budget : Budget
+        When it is spent the search stops anyway.
 
     Attributes
     ----------
@@ -44,14 +44,14 @@ class JointSearch:
     """
 
     def __init__(
-        self, problem: Problem, count: int, gap: float, seconds: float, enough: float = math.inf
+        self, problem: Problem, count: int, gap: float, budget: Budget, enough: float = math.inf
     ) -> None:
         self.problem, self.count, self.gap, self.enough = problem, count, gap, enough
+        self.budget = budget
         self.ground = Ground(problem)
         self.gauge = Gauge(self.ground)
-        self.tree = Tree(Relaxation(self.gauge, count), whole(self.ground))
-        self.polish = Polish(self.gauge)
-        self.polish.deadline = time.monotonic() + seconds
+        self.tree = Tree(Relaxation(self.gauge, count, budget), whole(self.ground))
+        self.polish = Polish(self.gauge, budget)
         self.best = Climb(Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))), -1.0)
         self.ceiling = 0.0 if self._is_hopeless else math.inf
         self._random = np.random.default_rng(SEED)
@@ -95,7 +95,7 @@ class JointSearch:
             self.best = found
 
     def run(self, progress: Progress | None = None) -> None:
-        """Search until it is over, or the deadline has passed.
+        """Search until it is over, or the budget is spent.
 
         Parameters
         ----------
@@ -103,7 +103,7 @@ class JointSearch:
             Called with the best quality and the bound, now and then.
         """
         relaxed: tuple[Share, Relaxed] | None = None
-        while not self.is_over:
+        while not (self.is_over or self.budget.is_spent):
             if self.tree.is_done and (self.best.quality >= 0.0 or not self.has_room):
                 break
             if not self.tree.is_done and self.tree.seen < self._next_climb:
@@ -114,8 +114,6 @@ class JointSearch:
                 self._next_climb = self.tree.seen + min(pause, MOST_NODES)
                 if progress is not None:
                     progress(max(self.best.quality, 0.0), self.bound)
-            if time.monotonic() >= self.polish.deadline:
-                break
 
     @property
     def _is_hopeless(self) -> bool:

@@ -9,18 +9,18 @@ from typing import TypeGuard
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
-from swarmgrasp.placement.place import RISE, is_whole, place_sequence
+from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.stands import Stands
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.quality.words import wrench_words
+from swarmgrasp.ranges import count_faults, is_whole
 from swarmgrasp.swarm import Robot, Swarm
 
 GAP = 1e-3
 """Difference between bound and quality, relative to the quality, at which a search ends."""
-SECONDS = 10.0
-"""Time after which it ends anyway."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class Together:
     sequential : float [N]
         The quality of as many placed one after the other; nan if not all found a place.
     stopped_early : bool
-        Whether the time was over before the bound came so near. The bound holds all the same.
+        Whether the effort was spent before the bound came so near. The bound holds all the same.
     """
 
     problem: Problem
@@ -112,7 +112,7 @@ class Together:
             return f"no {many} can raise what is weakest, {weakest}: place more"
         return (
             f"no {many} that raise what is weakest, {weakest}, were found; whether there are any "
-            "is not settled: allow more time, or place more"
+            "is not settled: allow more effort, or place more"
         )
 
 
@@ -121,7 +121,7 @@ def place_together(
     count: int,
     *,
     gap: float = GAP,
-    seconds: float = SECONDS,
+    effort: int = EFFORT,
     progress: Callable[[float, float], object] | None = None,
 ) -> Together:
     """Place several newcomers of one kind at the same time.
@@ -137,11 +137,13 @@ def place_together(
     problem : Problem
         Its newcomer is one of them; its spacing is kept among them, too.
     count : int
-        How many, at least 1; up to about 20 in reasonable time.
+        How many, from 1 to 1000; up to about 20 in reasonable time.
     gap : float
         Ends the search when the bound exceeds the quality by no more than this share of it.
-    seconds : float [s]
-        Ends it anyway, soon after; the answer is then `stopped_early`.
+    effort : int
+        Ends it anyway after so many steps; the answer is then `stopped_early`. A step is a linear
+        program, or one newcomer placed exactly beside the others: about 2 ms for up to a dozen
+        newcomers, more for more. The answer is the same on every machine.
     progress : callable, optional
         Called with the quality so far and the bound so far, now and then.
 
@@ -171,14 +173,12 @@ def place_together(
     >>> round(answer.sequential, 3), round(answer.quality, 3), round(answer.upper_bound, 3)
     (0.953, 1.0, 1.0)
     """
-    faults = problem_faults(problem) + time_faults(seconds)
-    if not is_count(count):
-        faults.append(f"the number of robots is {count!r}; it should be a whole number, at least 1")
+    faults = problem_faults(problem) + count_faults(count) + effort_faults(effort)
     if not (is_number(gap) and 0.0 < gap < 1.0):
         faults.append(f"the gap is {gap!r}; it should be 0 < gap < 1")
     if faults:
         raise SwarmGraspError(faults)
-    search = JointSearch(problem, count, float(gap), float(seconds))
+    search = JointSearch(problem, count, float(gap), Budget(int(effort)))
     sequential = start(search)
     search.run(progress)
     return answer_of(search, sequential)
@@ -241,23 +241,11 @@ def is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, float | np.floating) or is_whole(value)
 
 
-def is_count(value: object) -> bool:
-    """Tell whether a value is a whole number, at least 1."""
-    return isinstance(value, int | np.integer) and is_whole(value) and bool(value >= 1)
-
-
 def problem_faults(problem: object) -> list[str]:
     """Return what is wrong with a problem."""
     if isinstance(problem, Problem):
         return []
     return [f"{type(problem).__name__} is no Problem: make one with Problem(swarm, newcomer)"]
-
-
-def time_faults(seconds: object) -> list[str]:
-    """Return what is wrong with a time [s]."""
-    if is_number(seconds) and 0.0 <= seconds < math.inf:
-        return []
-    return [f"the time is {seconds!r}; it should be 0 <= seconds < inf [s]"]
 
 
 def _along_the_boundary(search: JointSearch) -> Stands:

@@ -1,7 +1,5 @@
 """Newcomers moved on the boundary until no move helps: one at a time, and all together (T17)."""
 
-import math
-import time
 from typing import NamedTuple
 
 import numpy as np
@@ -10,8 +8,10 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.linear import Program
 from swarmgrasp.placement.optimum import Search, search_for
+from swarmgrasp.placement.together.effort import Budget
 from swarmgrasp.placement.together.gauge import Gauge, Levels
 from swarmgrasp.placement.together.stands import Stands
+from swarmgrasp.products import dots
 
 Array = NDArray[np.float64]
 FIRST_STEP, LAST_STEP, LONGEST_STEP = 1.0, 1e-6, 5.0
@@ -50,15 +50,12 @@ class Polish:
     Parameters
     ----------
     gauge : Gauge
-
-    Attributes
-    ----------
-    deadline : float [s]
-        When to stop moving, on the monotonic clock.
+    budget : Budget
+        When it is spent they stop moving.
     """
 
-    def __init__(self, gauge: Gauge) -> None:
-        self.gauge, self.ground, self.deadline = gauge, gauge.ground, math.inf
+    def __init__(self, gauge: Gauge, budget: Budget) -> None:
+        self.gauge, self.ground, self.budget = gauge, gauge.ground, budget
         self._reach = 0.1 * np.array([self.ground.outline.radius, 1.0])
 
     def climb(self, stands: Stands, best: float = 0.0) -> Climb:
@@ -71,21 +68,16 @@ class Polish:
         for _ in range(ROUNDS if found.quality >= HOPEFUL * best else 0):
             before = found.quality
             found = self.one_by_one(self.together(found))
-            if found.quality <= before * (1.0 + 10.0 * GAIN) or self._is_late:
+            if found.quality <= before * (1.0 + 10.0 * GAIN) or self.budget.is_spent:
                 break
         return found
-
-    @property
-    def _is_late(self) -> bool:
-        """Whether the deadline has passed."""
-        return time.monotonic() >= self.deadline
 
     # -- one at a time
 
     def one_by_one(self, climb: Climb) -> Climb:
         """Place each newcomer anew beside the others, which is solved exactly (T9)."""
         for row in range(len(climb.stands.piece)):
-            if self._is_late:
+            if self.budget.is_spent:
                 break
             others = [k for k in range(len(climb.stands.piece)) if k != row]
             found = self._placed(climb.stands.take(others))
@@ -102,6 +94,7 @@ class Polish:
     def _placed(self, others: Stands) -> tuple[int, Array] | None:
         """Return the best stand beside others; None if none helps."""
         ground, gauge = self.ground, self.gauge
+        self.budget.spend()
         try:
             pieces = ground.pieces_beside(others)
         except NowhereToAttach:
@@ -122,7 +115,7 @@ class Polish:
         """Move all newcomers a little, time and again, by linear programs in their places."""
         step, last = FIRST_STEP, ROUGH_STEP if is_rough else LAST_STEP
         reached = [climb.quality]
-        while step >= last and len(reached) <= MOST_STEPS and not self._is_late:
+        while step >= last and len(reached) <= MOST_STEPS and not self.budget.is_spent:
             earlier = reached[-ROUGH_TURNS] if len(reached) > ROUGH_TURNS else -1.0
             if is_rough and climb.quality < earlier * (1.0 + ROUGH_GAIN):
                 break
@@ -156,6 +149,7 @@ class Polish:
         apart, room = self._spacing_rows(stands)
         if len(apart):
             program.add_rows(np.column_stack([apart, np.zeros(len(apart))]), (room, np.inf))
+        self.budget.spend()
         solution = program.solve()
         if solution is None or solution.values[-1] * size <= GAIN * max(climb.quality, GAIN * size):
             return None
@@ -187,7 +181,7 @@ class Polish:
         """
         gauge, own = self.gauge, self.ground.wrenches(stands)
         levels = gauge.levels(gauge.weak_normals(own))
-        terms = np.maximum(levels.normals @ own.T, 0.0)
+        terms = np.maximum(dots(levels.normals, own), 0.0)
         values = levels.with_newcomers(terms)
         order = np.argsort(values, kind="stable")[:MOST_SIFTED]
         # of newcomers that may miss their places only the nominal ones are looked at
@@ -199,33 +193,34 @@ class Polish:
         shares = self._shares(levels, own, terms[order], values[order])
         moved, turned = self.ground.slopes(stands)
         normals, extents = levels.normals, levels.extents[:, None]
-        slopes = np.stack([normals @ moved.T, normals @ turned.T], axis=2)
+        slopes = np.stack([dots(normals, moved), dots(normals, turned)], axis=2)
         slopes *= (shares / extents)[:, :, None]
         return slopes.reshape(len(order), -1), values[order]
 
     def _shares(self, levels: Levels, own: Array, terms: Array, values: Array) -> Array:
         """Return the shares u (m, k) of the newcomers at the points that facets are touched in."""
         gauge, normals = self.gauge, levels.normals
-        along, reach = normals @ own.T, ON_PLANE * np.linalg.norm(own, axis=1)
+        along, reach = dots(normals, own), ON_PLANE * np.linalg.norm(own, axis=1)
         shares: Array = np.asarray(along > reach, dtype=float)
         self._lose(levels, shares, terms)
         flat = np.abs(along) <= reach
         shares[flat] = 0.5
-        if gauge.criterion.worst_case or len(gauge.known) > MOST_NORMALS or not flat.any():
+        rows = np.flatnonzero(flat.any(axis=1))
+        if gauge.criterion.worst_case or len(gauge.known) > MOST_NORMALS or not len(rows):
             return shares
+        normals, values = normals[rows], values[rows]
         both = np.vstack([gauge.known, own])
-        products, reach = normals @ both.T, ON_PLANE * np.linalg.norm(both, axis=1)
+        products, reach = dots(normals, both), ON_PLANE * np.linalg.norm(both, axis=1)
         spanning = (np.abs(products) <= reach).astype(float)
         pushing = (products > reach).astype(float)
         lost = np.argsort(-products, axis=1, kind="stable")[:, : gauge.losing]
         np.put_along_axis(pushing, lost, 0.0, axis=1)
-        missing = gauge.touched(normals, values) - (pushing + 0.5 * spanning) @ both
+        missing = gauge.touched(normals, values) - dots(pushing + 0.5 * spanning, both.T)
         # the least change from halves, for which the facets' generators make up what is missing
-        squares = np.einsum("mi,ij,ik->mjk", spanning, both, both)
-        squares += np.einsum("mj,mk->mjk", normals, normals) * gauge.reach**2
-        squares += RIDGE * gauge.reach**2 * np.eye(3)
-        found = 0.5 + np.linalg.solve(squares, missing[:, :, None])[:, :, 0] @ own.T
-        shares[flat] = np.clip(found, 0.0, 1.0)[flat]
+        squares = dots(spanning, _squares(both).T)
+        squares += (_squares(normals) + RIDGE * np.eye(3).ravel()) * gauge.reach**2
+        found = 0.5 + dots(_solved(squares.reshape(-1, 3, 3), missing), own)
+        shares[rows] = np.where(flat[rows], np.clip(found, 0.0, 1.0), shares[rows])
         return shares
 
     def _lose(self, levels: Levels, shares: Array, terms: Array) -> None:
@@ -236,3 +231,18 @@ class Polish:
             lost = np.concatenate([[0.0], np.cumsum(terms[row][order][:losing])])
             left = [level[losing - k] - lost[min(k, len(lost) - 1)] for k in range(losing + 1)]
             shares[row, order[: int(np.argmin(left))]] = 0.0
+
+
+def _squares(vectors: Array) -> Array:
+    """Return the products of the components of each vector (m, 3) with each other, (m, 9)."""
+    return np.asarray((vectors[:, :, None] * vectors[:, None]).reshape(-1, 9))
+
+
+def _solved(matrices: Array, sides: Array) -> Array:
+    """Solve symmetric equations (m, 3, 3) for sides (m, 3), by cross products of the rows."""
+    first, second, third = matrices.transpose(1, 0, 2)
+    adjugate = np.stack(
+        [np.cross(second, third), np.cross(third, first), np.cross(first, second)], axis=1
+    )
+    determinant = (first * adjugate[:, 0]).sum(axis=1)
+    return np.asarray((adjugate * sides[:, :, None]).sum(axis=1) / determinant[:, None])

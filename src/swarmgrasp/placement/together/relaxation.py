@@ -18,8 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.linear import Program
+from swarmgrasp.placement.together.effort import Budget
 from swarmgrasp.placement.together.gauge import Gauge, Levels
 from swarmgrasp.placement.together.regions import Region
+from swarmgrasp.products import dots, weighted
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -118,12 +120,14 @@ class Relaxation:
     gauge : Gauge
     count : int
         The number of newcomers.
+    budget : Budget
+        When it is spent, bounds are left as they are.
     """
 
     gauge: Gauge
     count: int
+    budget: Budget
     levels: Levels = field(init=False)
-    programs: int = 0
 
     def __post_init__(self) -> None:
         """Begin with the axes and what lies between them."""
@@ -149,7 +153,8 @@ class Relaxation:
     def terms(self, rows: Rows, points: Array, which: Indices) -> Array:
         """Return what one newcomer at each point adds to each row, in units of `size`."""
         levels = self.levels.take(rows.normal)
-        found = np.maximum(levels.normals @ points.T, 0.0) / (levels.extents * self.size)[:, None]
+        found = np.maximum(dots(levels.normals, points), 0.0)
+        found /= (levels.extents * self.size)[:, None]
         return np.asarray(found if self.gauge.losing == 0 else found * rows.kept[:, which])
 
     def sides(self, rows: Rows) -> Array:
@@ -159,10 +164,11 @@ class Relaxation:
 
     def bound(self, share: Share, sides: Array, terms: Array, multipliers: Array) -> float:
         """Return the bound that multipliers prove, whatever they are."""
-        worth = multipliers @ terms
+        worth = weighted(multipliers, terms)
         starts = np.cumsum([0, *(len(region.hull.points) for region in share.regions[:-1])])
         most = np.maximum.reduceat(worth, starts)
-        return float(self.least + self.size * (multipliers @ sides + most @ share.counts))
+        above = (multipliers * sides).sum() + (most * share.counts).sum()
+        return float(self.least + self.size * above)
 
     def quick_bound(self, share: Share, proven: Relaxed) -> float:
         """Return the bound that the multipliers of another program prove, its rows handed on."""
@@ -182,8 +188,10 @@ class Relaxation:
         program.add_rows(_with_t(terms), (-np.inf, sides))
         multipliers, mass, last = np.zeros(0), np.zeros(len(points)), math.inf
         for turn in range(MOST_ROUNDS):
+            if self.budget.is_spent:
+                break
+            self.budget.spend()
             solution = program.solve()
-            self.programs += 1
             if solution is None:
                 break
             t, mass = float(solution.values[0]), np.maximum(solution.values[1:], 0.0)
@@ -203,7 +211,7 @@ class Relaxation:
             rows, terms = rows.joined(more), np.vstack([terms, fresh])
             sides = np.append(sides, their_sides)
         multipliers = np.append(multipliers, np.zeros(len(sides) - len(multipliers)))
-        slack = sides + terms @ mass
+        slack = sides + weighted(mass, terms.T)
         near = slack - slack.min(initial=0.0) <= SLACK * max(abs(slack.min(initial=0.0)), SHORT)
         kept = np.flatnonzero(near | (multipliers > 0.0))
         share.rows = rows.take(kept)
@@ -243,8 +251,8 @@ class Relaxation:
 
     def _worth(self, levels: Levels, points: Array, weights: Array) -> Array:
         """Return what the newcomers of each region add along normals: (m, regions)."""
-        terms = np.maximum(levels.normals @ points.T, 0.0)
-        return np.asarray(terms @ weights / (levels.extents * self.size)[:, None])
+        terms = np.maximum(dots(levels.normals, points), 0.0)
+        return np.asarray(dots(terms, weights.T) / (levels.extents * self.size)[:, None])
 
     def _heights(self, levels: Levels) -> Array:
         """Return H / D after losing 0, 1, ... of the swarm's robots: (m, losing + 1)."""
@@ -292,7 +300,7 @@ def _unlike(normals: Array, most: int) -> Indices:
     found: list[int] = []
     while len(left) and len(found) < most:
         found.append(int(left[0]))
-        left = left[normals[left] @ normals[left[0]] < ALIKE]
+        left = left[dots(normals[left], normals[left[:1]])[:, 0] < ALIKE]
     return np.array(found, dtype=np.intp)
 
 

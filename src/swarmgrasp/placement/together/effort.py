@@ -1,0 +1,42 @@
+"""How long a search for several newcomers goes on: counted in steps, not by a clock.
+
+The same steps are taken on every machine, so that the same question has the same answer.
+"""
+
+from dataclasses import dataclass
+
+from swarmgrasp.ranges import is_whole, shown
+
+EFFORT = 5000
+"""Steps of a search unless told otherwise: some seconds for a dozen newcomers."""
+
+
+def effort_faults(effort: object) -> list[str]:
+    """Return what is wrong with a number of steps."""
+    if is_whole(effort) and effort >= 0:
+        return []
+    return [f"the effort is {shown(effort)}; it should be a whole number of steps, 0 or more"]
+
+
+@dataclass(eq=False)
+class Budget:
+    """Steps that a search may still take.
+
+    Each linear program is a step, and so is each newcomer placed exactly beside the others.
+
+    Attributes
+    ----------
+    left : int
+        Below 0 if it was overdrawn by what must be done in any case.
+    """
+
+    left: int
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether no step is left."""
+        return self.left <= 0
+
+    def spend(self) -> None:
+        """Take a step."""
+        self.left -= 1
