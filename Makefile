@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch])
 
-.PHONY: demo test test-long lint docs bench paper lock clean
+.PHONY: demo test test-long test-oldest test-newest lint docs bench paper lock clean
 
 demo: $(VENV)/installed
 	mkdir -p demo
@@ -15,7 +15,15 @@ test: $(VENV)/developing
 	$(BIN)/python -m pytest -n 2
 
 test-long: $(VENV)/developing
-	$(BIN)/python -m pytest -n 2 -m long
+	$(BIN)/python -m pytest -n 2 -m long -o timeout=3600
+
+# The quick tests with the oldest and the newest versions that pyproject.toml allows. That packages
+# have deprecated what other packages of another age use is no fault of ours.
+test-oldest: .venv-oldest/installed
+	.venv-oldest/bin/python -m pytest -q -n 2 -W ignore::DeprecationWarning
+
+test-newest: .venv-newest/installed
+	.venv-newest/bin/python -m pytest -q -n 2 -W ignore::DeprecationWarning
 
 lint: $(VENV)/developing
 	$(BIN)/ruff check .
@@ -40,10 +48,14 @@ $(VENV)/locked: requirements.lock
 	touch $@
 
 # The package itself goes in last, from this folder, without fetching anything.
+define INSTALL
+PYTHONWARNINGS=ignore $(1)/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+touch $(1)/installed
+endef
+
 $(VENV)/installed: $(VENV)/locked pyproject.toml $(KERNELS)
 	@command -v cc >/dev/null || { echo "a C compiler is needed, such as Debian's gcc and libc6-dev" >&2; exit 1; }
-	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
-	touch $@
+	$(call INSTALL,$(VENV))
 
 $(VENV)/developing: $(VENV)/locked requirements-dev.lock | $(VENV)/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
@@ -57,16 +69,27 @@ $(VENV)/documenting: $(VENV)/developing requirements-docs.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-docs.lock
 	touch $@
 
+.venv-oldest/installed: requirements-oldest.lock pyproject.toml $(KERNELS)
+	$(PYTHON) -m venv .venv-oldest
+	.venv-oldest/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	$(call INSTALL,.venv-oldest)
+
+.venv-newest/installed: pyproject.toml $(KERNELS)
+	$(PYTHON) -m venv .venv-newest
+	.venv-newest/bin/python -m pip install --quiet --disable-pip-version-check --upgrade '.[build,test]'
+	$(call INSTALL,.venv-newest)
+
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
-	--no-emit-find-links --no-header --no-annotate --upgrade pyproject.toml
+	--no-emit-find-links --no-header --no-annotate pyproject.toml
 
 lock:
-	$(LOCK) --extra build -o requirements.lock
-	$(LOCK) --extra build --extra dev -o requirements-dev.lock
-	$(LOCK) --extra build --extra dev --extra docs -o requirements-docs.lock
-	$(LOCK) --extra build --extra dev --extra bench -o requirements-bench.lock
+	$(LOCK) --upgrade --extra build -o requirements.lock
+	$(LOCK) --upgrade --extra build --extra dev -o requirements-dev.lock
+	$(LOCK) --upgrade --extra build --extra dev --extra docs -o requirements-docs.lock
+	$(LOCK) --upgrade --extra build --extra dev --extra bench -o requirements-bench.lock
+	$(LOCK) --resolution lowest-direct --extra build --extra test -o requirements-oldest.lock
 
 clean:
-	rm -rf $(VENV) build demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) .venv-oldest .venv-newest build demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
 	rm -f src/swarmgrasp/kernels/*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import reference
@@ -205,6 +205,7 @@ def test_a_mounted_robot_turns_and_does_not_move():
 
 
 @given(st.one_of(swarms, large_swarms))
+@example(swarm_of("nearly parallel", 38, 85))
 @settings(max_examples=80)
 def test_no_slope_exceeds_the_change_of_the_wrench(swarm):
     """|dQ| <= |db| (T4), also with robots of very different strength; more force never hurts."""

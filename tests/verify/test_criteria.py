@@ -136,7 +136,7 @@ def test_every_answer_of_the_search_passes(family, seed, n, name, newcomer):
 def test_a_newcomer_that_misses_its_place_needs_proofs_too():
     """Its bound is taken on trust, but not without any proof."""
     worst = next(name for name, terms in TERMS.items() if "worst_case" in terms)
-    document = honest(worst, is_unsure=True)
+    document = copy.deepcopy(honest(worst, is_unsure=True))
     assert judge(document)
     first(document)["proofs"] = []
     assert "the proofs show an upper bound of inf" in judge(document).faults[0]

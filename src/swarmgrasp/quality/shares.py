@@ -43,7 +43,8 @@ def shares_at(heights: Heights, normal: Array, value: float) -> Array:
         shares[lost.tied, 0] = 1.0  # whoever adds more is lost instead of another
     plane = _Plane.of(heights, normal, value, lost, products == 0.0)
     for row, index in enumerate(np.flatnonzero(products == 0.0)):
-        shares[index] = [-plane.least(row, -1.0), plane.least(row, 1.0)]
+        # of nearly parallel generators rounding may say more ("nearly parallel", seed 38)
+        shares[index] = np.clip([-plane.least(row, -1.0), plane.least(row, 1.0)], 0.0, 1.0)
     shares[np.abs(shares) <= NONE] = 0.0
     return shares
 
