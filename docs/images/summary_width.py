@@ -60,7 +60,7 @@ def draw(path):
                 message = Summary.of(swarm, bins).to_bytes()
                 bounds = Summary.from_bytes(message).quality()
                 sizes.append(len(message))
-                widths.append(bounds.gap / bounds.upper)
+                widths.append(bounds.width / bounds.upper)
             ax.plot(sizes, widths, color=colour, marker=marker, ms=3.5, lw=1.1, label=name)
         ends = np.array([1e3, 3e4])
         ax.plot(ends, 0.2 * ends[0] / ends, color=style.GREY, ls=":", lw=1.0, label="1 / bytes")

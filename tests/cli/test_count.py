@@ -23,8 +23,20 @@ def test_more_than_allowed(run):
     """Out of reach of so many, and proven to be."""
     status, said, _ = run("count", "deck-barge", "--quality", "2e6", "--most", "3")
     assert status == 0
-    assert "is not reached by 3 robots" in said
+    assert "2.0000 MN is out of reach of 3 robots" in said
+    assert "Quality  0.22922 MN as it is" in said
     assert "3 robots cannot reach it, wherever they attach" in said
+
+
+def test_not_found_is_not_out_of_reach(run):
+    """Without effort nothing is settled, and nothing printed says that it is."""
+    status, said, _ = run(
+        "count", "deck-barge", "--quality", "1.2e6", "--most", "5", "--effort", "0"
+    )
+    assert status == 0
+    assert "was not reached with up to 5 robots" in said
+    assert "no places for up to 5 robots that reach it were found; no fewer than" in said
+    assert "cannot" not in said
 
 
 def test_none_is_needed(run):

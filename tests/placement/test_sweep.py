@@ -34,8 +34,8 @@ def faults_of(answer, thorough):
     swarm = answer.swarm_after
     reach = np.linalg.norm(swarm.scale[:2]) + swarm.outline.radius * swarm.scale[2]
     total = np.linalg.norm(swarm.scaled_generators, axis=1).sum() + answer.robot.limit * reach
-    if not 0.0 <= answer.gap <= 1e-6 * answer.quality + 4e-12 * total:
-        yield f"gap {answer.gap:.3g} N at {answer.quality:.3g} N"
+    if not 0.0 <= answer.upper_bound - answer.quality <= 1e-6 * answer.quality + 4e-12 * total:
+        yield f"bound {answer.upper_bound:.12g} N at {answer.quality:.12g} N"
     if thorough:
         truth = reference.quality(swarm.scaled_generators)
         if abs(truth - answer.quality) > 1e-9 * truth + 2e-12 * total:

@@ -193,7 +193,7 @@ def test_every_answer_is_allowed_and_exact(family, seed, n, count):
     assert answer.quality <= answer.upper_bound
     assert not answer.quality < answer.sequential * (1.0 - 1e-6) - slack
     if not answer.stopped_early:
-        assert answer.gap <= 1e-3 * answer.quality + 4.0 * slack
+        assert answer.upper_bound <= (1.0 + 1e-3) * answer.quality + 4.0 * slack
     ground = Ground(problem)
     for robot in answer.robots:
         assert robot.limit == problem.newcomer.limit
@@ -349,6 +349,7 @@ def test_no_effort_is_a_result():
     )
     assert answer.stopped_early
     assert answer.sequential * (1.0 - 1e-9) <= answer.quality <= answer.upper_bound < math.inf
+    assert answer.upper_bound >= place_together(answer.problem, 5, effort=100).upper_bound
 
 
 def test_all_faults_at_once():

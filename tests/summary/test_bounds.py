@@ -100,12 +100,12 @@ def test_many_robots_are_summed_in_parts(monkeypatch):
         assert np.allclose(ours, theirs, rtol=1e-9)
 
 
-@pytest.mark.parametrize(("bins", "gap"), [(128, 0.03), (1024, 0.003)])
-def test_the_bounds_are_narrow(bins, gap):
+@pytest.mark.parametrize(("bins", "share"), [(128, 0.03), (1024, 0.003)])
+def test_the_bounds_are_narrow(bins, share):
     """For 100 000 robots all round; ten times better still than was asked of 1024 bins."""
     summary = Summary.from_generators(crowd("round", 5, 100_000), bins)
     bounds = summary.quality()
-    assert 0.0 < bounds.gap <= gap * bounds.lower
+    assert 0.0 < bounds.width <= share * bounds.lower
     assert len(summary.to_bytes()) <= 104 + 18 * summary.bins
 
 

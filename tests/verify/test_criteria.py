@@ -244,7 +244,7 @@ def test_tampering_is_refused_by_mathematics(name, spoil, says):
         (HIGHER, "the quality with the robot is said to be"),
         (_surer, "the robot has another tolerance than the newcomer"),
         (_scale("upper_bound", BELOW), "is below the quality"),
-        (_scale("upper_bound", 1.0 + 1e-5), "by more than the stated tolerance"),
+        (_scale("upper_bound", 1.0 + 1e-5), "by more than the gap asked for"),
         (_scale("quality", 2.0), "the proofs bound the quality by"),
     ],
 )

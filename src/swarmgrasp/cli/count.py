@@ -131,15 +131,19 @@ def show(name: str, found: "HowMany") -> None:
     report, criterion = Report(), found.problem.criterion
     unit = unit_for(criterion, found.required, found.quality)
     wanted = unit.text(found.required)
+    quality = change(found.quality_before, found.quality, unit)
     if found.count is None:
-        report.headline(f"{name}: {wanted} is not reached by {found.most} robots", "caution")
+        many = f"{found.most} robot{'s' if found.most > 1 else ''}"
+        failed = "is out of reach of" if found.is_proven else "was not reached with up to"
+        report.headline(f"{name}: {wanted} {failed} {many}", "caution")
+        quality = f"{unit.text(found.quality_before)} as it is"
     else:
         are = "robot is" if found.count == 1 else "robots are"
         word = "the fewest" if found.is_proven else "the fewest found"
         told = f"{found.count} {are} {word} for {wanted}" if found.count else f"{wanted} is there"
         report.headline(f"{name}: {told}", "good")
     report.blank()
-    facts = [("Quality", change(found.quality_before, found.quality, unit))]
+    facts = [("Quality", quality)]
     if criterion.words:
         facts.append(("", criterion.words))
     facts.append(("Proven" if found.is_proven else "Open", found.reason))

@@ -13,8 +13,6 @@ FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
 FINE = 1e-6
 """Relative gap, 0.0001 %, below which it is not told to the digit unless asked for."""
-COARSE = 1e-3
-"""Relative gap above which an answer is the best found, and not called the best."""
 
 
 def show(name: str, answers: Sequence[Placement]) -> None:
@@ -45,11 +43,11 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
     """Tell where one newcomer goes."""
     robot = answer.robot
     if answer.improves:
-        best = "best found place" if _is_coarse(answer) else "the best place"
+        best = "best found place" if answer.is_open else "the best place"
         report.headline(f"{name}: {best} for {robot.name}", "good")
         why = []
     else:
-        none = "no place found" if _is_coarse(answer) else "no allowed place"
+        none = "no place found" if answer.is_open else "no allowed place"
         report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
         # force closure takes four robots
         enough = max(2, 4 - len(answer.problem.swarm))
@@ -109,7 +107,7 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
         ])  # fmt: skip
     report.table(columns, rows)
     report.blank()
-    worst = max(answers, key=lambda a: a.gap / a.quality if a.quality else 0.0)
+    worst = max(answers, key=lambda a: a.gap if a.quality else 0.0)
     report.facts([
         ("Quality", _gain(first.quality_before, last.quality, unit)),
         *_beside(first, last, unit),
@@ -144,14 +142,9 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces)
                 f"{100.0 * runner.quality / answer.quality:.1f} %", placed.short,
             ])  # fmt: skip
     report.blank()
-    best = "best found" if any(map(_is_coarse, told)) else "best"
+    best = "best found" if any(answer.is_open for answer in told) else "best"
     report.headline(f"Next best: the {best} robot on each other edge or zone")
     report.table(columns, rows)
-
-
-def _is_coarse(answer: Placement) -> bool:
-    """Tell whether another place may be better by a share that matters."""
-    return answer.gap > COARSE * answer.quality
 
 
 def _stance(answer: Placement) -> Stance:
@@ -210,7 +203,7 @@ def _percent_gain(before: float, after: float) -> str:
 
 def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
     """Say how far the answer can be from the best."""
-    if answer.gap <= FEWEST * answer.quality:
+    if answer.gap <= FEWEST:
         said = "no allowed place is better"
     else:
         said = (
@@ -224,5 +217,4 @@ def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
 
 def _most(answer: Placement) -> str:
     """Say by what share another place may be better, at most."""
-    share = answer.gap / answer.quality
-    return "0.0001 %" if share <= FINE <= answer.tolerance else percent(share)
+    return "0.0001 %" if answer.gap <= FINE <= answer.asked_gap else percent(answer.gap)

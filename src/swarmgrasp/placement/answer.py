@@ -1,5 +1,6 @@
 """The answer to a placement: the robot, what it adds, and the proof."""
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -10,6 +11,24 @@ from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.verify import Verdict, verify_document
+
+COARSE = 1e-3
+"""Gap above which an answer is the best found, and not called the best."""
+
+
+def relative_gap(upper_bound: float, quality: float) -> float:
+    """Return by how much a bound exceeds a quality, relative to it.
+
+    Of no quality it is infinite, unless the bound is none either.
+
+    Examples
+    --------
+    >>> relative_gap(1.25, 1.0), relative_gap(1.0, 0.0), relative_gap(0.0, 0.0)
+    (0.25, inf, 0.0)
+    """
+    if upper_bound <= quality:
+        return 0.0
+    return (upper_bound - quality) / quality if quality > 0.0 else math.inf
 
 
 @dataclass(frozen=True)
@@ -47,8 +66,8 @@ class Placement:
         The support function without it, opposite to the weakest normal.
     upper_bound : float [N]
         What no allowed robot exceeds.
-    tolerance : float
-        By how much the bound may exceed the quality, relative to it, as asked for.
+    asked_gap : float
+        The `gap` at which the search was to end.
     stopped_early : bool
         Whether the search ran out of its budget before coming so near. The bound holds all
         the same.
@@ -66,7 +85,7 @@ class Placement:
     after: Weakest
     opposite: float
     upper_bound: float
-    tolerance: float
+    asked_gap: float
     stopped_early: bool
     improves: bool
     runners_up: tuple[RunnerUp, ...]
@@ -84,8 +103,13 @@ class Placement:
 
     @property
     def gap(self) -> float:
-        """By how much the bound exceeds the quality [N]."""
-        return self.upper_bound - self.quality
+        """By how much the bound exceeds the quality, as `relative_gap` has it."""
+        return relative_gap(self.upper_bound, self.quality)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether another place may be better by a share that matters."""
+        return self.gap > COARSE and (self.quality > 0.0 or self.stopped_early)
 
     @property
     def reason(self) -> str:

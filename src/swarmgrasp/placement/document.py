@@ -194,7 +194,7 @@ def _placement(answer: Placement) -> dict[str, Any]:
         "quality_before": answer.quality_before,
         "quality": answer.quality,
         "upper_bound": answer.upper_bound,
-        "tolerance": answer.tolerance,
+        "asked_gap": answer.asked_gap,
         "stopped_early": answer.stopped_early,
         "improves": answer.improves,
         "reason": answer.reason,

@@ -202,7 +202,7 @@ class _Placing:
             after=after,
             opposite=search.opposite,
             upper_bound=max(upper_bound, winner.quality),
-            tolerance=self.gap,
+            asked_gap=self.gap,
             stopped_early=upper_bound > asked_for + (0.0 if winner.quality else search.zero),
             improves=winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero,
             runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),

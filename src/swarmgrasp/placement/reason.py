@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
     from swarmgrasp.swarm import Robot, Swarm
 
-ROUNDING = 2e-13
-"""Of the quality before: a difference that is none."""
+EQUAL = 1e-6
+"""Relative difference of two opposite sides that are equally weak."""
 PROVEN = 1e-12
 """Relative gap below which bound and answer count as equal."""
 SAME = 1e-3
@@ -45,14 +45,19 @@ def reason_of(answer: "Placement") -> str:
             "force closure takes at least 4 robots, wherever they are; with this one there "
             f"{'are' if present else 'is'} {present + 1}{after}"
         )
-    if criterion.has_load and answer.quality == 0.0:
-        return "no allowed robot makes the swarm hold the load"
     before = answer.before.quality
-    if before > 0.0 and answer.opposite <= before * (1.0 + answer.tolerance + ROUNDING):
+    if before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
         return (
             f"the swarm is equally weak at {weakest} and the opposite way, and one "
             "robot can push only one way: place two"
         )
+    if answer.is_open:
+        return (
+            f"no allowed robot was found that raises what is weakest, {weakest}; whether there is "
+            "one is not settled: ask for a smaller gap, or place several"
+        )
+    if criterion.has_load and answer.quality == 0.0:
+        return "no allowed robot makes the swarm hold the load"
     return (
         f"no allowed robot raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"
@@ -154,9 +159,9 @@ def _bound(answer: "Placement") -> str:
     early = " The search stopped before it came as near as asked." if answer.stopped_early else ""
     if answer.quality == 0.0 and not answer.stopped_early:
         return "No allowed place gives any: that is proven."
-    if answer.gap <= PROVEN * answer.quality:
+    if answer.gap <= PROVEN:
         return f"No allowed place is better: that is proven.{early}"
-    above = f", {share_words(answer.gap / answer.quality)} above" if answer.quality else ""
+    above = f", {share_words(answer.gap)} above" if answer.quality else ""
     most = f"{_value(answer.upper_bound, answer)}{above}"
     return f"No allowed place gives more than {most}: that is proven.{early}"
 

@@ -44,7 +44,7 @@ class Bounds:
         return self.lower > 0.0
 
     @property
-    def gap(self) -> float:
+    def width(self) -> float:
         """Upper bound less lower bound [N]."""
         return self.upper - self.lower
 

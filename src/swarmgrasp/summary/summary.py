@@ -45,7 +45,7 @@ class Summary(Content):
     >>> both.count, both.bins, len(both.to_bytes())
     (10000, 972, 17600)
     >>> bounds = both.quality()
-    >>> bounds.is_force_closure, bool(bounds.gap < 0.01 * bounds.lower)
+    >>> bounds.is_force_closure, bool(bounds.width < 0.01 * bounds.lower)
     (True, True)
     """
 

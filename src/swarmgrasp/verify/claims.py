@@ -149,7 +149,7 @@ class PlacementClaim(_Form):
     quality_before: Size
     quality: Size
     upper_bound: Size
-    tolerance: float = Field(gt=0.0, lt=1.0)
+    asked_gap: float = Field(gt=0.0, lt=1.0)
     stopped_early: bool
     improves: bool
     reason: str

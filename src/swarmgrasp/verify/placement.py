@@ -175,15 +175,15 @@ class _Check:
             yield f"the proofs bound the quality by {self.bound:.12g}{unit}, below what is claimed"
         if claim.quality > claim.upper_bound + self.slack(claim.quality):
             yield f"the upper bound {claim.upper_bound:.12g}{unit} is below the quality"
-        most = claim.quality * (1.0 + claim.tolerance)
+        most = claim.quality * (1.0 + claim.asked_gap)
         bound = claim.upper_bound if self.is_tolerant else self.bound
         # a search ends where rounding hides what is left; of none, as good as none
         near = max(most + max(self.slack(most), CLOSED * self.zero), 10.0 * self.zero)
         if not claim.stopped_early and not bound <= near:
             yield (
                 f"the upper bound {bound:.12g}{unit} exceeds the quality "
-                f"{claim.quality:.12g}{unit} by more than the stated tolerance of "
-                f"{claim.tolerance:g}"
+                f"{claim.quality:.12g}{unit} by more than the gap asked for, "
+                f"{claim.asked_gap:g}"
             )
 
     def unchecked(self) -> Iterator[str]:

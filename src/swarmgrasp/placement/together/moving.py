@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, RobotInvalid
-from swarmgrasp.placement.answer import Placement
+from swarmgrasp.placement.answer import Placement, relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.max_transfer import Quality, quality
@@ -60,6 +60,11 @@ class Relocation:
     def upper_bound(self) -> float:
         """What no move of this robot exceeds [N]."""
         return self.placement.upper_bound
+
+    @property
+    def gap(self) -> float:
+        """By how much the bound exceeds the quality, as `relative_gap` has it."""
+        return self.placement.gap
 
     @property
     def gain(self) -> float:
@@ -121,6 +126,11 @@ class Move:
         """What no move of one robot exceeds [N]."""
         bound = max(move.upper_bound for move in self.ranked)
         return 0.0 if self.quality == 0.0 and not self._is_open else bound
+
+    @property
+    def gap(self) -> float:
+        """By how much the bound exceeds the quality, as `relative_gap` has it."""
+        return relative_gap(self.upper_bound, self.quality)
 
     @property
     def _is_open(self) -> bool:

@@ -9,6 +9,7 @@ from typing import TypeGuard
 import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.placement.answer import relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
@@ -39,8 +40,8 @@ class Together:
         Quality and weakest normal of the swarm without and with them.
     upper_bound : float [N]
         What no such newcomers exceed, wherever they attach.
-    tolerance : float
-        By how much the bound may exceed the quality, relative to it, as asked for.
+    asked_gap : float
+        The `gap` at which the search was to end.
     sequential : float [N]
         The quality of as many placed one after the other; nan if not all found a place.
     stopped_early : bool
@@ -53,7 +54,7 @@ class Together:
     before: Weakest
     after: Weakest
     upper_bound: float
-    tolerance: float
+    asked_gap: float
     sequential: float
     stopped_early: bool
 
@@ -69,8 +70,8 @@ class Together:
 
     @property
     def gap(self) -> float:
-        """By how much the bound exceeds the quality [N]."""
-        return self.upper_bound - self.quality
+        """By how much the bound exceeds the quality, as `relative_gap` has it."""
+        return relative_gap(self.upper_bound, self.quality)
 
     @property
     def improves(self) -> bool:
@@ -83,10 +84,9 @@ class Together:
         Parameters
         ----------
         within : float, optional
-            The `tolerance` when left out.
+            The `asked_gap` when left out.
         """
-        share = self.tolerance if within is None else within
-        return self.gap <= share * self.quality + 1e-12 * self.upper_bound
+        return self.gap <= (self.asked_gap if within is None else within) + 1e-12
 
     @cached_property
     def swarm_after(self) -> Swarm:
@@ -223,7 +223,7 @@ def answer_of(search: JointSearch, sequential: float) -> Together:
         before=search.gauge.before,
         after=after,
         upper_bound=bound,
-        tolerance=search.gap,
+        asked_gap=search.gap,
         sequential=sequential,
         stopped_early=not search.is_over,
     )

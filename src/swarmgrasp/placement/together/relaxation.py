@@ -179,7 +179,10 @@ class Relaxation:
         return self.bound(share, self.sides(rows), terms, proven.multipliers[used])
 
     def solve(self, share: Share, target: float) -> Relaxed | None:
-        """Bound a share, and note the rows that matter; None as soon as it is at most a target."""
+        """Bound a share, and note the rows that matter.
+
+        None as soon as the bound is at most a target, or if no program could be solved.
+        """
         points, which = _points(share.regions)
         at = np.vstack([region.hull.at for region in share.regions])
         rows, sides = share.rows, self.sides(share.rows)
@@ -210,6 +213,8 @@ class Relaxation:
             program.add_rows(_with_t(fresh), (-np.inf, their_sides))
             rows, terms = rows.joined(more), np.vstack([terms, fresh])
             sides = np.append(sides, their_sides)
+        if not len(multipliers):
+            return None
         multipliers = np.append(multipliers, np.zeros(len(sides) - len(multipliers)))
         slack = sides + weighted(mass, terms.T)
         near = slack - slack.min(initial=0.0) <= SLACK * max(abs(slack.min(initial=0.0)), SHORT)
