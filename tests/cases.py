@@ -1,7 +1,10 @@
 """The swarms and placements of data/cases.json, computed by other programs."""
 
 import json
+import math
 from pathlib import Path
+
+import numpy as np
 
 from swarmgrasp import Newcomer, Outline, Robot, Swarm
 
@@ -19,3 +22,13 @@ def swarm_of_case(case):
 def newcomer_of_case(case):
     """Return the newcomer of a placement case."""
     return Newcomer(case["new"]["limit"], case["new"]["attachment"], case["new"]["half_angle"])
+
+
+def rounded_tank(corners, robots, decimals, radius=25.0):
+    """Return a circle with rounded coordinates and tugs of 40 t that push inward amid its edges."""
+    turns = 2.0 * np.pi * np.arange(corners) / corners
+    vertices = radius * np.column_stack([np.cos(turns), np.sin(turns)])
+    outline = Outline(vertices.round(decimals))
+    half = math.pi * radius / corners
+    contacts = [outline.on_edge(k * corners // robots, half) for k in range(robots)]
+    return Swarm(outline, [Robot(at.point, at.inward, 392_266.0) for at in contacts])

@@ -63,7 +63,6 @@ def test_an_explanation_names_what_limits_the_swarm():
     [
         ([], {}, "There are no robots."),
         (PULLS[:3], {}, "The swarm has no force closure: in some directions it exerts nothing."),
-        ([*CENTRED, Robot((1, 0.5), 1.5707963267948966)], {}, "on the border of force closure"),
         (PULLS, {}, "The opposite way is as weak, so that no single newcomer can help: place two."),
         (PULLS * 2, {"losing": 1}, "After the worst loss of 1 robot, the swarm exerts at least"),
         (PULLS * 2, {"losing": 1}, "The worst loss is that of "),

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import reference
-from cases import QUALITIES, swarm_of_case
+from cases import QUALITIES, rounded_tank, swarm_of_case
 from strategies import large_swarms, seeds, swarms
-from swarmgrasp import ForceClosure, Outline, Robot, Swarm, WrenchSet, quality
+from swarmgrasp import ForceClosure, Outline, Polytope, Robot, Swarm, WrenchSet, quality
 from swarmgrasp.errors import RobotInvalid
 from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.scenario import load_example
@@ -214,6 +214,8 @@ def test_every_wrench_of_the_ball_can_be_made(swarm, seed):
 CENTRED = [Robot((1, 0), 0.0), Robot((-1, 0), math.pi), Robot((0, 1), math.pi / 2)]
 CENTRED += [Robot((0, -1), -math.pi / 2)]
 ONE_WAY = Robot((1, 0.5), math.pi / 2)
+TAIL = [Robot((-0.9, 0), turn * math.pi / 2, 2.0, mounted=True) for turn in (1, -1)]
+AIRSHIP = [Robot((0, y), 0.0, 10.0, mounted=True) for y in (0.5, -0.5)] + TAIL  # never astern
 
 
 @pytest.mark.parametrize(
@@ -226,17 +228,51 @@ ONE_WAY = Robot((1, 0.5), math.pi / 2)
         ([Robot(*row) for row in PULLS[:3]], ForceClosure.NO),
         ([Robot(*row) for row in PULLS[:2] * 3], ForceClosure.NO),  # parallel: flat
         (CENTRED, ForceClosure.NO),  # no torque whatever they do
-        ([*CENTRED, ONE_WAY], ForceClosure.MARGINAL),  # torque one way, none the other
-        ([*CENTRED * 3, ONE_WAY, ONE_WAY], ForceClosure.MARGINAL),
+        ([*CENTRED, ONE_WAY], ForceClosure.NO),  # torque one way, none the other
+        ([*CENTRED * 3, ONE_WAY, ONE_WAY], ForceClosure.NO),
+        (AIRSHIP, ForceClosure.NO),
         ([Robot((1, y), 0.1 * y) for y in (-1, -0.5, 0.2, 0.7, 1)], ForceClosure.NO),
         ([*CENTRED, ONE_WAY, Robot((1, -0.5), -math.pi / 2)], ForceClosure.YES),
     ],
 )
 def test_force_closure(robots, verdict):
-    """Certain, clearly missing, or on the border."""
+    """Certain, or missing where some direction opposes or idles all robots."""
     answer = quality(Swarm(SQUARE, robots, 1.0))
     assert answer.force_closure is verdict
     assert (answer.value > 0.0) is answer.is_force_closure is (verdict is ForceClosure.YES)
+
+
+@pytest.mark.parametrize("decimals", [2, 3, 4, 6, 9])
+@pytest.mark.parametrize(("corners", "robots"), [(36, 4), (36, 5), (360, 5), (360, 7), (1440, 11)])
+def test_inward_pushes_on_a_rounded_circle_never_close_it(corners, robots, decimals):
+    """They have no torque; what their outline's decimals make of it is told as noise."""
+    answer = quality(rounded_tank(corners, robots, decimals))
+    assert answer.value <= answer.noise
+    assert answer.force_closure is not ForceClosure.YES
+    assert quality(rounded_tank(corners, robots, 15)).force_closure is ForceClosure.NO
+
+
+def test_a_quality_below_the_noise_is_marginal_and_one_above_is_certain():
+    """0.37 N of 2 MN is rounding; two tugs that push past the middle are not."""
+    tank = rounded_tank(360, 5, 6)
+    answer = quality(tank)
+    assert 0.0 < answer.value < answer.noise < 1e-5 * size(tank)
+    assert answer.force_closure is ForceClosure.MARGINAL
+    assert "may be rounding" in answer.explanation
+    turned = [Robot(r.contact, r.direction + side) for r in tank.robots for side in (0.1, -0.1)]
+    assert quality(with_robots(tank, turned)).is_force_closure
+    task = Polytope([(0.0, 0.0, 1e6), (0.0, 0.0, -1e6)])
+    relative = quality(tank, task=task)
+    assert relative.noise == pytest.approx(answer.noise * tank.characteristic_length / 1e6)
+
+
+def test_no_closure_is_certain_only_where_all_are_opposed_by_more_than_their_errors():
+    """Tugs along one side of a tank push away for certain; around it rounding may close."""
+    side = Swarm((tank := rounded_tank(360, 12, 6)).outline, tank.robots[:5])
+    assert quality(side).force_closure is ForceClosure.NO
+    coarse = rounded_tank(360, 4, 4)
+    assert quality(coarse).value == 0.0
+    assert quality(coarse).force_closure is ForceClosure.MARGINAL
 
 
 def test_all_through_one_point_is_no_closure():

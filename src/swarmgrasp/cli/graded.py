@@ -25,12 +25,13 @@ def show(
     asked = f" {criterion.words}" if criterion.words else ""
     report.headline(
         f"{scenario.name}: quality {unit.text(found.value)}{asked}",
-        "good" if found.value > 0.0 else "bad",
+        "good" if found.value > found.noise else "bad",
     )
     report.blank()
     facts = [
         *_beside(swarm, found, lost, unit),
         ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
+        *_noise(found, unit),
         *_weakest(swarm, found),
     ]
     if len(swarm) and criterion.is_nominal:
@@ -52,8 +53,16 @@ def show(
 _CLOSURE = {
     "yes": "the robots can push and turn the object in every direction",
     "no": "there are directions in which the robots can exert nothing",
-    "marginal": "the slightest change of a pose decides whether the robots hold the object",
+    "marginal": "rounding in the outline's coordinates decides whether the robots hold the object",
 }
+
+
+def _noise(found: Quality, unit: Forces) -> list[tuple[str, str]]:
+    """Tell how far the outline's coordinates tell a quality that is below that."""
+    if found.value > found.noise or found.noise == 0.0 or str(found.force_closure) == "no":
+        return []
+    decimals = "by the decimals of its coordinates the outline tells the quality"
+    return [("", f"{decimals} to {unit.text(found.noise)} only")]
 
 
 def _title(criterion: Criterion) -> str:

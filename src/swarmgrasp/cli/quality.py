@@ -109,6 +109,7 @@ def data_of(scenario: "Scenario", found: "Quality", lost: "Sequence[Loss]") -> d
         "name": scenario.name,
         **asked,
         "quality": found.value,
+        "noise": found.noise,
         "force_closure": str(found.force_closure),
         "explanation": found.explanation.split("\n"),
         "weakest_direction": found.direction.tolist(),

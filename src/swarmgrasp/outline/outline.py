@@ -18,7 +18,8 @@ from swarmgrasp.outline.polygon import (
     edge_name_faults,
     signed_area,
 )
-from swarmgrasp.ranges import name_faults
+from swarmgrasp.outline.precision import written_precision
+from swarmgrasp.ranges import name_faults, numbers
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
@@ -98,12 +99,16 @@ class Outline:
         Reference point for moments; the centroid when left out.
     edge_names : sequence of str, optional
         One name per edge in the order of the given vertices; "" for a nameless edge.
+    precision : float [m], optional
+        How far each coordinate may be off, 0 for exact ones. When left out, half a unit in the
+        last decimal, if the coordinates have 3 to 12 of them, and else 0: see `written_precision`.
 
     Raises
     ------
     OutlineInvalid
         If there are fewer than 3 distinct vertices, a coordinate is not finite, the
-        polygon has no area or crosses itself (the message names the crossing point).
+        polygon has no area or crosses itself (the message names the crossing point), or the
+        precision is negative or not finite.
 
     Examples
     --------
@@ -123,6 +128,7 @@ class Outline:
     """(k + 1,) [m]: where the edges begin; the last entry is the perimeter."""
     inward_normals: NDArray[np.float64] = field(repr=False)
     """(k,) [rad]: the directions of the edges' inward normals."""
+    precision: float
     _ends: NDArray[np.float64] = field(repr=False)
     _edges: Edges = field(repr=False)
 
@@ -131,6 +137,7 @@ class Outline:
         vertices: ArrayLike,
         origin: ArrayLike | None = None,
         edge_names: Sequence[str] | None = None,
+        precision: float | None = None,
     ) -> None:
         corners = checked_vertices(vertices)
         names = [""] * len(corners) if edge_names is None else list(edge_names)
@@ -141,6 +148,10 @@ class Outline:
         centre = centroid(corners) if origin is None else as_point(origin)
         if not np.isfinite(centre).all():
             faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
+        if precision is None:
+            precision = written_precision(corners)
+        elif not any(number >= 0.0 for number in numbers((precision,))):
+            faults.append(f"the precision is {precision!r}; it should be finite and >= 0 [m]")
         if faults:
             raise OutlineInvalid(faults)
         ends = np.roll(corners, -1, axis=0)
@@ -156,6 +167,7 @@ class Outline:
         for array in arrays.values():
             array.setflags(write=False)
         vars(self).update(arrays, edge_names=tuple(names), _edges=edges_of(corners))
+        vars(self)["precision"] = float(precision)
 
     # -- measures ---------------------------------------------------------------------
 
@@ -187,6 +199,18 @@ class Outline:
     def radius(self) -> float:
         """Largest distance from the origin to the outline [m]."""
         return float(np.linalg.norm(self.vertices - self.origin, axis=1).max())
+
+    @cached_property
+    def normal_errors(self) -> NDArray[np.float64]:
+        """(k,) [rad]: by how much the edges' normals may be off, by the `precision`.
+
+        Those of edges along x or y are exact: both ends carry the same number.
+        """
+        steps = np.abs(self._ends - self.vertices)
+        turns = 2.0 * self.precision * steps.sum(axis=1) / self.lengths**2
+        errors = np.where((steps == 0.0).any(axis=1), 0.0, turns)
+        errors.setflags(write=False)
+        return errors
 
     def edge_label(self, edge: int) -> str:
         """Return the name of an edge, or "edge i" for a nameless one."""

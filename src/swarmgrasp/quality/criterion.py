@@ -4,10 +4,12 @@ from dataclasses import dataclass
 from typing import TypedDict, get_args
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.quality.task import Task
 from swarmgrasp.ranges import STRONGEST, numbers
+from swarmgrasp.swarm import Swarm
 
 MOST_LOST = 10**9
 """Robots that may be lost; all there are, if that is more."""
@@ -97,6 +99,25 @@ class Criterion:
     def has_load(self) -> bool:
         """Whether there is a load."""
         return self.load != (0.0, 0.0, 0.0)
+
+    def noise(self, swarm: Swarm, normal: ArrayLike) -> float:
+        """Bound what rounding in the outline's coordinates may change of a quality (T4).
+
+        Parameters
+        ----------
+        swarm : Swarm
+        normal : (3,)
+            The unit normal where the quality is attained, in the metric's coordinates.
+
+        Returns
+        -------
+        float [N]
+            Relative to the task, if there is one.
+        """
+        if self.task is None:
+            return swarm.noise
+        (asked,) = self.task.support([np.asarray(normal) * swarm.scale])
+        return float(swarm.noise / asked) if swarm.noise else 0.0
 
     @property
     def words(self) -> str:

@@ -134,6 +134,12 @@ def _headline(found: "Quality") -> str:
     """Say what the swarm can do in every direction."""
     words = given_words(found.criterion)
     given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
+    if 0.0 < found.value <= found.noise:
+        value, noise = (value_words(v, found.criterion) for v in (found.value, found.noise))
+        return (
+            f"{given} has {value}, and that may be rounding: the decimals of the outline's "
+            f"coordinates tell it to {noise} only."
+        )
     if found.value > 0.0:
         value = value_words(found.value, found.criterion)
         if found.criterion.task is not None:
@@ -142,7 +148,7 @@ def _headline(found: "Quality") -> str:
     if found.is_force_closure:
         return f"{given} has nothing to spare: it does not hold the load."
     if str(found.force_closure) == "marginal":
-        return f"{given} is on the border of force closure: the slightest change decides."
+        return f"{given} is on the border of force closure: the outline's rounding decides."
     return f"{given} has no force closure: in some directions it exerts nothing."
 
 

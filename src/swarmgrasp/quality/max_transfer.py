@@ -1,5 +1,6 @@
 """Max-Transfer quality: the largest ball, or task, of wrenches a swarm can make (T1, T2, T16)."""
 
+import math
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -8,17 +9,14 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.linear import minimise
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
-from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of
+from swarmgrasp.quality.opposed import opposition
+from swarmgrasp.quality.weakest import Weakest, weakest_of
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
-
-SEPARATED = 1e-9
-"""Cosine by which a direction opposes all robots where force closure is clearly lacking."""
 
 
 class ForceClosure(StrEnum):
@@ -27,7 +25,7 @@ class ForceClosure(StrEnum):
     YES = "yes"
     NO = "no"
     MARGINAL = "marginal"
-    """On the border: the slightest change of a pose decides."""
+    """Rounding in the outline's coordinates decides: see `Outline.precision`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +78,11 @@ class Quality:
         facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
         return tuple(np.flatnonzero(facet).tolist())
 
+    @property
+    def noise(self) -> float:
+        """By how much rounding in the outline's coordinates may change the value [N] (T4)."""
+        return self.criterion.noise(self._swarm, self.direction)
+
     @cached_property
     def force_closure(self) -> ForceClosure:
         """Whether the swarm, in the worst case, can resist a disturbance in every direction."""
@@ -87,11 +90,9 @@ class Quality:
             losing, worst_case = self.criterion.losing, self.criterion.worst_case
             return quality(self._swarm, losing=losing, worst_case=worst_case).force_closure
         if self.value > 0.0:
-            return ForceClosure.YES
-        generators = self._swarm.scaled_generators
-        if not self.criterion.is_nominal:
-            generators = self.worst_swarm.scaled_generators
-        return _without_closure(generators, _sizes(generators))
+            return ForceClosure.YES if self.value > self.noise else ForceClosure.MARGINAL
+        swarm = self._swarm if self.criterion.is_nominal else self.worst_swarm
+        return ForceClosure.NO if _is_opposed(swarm) else ForceClosure.MARGINAL
 
     @property
     def is_force_closure(self) -> bool:
@@ -203,17 +204,13 @@ def _sizes(generators: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(np.sqrt(np.einsum("ij,ij->i", generators, generators)))
 
 
-def _without_closure(generators: NDArray[np.float64], sizes: NDArray[np.float64]) -> ForceClosure:
-    """Tell a clear lack of force closure from a marginal one.
+def _is_opposed(swarm: Swarm) -> bool:
+    """Tell whether a swarm without quality has none for certain, whatever the outline's rounding.
 
-    It is clear with fewer than 4 robots, with generators that do not span the wrench space,
-    and where the origin keeps a distance from the convex hull of their directions.
+    Exact robots need not be opposed by more than 0.
     """
-    units = generators[sizes > 0.0] / sizes[sizes > 0.0, None]
-    if len(units) < 4 or np.linalg.svd(units, compute_uv=False)[2] <= MARGINAL * len(units):
-        return ForceClosure.NO
-    # largest s with n . unit_i <= -s for some n in the unit cube
-    cost = np.array([0.0, 0.0, 0.0, -1.0])
-    matrix = np.column_stack([units, np.ones(len(units))])
-    margin = minimise(cost, matrix, rows=(-np.inf, 0.0), columns=(-1.0, 1.0))[3]
-    return ForceClosure.NO if margin > SEPARATED else ForceClosure.MARGINAL
+    if swarm.noise == 0.0:
+        return True
+    shares = swarm.errors / _sizes(swarm.scaled_generators)
+    most = float(shares.max())
+    return opposition(swarm.scaled_generators, shares / most) > math.sqrt(3.0) * most

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.heights import Array, Heights
-from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
+from swarmgrasp.quality.max_transfer import Quality, quality
+from swarmgrasp.quality.opposed import opposition
 from swarmgrasp.quality.shares import shares_at
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
@@ -190,7 +191,7 @@ def _slopes(heights: Heights, found: Quality, moves: Array) -> tuple[Array, Arra
     slopes, sizes = np.zeros(moves.shape[:3]), np.linalg.norm(moves, axis=3)
     normal = found.direction[None]
     is_far_below = found.value == 0.0 and heights.at(normal)[0][0] < -TIED * heights.weight
-    if is_far_below or _is_hopeless(found):  # what is not zero is far away
+    if is_far_below or _is_hopeless(heights, found):  # what is not zero is far away
         return normal.copy(), slopes, sizes
     more = _crosses(heights, moves) if found.value == 0.0 else np.zeros((0, 3))
     facets = weakest_facets(heights, found.value, found.direction, more)
@@ -208,11 +209,11 @@ def _slopes(heights: Heights, found: Quality, moves: Array) -> tuple[Array, Arra
     return facets, slopes + 0.0, sizes / asked.min()
 
 
-def _is_hopeless(found: Quality) -> bool:
-    """Tell whether no small change gives a quality: the robots all leave a range of directions."""
-    if found.value > 0.0:
+def _is_hopeless(heights: Heights, found: Quality) -> bool:
+    """Tell whether no small change gives a quality: some direction opposes all robots clearly."""
+    if found.value > 0.0 or not found.criterion.is_nominal:
         return False
-    return found.criterion.is_nominal and found.force_closure is ForceClosure.NO
+    return opposition(heights.generators, np.ones(len(heights.sizes))) > 0.0
 
 
 def _crosses(heights: Heights, moves: Array) -> Array:

@@ -105,6 +105,7 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
             [[units.metres(x), units.metres(y)] for x, y in section.vertices],
             [units.metres(float(v)) for v in outline.origin],
             kept,
+            units.metres(plain.precision),
         )
     except OutlineInvalid as error:
         for sentence in error.faults:  # Outline speaks of metres

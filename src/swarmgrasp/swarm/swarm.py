@@ -22,6 +22,7 @@ from swarmgrasp.swarm.columns import (
     robot_label,
 )
 from swarmgrasp.swarm.robot import Robot
+from swarmgrasp.swarm.rounding import generator_errors
 from swarmgrasp.swarm.tolerance import Tolerance
 
 Column = TypeVar("Column", NDArray[np.float64], NDArray[np.bool_])
@@ -206,6 +207,17 @@ class Swarm:
     def scaled_generators(self) -> NDArray[np.float64]:
         """(n, 3) [N, N, N]: the generators in the metric's coordinates."""
         return _read_only(self.generators * self.scale)
+
+    @cached_property
+    def errors(self) -> NDArray[np.float64]:
+        """(n,) [N]: by how much the scaled generators may be off, by the outline's `precision`."""
+        columns = Columns(self.contacts, self.directions, self.limits, self.mounted)
+        return _read_only(generator_errors(self.outline, columns, self.scale))
+
+    @cached_property
+    def noise(self) -> float:
+        """By how much a quality may be off [N], by the outline's `precision` (T4)."""
+        return float(self.errors.sum())
 
     @property
     def metric_sentence(self) -> str:

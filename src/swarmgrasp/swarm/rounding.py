@@ -1,0 +1,51 @@
+"""What rounded coordinates of an outline leave open about the robots that stand on it."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.outline import Outline
+from swarmgrasp.swarm.columns import Columns
+
+ALONG = 1e-12
+"""Angle [rad] between a direction and a normal that were computed from the same edge."""
+
+
+def generator_errors(
+    outline: Outline, columns: Columns, scale: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Bound by how much the generators may be off, by the outline's `precision`.
+
+    Only robots that push or pull along the normal of an edge have their direction from the
+    outline: it turns with the edge, and the contact and the centroid move too. All others, and
+    those on edges along x or y, are where they are said to be.
+
+    Parameters
+    ----------
+    outline : Outline
+    columns : Columns
+    scale : (3,) [1, 1, 1/m]
+        Turns wrenches into the metric's coordinates.
+
+    Returns
+    -------
+    (n,) [N]
+        Of |b_i|, in these coordinates.
+    """
+    contacts, directions, limits, mounted = columns
+    errors, edges = outline.normal_errors, len(outline)
+    if not errors.any() or not len(limits):
+        return np.zeros(len(limits))
+    _, arcs = outline.nearest(contacts)
+    at = np.searchsorted(outline.corner_arc_lengths, arcs, "right") - 1
+    turns = np.zeros(len(limits))
+    for edge in ((at + step) % edges for step in (-1, 0, 1)):  # at a corner, either
+        off = np.remainder(directions - outline.inward_normals[edge] + 0.5 * math.pi, math.pi)
+        is_along = np.abs(off - 0.5 * math.pi) <= errors[edge] + ALONG
+        turns = np.maximum(turns, np.where(is_along, errors[edge], 0.0))
+    c, s = np.cos(directions), np.sin(directions)
+    x, y = (contacts - outline.origin).T
+    turned = np.linalg.norm(np.column_stack([-s, c, x * c + y * s]) * scale, axis=1)
+    moved = 2.0 * math.sqrt(2.0) * outline.precision * scale[2]  # the contact, and the origin
+    return np.where((turns > 0.0) & ~mounted, limits * (turns * turned + moved), 0.0)
