@@ -5,6 +5,7 @@ otherwise: (n, 3) [N, N, N], so that the metric is Euclidean.
 """
 
 import math
+from fractions import Fraction
 from itertools import combinations, pairwise, product
 
 import numpy as np
@@ -70,6 +71,20 @@ def quality(B):
     Every normal tried is honest, so the result is never below Q by more than rounding.
     """
     return float(facet_normals(B)[1].min())
+
+
+def exact_quality(B):
+    """Compute Q (T2) in fractions, without any rounding but that of the root at the end."""
+    rows = [tuple(map(Fraction, row)) for row in np.reshape(B, (-1, 3)).tolist()]
+    squares, spans = [], False
+    for (a1, a2, a3), (b1, b2, b3) in combinations(rows, 2):
+        n = (a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1)
+        if any(n):
+            products = [sum(x * y for x, y in zip(n, row, strict=True)) for row in rows]
+            spans = spans or any(products)
+            least = min(sum(max(p, 0) for p in products), sum(max(-p, 0) for p in products))
+            squares.append(least**2 / sum(x**2 for x in n))
+    return math.sqrt(min(squares)) if spans else 0.0
 
 
 # -- placement ------------------------------------------------------------------------

@@ -318,3 +318,12 @@ def test_all_arguments_of_a_sequence_are_told_at_once():
     with pytest.raises(SwarmGraspError, match=r"^Swarm is no Problem: make one with") as caught:
         place_sequence(THREE, 0, gap=1.0, runners_up=-1.0)
     assert len(caught.value.faults) == 4
+
+
+@pytest.mark.parametrize("seed", [2, 17, 38, 39])
+def test_no_runner_up_is_better_than_the_answer(seed):
+    """With a wide gap the search on one edge may find what that on all has left aside."""
+    (answer,) = place_sequence(problem_of("along normals", seed, 6), 1, gap=0.3, runners_up=0.1)
+    assert answer.runners_up
+    assert all(runner.quality <= answer.quality * (1.0 + 1e-5) for runner in answer.runners_up)
+    assert answer.verify()

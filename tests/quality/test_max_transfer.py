@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import reference
 from cases import QUALITIES, rounded_tank, swarm_of_case
-from strategies import large_swarms, seeds, swarms
+from strategies import FAMILIES, large_swarms, seeds, swarm_of, swarms
 from swarmgrasp import ForceClosure, Outline, Polytope, Robot, Swarm, WrenchSet, quality
 from swarmgrasp.errors import RobotInvalid
 from swarmgrasp.quality.weakest import weakest_of
@@ -92,6 +92,34 @@ def test_the_quality_of_few_robots(swarm):
     """All normals across every generator, each h summed anew."""
     answer = quality(swarm)
     assert close(answer.value, reference.quality(swarm.scaled_generators), swarm)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_the_quality_of_few_robots_to_the_last_digits(family):
+    """In fractions: wrong by no more than what rounding does to a sum of all generators."""
+    for seed in range(25):
+        swarm = swarm_of(family, seed, seed % 8)
+        size = np.linalg.norm(swarm.scaled_generators, axis=1).sum()
+        exact = reference.exact_quality(swarm.scaled_generators)
+        error = abs(quality(swarm).value - exact)
+        assert error <= (1e-12 * exact + 3e-16 * size if exact > 1e-12 * size else exact)
+
+
+@pytest.mark.parametrize(("family", "seed", "n"), [("giant", 3, 30), ("giant", 8, 25)])
+def test_dwarfs_beside_a_giant_count_in_full(family, seed, n):
+    """Running sums would carry the giant's rounding, many times that of a sum."""
+    swarm = swarm_of(family, seed, n)
+    exact = reference.exact_quality(swarm.scaled_generators)
+    assert abs(quality(swarm).value - exact) <= 1e-12 * exact
+
+
+def test_the_weakest_of_facets_that_are_almost_equal_is_found():
+    """Of a ring of 60 robots, all alike but for a part in 10^11."""
+    turn = np.arange(60) * (math.pi / 30)
+    ring = np.column_stack([np.cos(turn), np.sin(turn), 0.3 * (-1.0) ** np.arange(60)])
+    ring *= 1.0 + 1e-11 * np.random.default_rng(0).normal(size=(60, 1))
+    truth = reference.quality(ring)
+    assert abs(weakest_of(ring).quality - truth) <= 3e-13 * truth
 
 
 @given(large_swarms)
