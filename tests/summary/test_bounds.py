@@ -15,7 +15,7 @@ from summary.crowds import KINDS, crowd, directions
 from swarmgrasp import quality
 from swarmgrasp.errors import RobotInvalid, SummaryInvalid, SwarmGraspError, WrenchInvalid
 from swarmgrasp.summary import Summary
-from swarmgrasp.summary.heights import greatest_mean
+from swarmgrasp.summary.support_bounds import greatest_mean
 
 seeds = st.integers(0, 2**32 - 1)
 bin_numbers = st.sampled_from([12, 50, 108, 1024])
@@ -28,7 +28,7 @@ def test_the_support_function_lies_between_its_bounds(kind, seed, n, bins):
     h, size = support(B, normals), np.linalg.norm(B, axis=1).sum()
     summary = Summary.from_generators(B, bins)
     for known in (summary, Summary.from_bytes(summary.to_bytes())):
-        lower, upper = known.heights.lower(normals), known.heights.upper(normals)
+        lower, upper = known.support.lower(normals), known.support.upper(normals)
         assert (lower <= h).all()
         assert (h <= upper).all()
         assert (upper - lower)[-6:].max() <= 1e-4 * size
@@ -45,7 +45,7 @@ def test_the_quality_lies_between_its_bounds(kind, seed, n, bins):
         assert bounds.lower <= truth * (1.0 + 1e-12)
         assert truth <= bounds.upper * (1.0 + 1e-12) + 1e-15 * np.abs(B).sum()
         assert bounds.is_force_closure is (bounds.lower > 0.0)
-        there = known.heights.upper(bounds.direction[None])[0]
+        there = known.support.upper(bounds.direction[None])[0]
         assert there <= bounds.upper + 1e-12 * np.abs(B).sum()
 
 
@@ -96,7 +96,7 @@ def test_many_robots_are_summed_in_parts(monkeypatch):
     parts = Summary.from_generators(B, 108)
     assert np.allclose(parts.total, whole.total, rtol=1e-13)
     for bound in ("lower", "upper"):
-        ours, theirs = (getattr(s.heights, bound)(normals) for s in (parts, whole))
+        ours, theirs = (getattr(s.support, bound)(normals) for s in (parts, whole))
         assert np.allclose(ours, theirs, rtol=1e-9)
 
 

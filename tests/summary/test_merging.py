@@ -53,10 +53,10 @@ def test_any_grouping_bounds_the_whole(parts, seed):
     size = np.abs(whole).sum()
     for merged in (one_by_one, backwards):
         assert merged.count == len(whole)
-        lower, upper = merged.heights.lower(normals), merged.heights.upper(normals)
+        lower, upper = merged.support.lower(normals), merged.support.upper(normals)
         assert (lower <= h).all()
         assert (h <= upper).all()
-        assert np.abs(lower - direct.heights.lower(normals)).max() <= 1e-4 * size
+        assert np.abs(lower - direct.support.lower(normals)).max() <= 1e-4 * size
 
 
 def test_only_like_summaries_are_merged():

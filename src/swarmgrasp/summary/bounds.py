@@ -8,7 +8,7 @@ import numpy as np
 
 from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.summary.cells import Array
-from swarmgrasp.summary.heights import Heights
+from swarmgrasp.summary.support_bounds import SupportBounds
 
 AROUND = 8
 """Directions looked at around the best one so far."""
@@ -49,11 +49,11 @@ class Bounds:
         return self.upper - self.lower
 
 
-def quality_bounds(heights: Heights, side: int) -> tuple[float, float, Array]:
+def quality_bounds(support: SupportBounds, side: int) -> tuple[float, float, Array]:
     """Bound the quality: returns lower and upper [N], and the direction of the latter (3,)."""
-    weakest = weakest_of(heights.sums, heights.load)
-    lower = max(weakest.quality - heights.margin, 0.0)
-    upper, direction = least_near(heights.upper, np.array(weakest.normal), turn_of(side))
+    weakest = weakest_of(support.sums, support.load)
+    lower = max(weakest.quality - support.margin, 0.0)
+    upper, direction = least_near(support.upper, np.array(weakest.normal), turn_of(side))
     return lower, max(upper, lower), direction
 
 

@@ -12,11 +12,11 @@ import numpy as np
 
 from swarmgrasp.placement.certificate import Proof
 from swarmgrasp.summary.cells import Array
-from swarmgrasp.summary.heights import Heights
+from swarmgrasp.summary.support_bounds import SupportBounds
 
 
 def best_possible(
-    heights: Heights, rows: Array, weights: Array, proofs: Sequence[Proof], direction: Array
+    support: SupportBounds, rows: Array, weights: Array, proofs: Sequence[Proof], direction: Array
 ) -> float:
     """Bound the quality that any robot on any piece reaches.
 
@@ -26,7 +26,7 @@ def best_possible(
 
     Parameters
     ----------
-    heights : Heights
+    support : SupportBounds
     rows : (k, 10)
         The pieces; see `Pieces`.
     weights : (3,) [N, N, N/m]
@@ -44,7 +44,7 @@ def best_possible(
     trials.append((direction[None], np.ones(1)))
     trials.append((np.array([direction, -direction]), np.full(2, 0.5)))
     ends = np.cumsum([len(shares) for _, shares in trials])[:-1]
-    tall = np.split(heights.upper(np.vstack([normals for normals, _ in trials])), ends)
+    tall = np.split(support.upper(np.vstack([normals for normals, _ in trials])), ends)
     bounds = np.full(len(rows), math.inf)
     for (normals, shares), high in zip(trials, tall, strict=True):
         reach = most_along(rows, (shares @ normals) * weights)

@@ -11,7 +11,7 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible
 from swarmgrasp.summary.cells import Array
-from swarmgrasp.summary.heights import EVALUATION, Heights
+from swarmgrasp.summary.support_bounds import EVALUATION, SupportBounds
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
 GAP = 1e-4
@@ -55,7 +55,7 @@ class PlacementBounds:
 
 
 def place_from(
-    heights: Heights,
+    support: SupportBounds,
     side: int,
     bare: Swarm,
     newcomer: Newcomer,
@@ -72,7 +72,7 @@ def place_from(
     problem = Problem(bare, newcomer, None if zones is None else tuple(zones), tuple(no_go))
     pieces = problem.pieces()
     weights = bare.scale * newcomer.limit
-    search = Search(heights.sums, weights, pieces.rows, heights.load)
+    search = Search(support.sums, weights, pieces.rows, support.load)
     found = search.solve(GAP)
     best = search.break_tie(found, found.best.quality / (1.0 + GAP) - search.floor)
     contact, angle = pieces.robot_at(best.piece, best.c, best.s, best.torque)
@@ -84,13 +84,13 @@ def place_from(
 
     def with_robot(normals: Array) -> Array:
         """Bound h from above with the robot in place."""
-        return np.asarray(heights.upper(normals) + np.maximum(normals @ wrench, 0.0))
+        return np.asarray(support.upper(normals) + np.maximum(normals @ wrench, 0.0))
 
-    lower = max(together.quality - heights.margin - spare, 0.0)
+    lower = max(together.quality - support.margin - spare, 0.0)
     upper, direction = least_near(with_robot, np.array(together.normal), turn_of(side))
     direction.setflags(write=False)
     upper = max(upper + spare, lower)
     proofs = found.certificate.proofs
-    most = best_possible(heights, pieces.rows, weights, proofs, direction) + spare
+    most = best_possible(support, pieces.rows, weights, proofs, direction) + spare
     place = pieces.each[best.piece].place
     return PlacementBounds(robot, place, lower, upper, max(most, lower), direction)

@@ -16,9 +16,9 @@ from swarmgrasp.summary.bounds import Bounds, quality_bounds
 from swarmgrasp.summary.cells import Array, side_of
 from swarmgrasp.summary.content import MOST_ROBOTS, Content
 from swarmgrasp.summary.encoding import decode, encode
-from swarmgrasp.summary.heights import Heights
 from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
+from swarmgrasp.summary.support_bounds import SupportBounds
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 from swarmgrasp.swarm.swarm import check_metric, check_swarm
 
@@ -249,14 +249,14 @@ class Summary(Content):
         return np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length])
 
     @cached_property
-    def heights(self) -> Heights:
+    def support(self) -> SupportBounds:
         """Bounds on the support function at any direction."""
-        return Heights(self.moments, self.side, self.total, self.rounding)
+        return SupportBounds(self.moments, self.side, self.total, self.rounding)
 
     @cached_property
     def _bounds(self) -> Bounds:
         """What `quality` returns."""
-        lower, upper, direction = quality_bounds(self.heights, self.side)
+        lower, upper, direction = quality_bounds(self.support, self.side)
         direction.setflags(write=False)
         return Bounds(lower, upper, direction, self.metric_sentence)
 
@@ -308,4 +308,4 @@ class Summary(Content):
                 f"the outline's origin is {origin!r}, the summary's {self.origin!r} [m]; moments "
                 "should be taken about the same point"
             )
-        return place_from(self.heights, self.side, bare, newcomer, zones, no_go)
+        return place_from(self.support, self.side, bare, newcomer, zones, no_go)

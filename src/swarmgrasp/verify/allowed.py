@@ -20,7 +20,7 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
 
 
 @dataclass(frozen=True)
-class Cell:
+class Piece:
     """Contacts between two points of an edge [m], and a sector of directions [rad]."""
 
     place: str
@@ -40,7 +40,7 @@ class Allowed:
     boundary: Boundary
     present: "list[RobotClaim]"
 
-    def cells(self) -> Iterator[Cell]:
+    def pieces(self) -> Iterator[Piece]:
         """Yield the allowed contacts and directions, edge by edge and side by side."""
         boundary = self.boundary
         lap, sliver = boundary.perimeter, boundary.sliver
@@ -57,7 +57,7 @@ class Allowed:
                         continue
                     place = label or boundary.names[edge] or f"edge {edge}"
                     for lo, hi in sides_of(self.claim, zone, inward):
-                        yield Cell(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * sliver)
+                        yield Piece(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * sliver)
 
     def spans(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array

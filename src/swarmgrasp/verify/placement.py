@@ -130,7 +130,7 @@ class _Check:
             )
         self.zero = ABSOLUTE * size
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
-        self.cells = list(Allowed(claim, boundary, present).cells())
+        self.pieces = list(Allowed(claim, boundary, present).pieces())
         units = [units_of(proof.normals) for proof in claim.proofs]
         self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
         self.bound = self.upper_bound()
@@ -233,10 +233,10 @@ class _Check:
             yield f"{what} is mounted; a newcomer is on the boundary"
         contact = np.array(robot.contact)
         places = {
-            cell.place
-            for cell in self.cells
-            if distance_to(contact, cell.p, cell.q) <= self.boundary.near
-            and turns_into(robot.direction, cell.lo - ANGLE, cell.hi + ANGLE)
+            piece.place
+            for piece in self.pieces
+            if distance_to(contact, piece.p, piece.q) <= self.boundary.near
+            and turns_into(robot.direction, piece.lo - ANGLE, piece.hi + ANGLE)
         }
         if not places:
             yield (
@@ -249,17 +249,17 @@ class _Check:
         yield from self.differs(f"the quality with {what}", claim.quality, together)
 
     def upper_bound(self) -> float:
-        """Bound every allowed robot's quality by the best of the proofs for each cell."""
-        cells = [cell for cell in self.cells if not cell.is_sliver] or self.cells
-        if not cells:
+        """Bound every allowed robot's quality by the best of the proofs for each piece."""
+        pieces = [piece for piece in self.pieces if not piece.is_sliver] or self.pieces
+        if not pieces:
             return math.inf
         origin = self.boundary.origin
         p, q = (
             np.array([end - origin for end in ends])
-            for ends in zip(*((c.p, c.q) for c in cells), strict=True)
+            for ends in zip(*((c.p, c.q) for c in pieces), strict=True)
         )
-        lo, hi = np.array([c.lo for c in cells]), np.array([c.hi for c in cells])
-        bounds = np.full(len(cells), math.inf)
+        lo, hi = np.array([c.lo for c in pieces]), np.array([c.hi for c in pieces])
+        bounds = np.full(len(pieces), math.inf)
         rounding = self.zero * self.judge.unit * (SUMMED / ABSOLUTE)
         for proof in self.claim.proofs:
             normals, weights = units_of(proof.normals), np.array(proof.weights)
@@ -272,7 +272,7 @@ class _Check:
             reach = weights @ height + np.maximum(*(crest(covector, end, lo, hi) for end in (p, q)))
             asked = weights @ extent
             asked = asked if asked > UNASKED * self.judge.unit else 0.0
-            found = over(reach, np.full(len(cells), asked), rounding)
+            found = over(reach, np.full(len(pieces), asked), rounding)
             found = np.maximum(found, over(height, extent, rounding).max())
             bounds = np.minimum(bounds, np.minimum(found, over(cap, extent, rounding).min()))
         return max(float(bounds.max()), 0.0)

@@ -26,7 +26,7 @@ EVALUATION = 1e-12
 """Rounding of a bound, and of an exact quality, relative to the sum of |b_i|."""
 
 
-class Heights:
+class SupportBounds:
     """Bounds on the support function, at any direction.
 
     Attributes
