@@ -1,7 +1,6 @@
 """The swarms and placements of data/cases.json, computed by other programs."""
 
 import json
-import math
 from pathlib import Path
 
 import numpy as np
@@ -29,6 +28,6 @@ def rounded_tank(corners, robots, decimals, radius=25.0):
     turns = 2.0 * np.pi * np.arange(corners) / corners
     vertices = radius * np.column_stack([np.cos(turns), np.sin(turns)])
     outline = Outline(vertices.round(decimals))
-    half = math.pi * radius / corners
-    contacts = [outline.on_edge(k * corners // robots, half) for k in range(robots)]
+    edges = [k * corners // robots for k in range(robots)]
+    contacts = [outline.on_edge(edge, 0.5 * outline.lengths[edge]) for edge in edges]
     return Swarm(outline, [Robot(at.point, at.inward, 392_266.0) for at in contacts])

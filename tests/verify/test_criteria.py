@@ -372,6 +372,7 @@ def test_the_boundary_around_a_contact_goes_across_corners():
         vertices=[(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)],
         origin=(0.0, 0.0),
         edge_names=["", "", "", ""],
+        precision=0.0,
     )
     square, point = Boundary(claim), np.array([-0.75, -1.0])
     for first_, last, expected in (

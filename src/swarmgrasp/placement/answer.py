@@ -72,8 +72,8 @@ class Placement:
         Whether the search ran out of its budget before coming so near. The bound holds all
         the same.
     improves : bool
-        Whether the newcomer raises the quality. If not, no allowed place does to within
-        the gap, and `robot` is the one that lifts the other directions most.
+        Whether the newcomer raises the quality, by more than the `noise`. If not, no allowed
+        place does to within the gap, and `robot` is the one that lifts the other directions most.
     runners_up : tuple of RunnerUp
         Best first.
     """
@@ -109,7 +109,14 @@ class Placement:
     @property
     def is_open(self) -> bool:
         """Whether another place may be better by a share that matters."""
+        if self.upper_bound - self.quality <= self.noise and not self.improves:
+            return False
         return self.gap > COARSE and (self.quality > 0.0 or self.stopped_early)
+
+    @property
+    def noise(self) -> float:
+        """By how much rounding in the outline's coordinates may change the quality [N] (T4)."""
+        return self.problem.criterion.noise(self.swarm_after, self.after.normal)
 
     @property
     def reason(self) -> str:

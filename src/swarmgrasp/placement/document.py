@@ -53,6 +53,7 @@ def document_of(answers: Placement | Sequence[Placement]) -> dict[str, Any]:
             "vertices": outline.vertices.tolist(),
             "origin": outline.origin.tolist(),
             "edge_names": list(outline.edge_names),
+            "precision": outline.precision,
         },
         "metric": {
             "force_weights": list(swarm.force_weights),

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import TypeGuard, Unpack
 
 import numpy as np
@@ -190,10 +191,15 @@ class _Placing:
         if fraction is not None:
             runners = self.others(found, winner, name, fraction)
             best = max(runners, key=lambda pair: pair[0].quality, default=(winner, after))
-            if best[0].quality > winner.quality * (1.0 + EQUAL):
+            if best[0].quality > winner.quality * (1.0 + EQUAL) + self.noise(winner, after):
                 runners = [pair for pair in runners if pair is not best] + [(winner, after)]
                 winner, after = best
+        noise = self.noise(winner, after)
+        improves = winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero + noise
         asked_for = winner.quality * (1.0 + self.gap) + 2.0 * search.floor
+        asked_for += 0.0 if improves else noise
+        if winner.quality == 0.0 and upper_bound <= 2.0 * search.zero:
+            upper_bound = 0.0  # what counts as 0, and as much again that searches leave open
         return Placement(
             problem=self.problem,
             robot=winner.robot,
@@ -203,8 +209,8 @@ class _Placing:
             opposite=search.opposite,
             upper_bound=max(upper_bound, winner.quality),
             asked_gap=self.gap,
-            stopped_early=upper_bound > asked_for + (0.0 if winner.quality else search.zero),
-            improves=winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero,
+            stopped_early=upper_bound > asked_for,
+            improves=improves,
             runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),
             _found=found,
         )
@@ -234,7 +240,21 @@ class _Placing:
         """Return the best robot, its quality, and what no robot exceeds."""
         search, best = self.search, found.best.quality
         target = min(best / (1.0 + self.half), best - 0.5 * search.floor)
-        return (*self.candidate(search.break_tie(found, target), name), found.upper_bound)
+        robot, after = self.candidate(search.break_tie(found, target), name)
+        if 0.0 < after.quality - search.base.quality <= self.noise(robot, after):
+            anyone = replace(found, best=found.best._replace(piece=-1))
+            least = search.base.quality - 0.5 * search.floor
+            tied = self.candidate(search.break_tie(anyone, least), name)
+            if after.quality - tied[1].quality <= self.noise(*tied):
+                robot, after = tied
+        return robot, after, found.upper_bound
+
+    def noise(self, found: RunnerUp, after: Weakest) -> float:
+        """Bound what rounding in the outline's coordinates may change of a quality."""
+        problem = self.problem
+        if problem.swarm.outline.precision == 0.0:
+            return 0.0
+        return problem.criterion.noise(problem.swarm.with_robot(found.robot), after.normal)
 
     def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn a wrench on a piece into a robot in contact, with its quality."""

@@ -46,6 +46,11 @@ def reason_of(answer: "Placement") -> str:
             f"{'are' if present else 'is'} {present + 1}{after}"
         )
     before = answer.before.quality
+    if before * (1.0 + EQUAL) < answer.upper_bound <= before + answer.noise:
+        return (
+            f"no allowed robot raises what is weakest, {weakest}, by more than rounding in the "
+            f"outline's coordinates may make of none, {_value(answer.noise, answer)}"
+        )
     if before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
         return (
             f"the swarm is equally weak at {weakest} and the opposite way, and one "

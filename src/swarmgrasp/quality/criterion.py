@@ -117,7 +117,7 @@ class Criterion:
         if self.task is None:
             return swarm.noise
         (asked,) = self.task.support([np.asarray(normal) * swarm.scale])
-        return float(swarm.noise / asked) if swarm.noise else 0.0
+        return float(swarm.noise / asked) if asked > 0.0 else 0.0
 
     @property
     def words(self) -> str:

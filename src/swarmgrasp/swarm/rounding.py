@@ -38,11 +38,17 @@ def generator_errors(
     if not errors.any() or not len(limits):
         return np.zeros(len(limits))
     _, arcs = outline.nearest(contacts)
-    at = np.searchsorted(outline.corner_arc_lengths, arcs, "right") - 1
-    turns = np.zeros(len(limits))
-    for edge in ((at + step) % edges for step in (-1, 0, 1)):  # at a corner, either
+    at = np.clip(np.searchsorted(outline.corner_arc_lengths, arcs, "right") - 1, 0, edges - 1)
+    turns, along, near = (
+        np.zeros(len(limits)),
+        arcs - outline.corner_arc_lengths[at],
+        outline.tolerance,
+    )
+    is_on = {-1: along <= near, 0: along >= 0.0, 1: outline.lengths[at] - along <= near}
+    for step, is_there in is_on.items():  # a corner is on both
+        edge = (at + step) % edges
         off = np.remainder(directions - outline.inward_normals[edge] + 0.5 * math.pi, math.pi)
-        is_along = np.abs(off - 0.5 * math.pi) <= errors[edge] + ALONG
+        is_along = is_there & (np.abs(off - 0.5 * math.pi) <= errors[edge] + ALONG)
         turns = np.maximum(turns, np.where(is_along, errors[edge], 0.0))
     c, s = np.cos(directions), np.sin(directions)
     x, y = (contacts - outline.origin).T

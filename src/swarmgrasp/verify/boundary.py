@@ -29,13 +29,15 @@ class Boundary:
         Of the edges.
     arcs : (n + 1,) [m]
         Arc length at each corner, from the first; the last is the perimeter.
+    precision : float [m]
+        How far each coordinate may be off.
     near, sliver : float [m]
         A distance and a width that count as none.
     """
 
     def __init__(self, outline: "OutlineClaim") -> None:
         self.corners, self.origin = np.array(outline.vertices), np.array(outline.origin)
-        self.names = tuple(outline.edge_names)
+        self.names, self.precision = tuple(outline.edge_names), outline.precision
         self._ends = np.roll(self.corners, -1, axis=0)
         self.lengths = np.asarray(np.linalg.norm(self._ends - self.corners, axis=1))
         self.arcs = np.concatenate([[0.0], np.cumsum(self.lengths)])
@@ -59,6 +61,10 @@ class Boundary:
     def has(self, point: Array) -> bool:
         """Tell whether a point lies on an edge."""
         return bool(self._distances(point).min() <= self.near)
+
+    def at(self, point: Array) -> list[int]:
+        """Return the edges that a point lies on: two at a corner."""
+        return [int(k) for k in np.flatnonzero(self._distances(point) <= self.near)]
 
     def surrounds(self, point: Array) -> bool:
         """Tell whether a point is inside: a ray from it crosses an odd number of edges."""

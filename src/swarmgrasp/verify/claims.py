@@ -163,6 +163,7 @@ class OutlineClaim(_Form):
     vertices: list[Point] = Field(min_length=3)
     origin: Point
     edge_names: list[str]
+    precision: Size
 
     @model_validator(mode="after")
     def check_ring(self) -> Self:

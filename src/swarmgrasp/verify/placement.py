@@ -22,6 +22,7 @@ from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.digest import digest_of
 from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, SUMMED, UNASKED, Judge, over
 from swarmgrasp.verify.recompute import ABSOLUTE, ANGLE, crest, distance_to, turns_into, units_of
+from swarmgrasp.verify.rounding import noise_of
 from swarmgrasp.verify.team import Team
 from swarmgrasp.verify.verdict import Verdict
 
@@ -134,6 +135,7 @@ class _Check:
         units = [units_of(proof.normals) for proof in claim.proofs]
         self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
         self.bound = self.upper_bound()
+        self.noise = self.least_noise([*present, claim.robot])
 
     def faults(self) -> Iterator[str]:
         """Yield every claim that does not hold."""
@@ -153,9 +155,10 @@ class _Check:
         for place in sorted({place for place in places if places.count(place) > 1}):
             yield f"{place!r} is answered more than once"
         gain = claim.quality - claim.quality_before
-        if claim.improves and gain <= self.rounding:
+        if claim.improves and gain <= self.rounding + 0.5 * self.noise:
             yield "the newcomer is said to improve the swarm, and does not"
-        if not claim.improves and gain > 2.0 * RISE * claim.quality_before + 20.0 * self.zero:
+        counts = RISE * claim.quality_before + 10.0 * self.zero + self.noise
+        if not claim.improves and gain > 2.0 * counts:
             yield "the newcomer is said not to improve the swarm, and does"
 
     def bound_faults(self) -> Iterator[str]:
@@ -165,7 +168,11 @@ class _Check:
         one that can.
         """
         claim, unit = self.claim, self.unit
-        most = math.inf if self.is_tolerant else claim.upper_bound + self.slack(claim.upper_bound)
+        most = claim.upper_bound + self.slack(claim.upper_bound)
+        if claim.upper_bound == 0.0:  # so it is of what counts as 0
+            most = 2.0 * self.zero
+        if self.is_tolerant:
+            most = math.inf
         if not (self.bound < math.inf and self.bound <= most):
             yield (
                 f"the proofs show an upper bound of {self.bound:.12g}{unit} only, not "
@@ -179,6 +186,7 @@ class _Check:
         bound = claim.upper_bound if self.is_tolerant else self.bound
         # a search ends where rounding hides what is left; of none, as good as none
         near = max(most + max(self.slack(most), CLOSED * self.zero), 10.0 * self.zero)
+        near += 0.0 if claim.improves else 2.0 * self.noise
         if not claim.stopped_early and not bound <= near:
             yield (
                 f"the upper bound {bound:.12g}{unit} exceeds the quality "
@@ -247,6 +255,15 @@ class _Check:
             yield f"{what} is said to be at {claim.place!r} and is at {' or '.join(sorted(places))}"
         together = self.base + self.judge.team([robot])
         yield from self.differs(f"the quality with {what}", claim.quality, together)
+
+    def least_noise(self, robots: "list[RobotClaim]") -> float:
+        """Bound what the outline's rounding may change of the quality, where that is least."""
+        noise = noise_of(robots, self.boundary, self.judge.scale)
+        if noise == 0.0 or self.claim.criterion.task is None or not len(self.normals):
+            return noise
+        height, _, extent = self.judge.levels(self.judge.team(robots), self.normals)
+        asked = float(extent[np.argmin(over(height, extent, 0.0))])
+        return noise / asked if asked > 0.0 else 0.0
 
     def upper_bound(self) -> float:
         """Bound every allowed robot's quality by the best of the proofs for each piece."""

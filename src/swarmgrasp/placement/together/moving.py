@@ -139,8 +139,9 @@ class Move:
 
     @property
     def improves(self) -> bool:
-        """Whether the best move raises the quality."""
-        return self.is_worth_it(RISE * self.quality_before)
+        """Whether the best move raises the quality, by more than the outline's rounding may."""
+        noise = max(self.before.noise, self.best.placement.noise)
+        return self.is_worth_it(RISE * self.quality_before + noise)
 
     def is_worth_it(self, least_gain: float) -> bool:
         """Tell whether the best move raises the quality by more than so much [N].

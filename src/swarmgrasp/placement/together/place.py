@@ -75,8 +75,13 @@ class Together:
 
     @property
     def improves(self) -> bool:
-        """Whether the newcomers raise the quality."""
-        return self.quality > self.quality_before * (1.0 + RISE)
+        """Whether the newcomers raise the quality, by more than the `noise`."""
+        return self.quality > self.quality_before * (1.0 + RISE) + self.noise
+
+    @property
+    def noise(self) -> float:
+        """By how much rounding in the outline's coordinates may change the quality [N] (T4)."""
+        return self.problem.criterion.noise(self.swarm_after, self.after.normal)
 
     def is_optimal(self, within: float | None = None) -> bool:
         """Tell whether no places are better by more than a share of the quality.
