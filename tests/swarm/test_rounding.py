@@ -7,6 +7,7 @@ import pytest
 
 from cases import rounded_tank
 from swarmgrasp import Outline, Robot, Swarm
+from swarmgrasp.swarm.rounding import largest_error
 
 
 @pytest.mark.parametrize("corners", [8, 36, 360])
@@ -30,6 +31,7 @@ def test_no_outline_within_its_precision_moves_a_generator_by_more(corners):
         most = np.maximum(most, np.linalg.norm(moved - swarm.scaled_generators, axis=1))
     assert (most <= swarm.errors * (1.0 + 1e-6)).all()
     assert (most >= 0.3 * swarm.errors).all()
+    assert (swarm.errors <= largest_error(outline, swarm.scale) * swarm.limits).all()
 
 
 def test_only_robots_along_a_normal_have_their_direction_from_the_outline():

@@ -18,6 +18,7 @@ from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import count_faults, is_whole
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
+from swarmgrasp.swarm.rounding import largest_error
 
 EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
@@ -250,10 +251,15 @@ class _Placing:
         return robot, after, found.upper_bound
 
     def noise(self, found: RunnerUp, after: Weakest) -> float:
-        """Bound what rounding in the outline's coordinates may change of a quality."""
-        problem = self.problem
-        if problem.swarm.outline.precision == 0.0:
+        """Bound what rounding in the outline's coordinates may make of a gain; 0 if it is clear."""
+        problem, swarm = self.problem, self.problem.swarm
+        if swarm.outline.precision == 0.0:
             return 0.0
+        most = float(swarm.limits.sum()) + problem.newcomer.limit
+        most *= largest_error(swarm.outline, swarm.scale)
+        is_clear = after.quality - self.search.base.quality > most
+        if is_clear and problem.criterion.task is None:
+            return 0.0  # without a look at every robot
         return problem.criterion.noise(problem.swarm.with_robot(found.robot), after.normal)
 
     def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:

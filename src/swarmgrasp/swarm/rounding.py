@@ -12,6 +12,12 @@ ALONG = 1e-12
 """Angle [rad] between a direction and a normal that were computed from the same edge."""
 
 
+def largest_error(outline: Outline, scale: NDArray[np.float64]) -> float:
+    """Bound by how much any robot's generator may be off [N], per newton of its limit."""
+    turned = math.hypot(scale[0], scale[1], outline.radius * scale[2])
+    return float(outline.normal_errors.max() * turned + _moved(outline, scale))
+
+
 def generator_errors(
     outline: Outline, columns: Columns, scale: NDArray[np.float64]
 ) -> NDArray[np.float64]:
@@ -53,5 +59,10 @@ def generator_errors(
     c, s = np.cos(directions), np.sin(directions)
     x, y = (contacts - outline.origin).T
     turned = np.linalg.norm(np.column_stack([-s, c, x * c + y * s]) * scale, axis=1)
-    moved = 2.0 * math.sqrt(2.0) * outline.precision * scale[2]  # the contact, and the origin
-    return np.where((turns > 0.0) & ~mounted, limits * (turns * turned + moved), 0.0)
+    errors = limits * (turns * turned + _moved(outline, scale))
+    return np.where((turns > 0.0) & ~mounted, errors, 0.0)
+
+
+def _moved(outline: Outline, scale: NDArray[np.float64]) -> float:
+    """Return what a contact that moves, and the origin, change of a unit wrench."""
+    return float(math.sqrt(8.0) * outline.precision * scale[2])
