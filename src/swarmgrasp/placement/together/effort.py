@@ -37,6 +37,6 @@ class Budget:
         """Whether no step is left."""
         return self.left <= 0
 
-    def spend(self) -> None:
-        """Take a step."""
-        self.left -= 1
+    def spend(self, steps: int = 1) -> None:
+        """Take a step, or several."""
+        self.left -= steps

@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.together.branching import Tree
 from swarmgrasp.placement.together.effort import Budget
+from swarmgrasp.placement.together.gathering import Gathering
 from swarmgrasp.placement.together.gauge import Gauge
-from swarmgrasp.placement.together.polish import GAIN, Climb, Polish
+from swarmgrasp.placement.together.polish import Climb, Polish
 from swarmgrasp.placement.together.regions import whole
 from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Share
 from swarmgrasp.placement.together.stands import Ground, Stands
@@ -18,8 +19,8 @@ from swarmgrasp.quality.weakest import MARGINAL
 
 Array = NDArray[np.float64]
 Progress = Callable[[float, float], object]
-NODES_A_CLIMB, MOST_NODES = 2, 8
-"""Shares looked at in the tree between climbs, for each that was in vain, and at most."""
+MOST_STARTS = 2
+"""Places where newcomers have gathered that are climbed from."""
 SEED = 17
 """Of the random numbers: the same search finds the same answer again."""
 
@@ -52,10 +53,12 @@ class JointSearch:
         self.gauge = Gauge(self.ground)
         self.tree = Tree(Relaxation(self.gauge, count, budget), whole(self.ground))
         self.polish = Polish(self.gauge, budget)
+        self.gathering = Gathering(self.gauge, budget)
         self.best = Climb(Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))), -1.0)
         self.ceiling = 0.0 if self._is_hopeless else math.inf
         self._random = np.random.default_rng(SEED)
-        self._climbs, self._in_vain, self._next_climb = 0, 0, 1
+        self._starts: list[Stands] = []
+        self._climbs = 0
         sizes = np.linalg.norm(self.gauge.known, axis=1).sum() / self.gauge.unit
         self._zero = MARGINAL * float(sizes + count * self.gauge.size)
 
@@ -85,17 +88,14 @@ class JointSearch:
 
     def offer(self, stands: Stands) -> None:
         """Climb from some places, and keep the best that was reached."""
-        if not self.ground.keeps_spacing(stands):
+        if len(stands.piece) < self.count or not self.ground.keeps_spacing(stands):
             return
         found = self.polish.climb(stands, self.best.quality)
-        self._in_vain += 1
         if found.quality > self.best.quality:
-            if found.quality > self.best.quality * (1.0 + GAIN):
-                self._in_vain = 0
             self.best = found
 
     def run(self, progress: Progress | None = None) -> None:
-        """Search until it is over, or the budget is spent.
+        """Search until it is over, or the budget is spent: on answers and on the bound in turn.
 
         Parameters
         ----------
@@ -103,15 +103,17 @@ class JointSearch:
             Called with the best quality and the bound, now and then.
         """
         relaxed: tuple[Share, Relaxed] | None = None
+        climbing, bounding = 0, 0
         while not (self.is_over or self.budget.is_spent):
             if self.tree.is_done and (self.best.quality >= 0.0 or not self.has_room):
                 break
-            if not self.tree.is_done and self.tree.seen < self._next_climb:
+            before = self.budget.left
+            if not self.tree.is_done and bounding <= climbing:
                 relaxed = self.tree.step(self.target) or relaxed
+                bounding += before - self.budget.left
             else:
                 self._climb(relaxed)
-                pause = NODES_A_CLIMB * (1 + self._in_vain)
-                self._next_climb = self.tree.seen + min(pause, MOST_NODES)
+                climbing += before - self.budget.left
                 if progress is not None:
                     progress(max(self.best.quality, 0.0), self.bound)
 
@@ -125,18 +127,25 @@ class JointSearch:
         return robots < (3 if criterion.has_load else 4)
 
     def _climb(self, relaxed: tuple[Share, Relaxed] | None) -> None:
-        """Climb from a relaxed solution, from the best with some moved away, or from anywhere."""
+        """Climb from the best with some moved away, or else from where newcomers gather."""
         turn, self._climbs = self._climbs, self._climbs + 1
-        if turn % 4 == 0 and relaxed is not None:
-            self.offer(self.ground.parted(self._rounded(*relaxed), self._random))
-        elif turn % 2 and self.best.quality > 0.0 and self.count > 1:
+        if turn % 2 and self.best.quality > 0.0 and self.count > 1:
             self.offer(self._shaken())
-        else:
-            stands = self.ground.random(self._random, self.count)
-            if not self.ground.keeps_spacing(stands):
-                stands = self.ground.packed(self._random, self.count)
-            if len(stands.piece) == self.count:
-                self.offer(stands)
+            return
+        if not self._starts:
+            self._starts = self._gathered(relaxed)
+        self.offer(self._starts.pop())
+
+    def _gathered(self, relaxed: tuple[Share, Relaxed] | None) -> list[Stands]:
+        """Return where to climb from, the best last.
+
+        Random newcomers, and such near a relaxed solution, gather where all normals pull them.
+        """
+        rng, flocks = self._random, self.gathering.flocks(self.count)
+        near = [] if relaxed is None else [self._near(*relaxed) for _ in range(flocks // 2)]
+        anywhere = [self.ground.random(rng, self.count) for _ in range(flocks - len(near))]
+        found = self.gathering.gathered(near + anywhere)[:MOST_STARTS]
+        return [*near[:1], *(found[::-1] or [self.ground.packed(rng, self.count)])]
 
     def _shaken(self) -> Stands:
         """Return the best stands with one of them anywhere, or some more."""
@@ -145,7 +154,7 @@ class JointSearch:
         rows = rng.permutation(self.count)
         return self.ground.random(rng, self.count, stands.take(rows[moved:].tolist()))
 
-    def _rounded(self, share: Share, relaxed: Relaxed) -> Stands:
+    def _near(self, share: Share, relaxed: Relaxed) -> Stands:
         """Return whole newcomers near a relaxed solution: at its quantiles in each region."""
         rows: list[int] = []
         for index, count in enumerate(share.counts.astype(int)):
@@ -158,4 +167,5 @@ class JointSearch:
         outline = self.ground.outline
         arcs = np.minimum(relaxed.at[rows, 0], outline.perimeter)
         points = [outline.at_arc_length(float(arc)).point for arc in arcs]
-        return self.ground.stands_at(points, relaxed.at[rows, 1].tolist())
+        stands = self.ground.stands_at(points, relaxed.at[rows, 1].tolist())
+        return self.ground.parted(stands, self._random)

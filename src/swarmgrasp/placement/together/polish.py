@@ -31,7 +31,7 @@ ROUGH = 1e-7
 """Relative gap to which one newcomer is placed beside the others."""
 ROUGH_STEP, ROUGH_GAIN, ROUGH_TURNS = 0.1, 5e-3, 4
 """Where a first climb ends: at a step, or at the relative gain of so many steps."""
-HOPEFUL = 0.97
+HOPEFUL = 0.985
 """Share of the best quality that a first climb should reach to go on."""
 ROUNDS = 12
 """Times that newcomers are moved together and one at a time, at most."""
