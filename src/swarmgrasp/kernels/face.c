@@ -155,24 +155,22 @@ Side face_side(Face *face, const double *q, double extent) {
 
 static double clip(double x) { return smaller(larger(x, 0.0), 1.0); }
 
-/* Find the price of shares x_i = clip(price d_i) of numbers (n,) with sum x_i d_i = target. */
+/* Find the price of shares x_i = clip(price d_i) of numbers (n,) with sum x_i d_i = target: it rises
+ * until those that are clipped at it were so before. */
 static double price_along(const double *d, ptrdiff_t n, double target) {
-    double sign = target < 0.0 ? -1.0 : 1.0, price = 0.0;
-    for (ptrdiff_t full = 0, before = -1; full != before;) {
+    double sign = target < 0.0 ? -1.0 : 1.0, price = -1.0, next = 0.0;
+    while (next > price) {
         double rest = sign * target, squares = 0.0;
-        before = full;
-        full = 0;
+        price = next;
         for (ptrdiff_t i = 0; i < n; i++) {
             double x = sign * d[i];
-            if (x > 0.0 && price * x >= 1.0) {
+            if (x > 0.0 && price * x >= 1.0)
                 rest -= x;
-                full++;
-            } else if (x > 0.0) {
+            else if (x > 0.0)
                 squares += x * x;
-            }
         }
         if (squares > 0.0)
-            price = larger(price, rest / squares);
+            next = rest / squares;
     }
     return sign * price;
 }
