@@ -38,14 +38,14 @@ swarm = sg.Swarm(barge, tugs)
 
 def tell(found):
     """Print who pushes how hard."""
-    for tug, force, load in zip(tugs, found.forces, found.loads, strict=True):
-        print(f"  {tug.name:8} {force / 1e3:6.1f} kN, {load:4.0%} of its limit")
+    for tug, force, share in zip(tugs, found.forces, found.shares, strict=True):
+        print(f"  {tug.name:8} {force / 1e3:6.1f} kN, {share:4.0%} of its limit")
 
 
 # Ahead and to port, against a wind that pushes to starboard and turns the bow away.
 wanted, wind = (300e3, 120e3, 0.0), (0.0, -80e3, -1.5e6)
 found = sg.forces(swarm, wanted, load=wind)
-print(f"Made with loads up to {found.largest_load:.0%}; smaller ones do not make it:")
+print(f"Made with shares up to {found.largest_share:.0%}; smaller ones do not make it:")
 tell(found)
 print("  The proof holds." if found.verify() else found.verify().faults)
 save(forces_plan(found), "barge-forces.png")
@@ -64,12 +64,12 @@ missed = along.is_degraded
 print(
     f"Of the manoeuvre {missed.mean():.0%} is out of reach, by {max(along.shortfalls) / 1e3:.0f} kN"
 )
-print(f"  at most; the rest takes loads up to {along.largest_loads[~missed].max():.0%}.")
+print(f"  at most; the rest takes shares up to {along.largest_shares[~missed].max():.0%}.")
 
 figure = Figure(figsize=(5.2, 2.6), layout="constrained")
 axes = figure.add_subplot()
-for tug, loads in zip(tugs, along.loads.T, strict=True):
-    axes.plot(100 * t, 100 * loads, label=tug.name)
-axes.set(xlabel="of the manoeuvre [%]", ylabel="load [% of the limit]", ylim=(0, None))
+for tug, shares in zip(tugs, along.shares.T, strict=True):
+    axes.plot(100 * t, 100 * shares, label=tug.name)
+axes.set(xlabel="of the manoeuvre [%]", ylabel="share [% of the limit]", ylim=(0, None))
 figure.legend(ncols=5, loc="outside upper center", frameon=False, fontsize=8)
-save(figure, "barge-loads.png")
+save(figure, "barge-shares.png")

@@ -364,7 +364,7 @@ def largest_wind(B, current, wind, losing=0):
 # -- push forces ----------------------------------------------------------------------
 
 
-def least_largest_load(B, wrench):
+def least_largest_share(B, wrench):
     """Least t with sum x_i b_i = w and 0 <= x_i <= t (T18), by a linear program; inf if none."""
     n = len(B)
     size = np.linalg.norm(wrench)
@@ -379,7 +379,7 @@ def least_largest_load(B, wrench):
     return float(answer.fun) if answer.status == 0 else math.inf
 
 
-def least_squares_loads(B, wrench, top, weight=1e6):
+def least_squares_shares(B, wrench, top, weight=1e6):
     """Least sum of squares of x in [0, top]^n with sum x_i b_i = w.
 
     By least squares in which a miss of the wrench weighs much, and is then asked for on top.

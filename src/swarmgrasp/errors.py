@@ -77,6 +77,10 @@ class LinearProgramFailed(SwarmGraspError):
     """A linear program that has a solution was not solved, by rounding."""
 
 
+class ForcesNotProven(SwarmGraspError):
+    """Push forces can be found but not proven to be the least, by rounding."""
+
+
 class SummaryInvalid(SwarmGraspError):
     """A summary's bytes are damaged, or two summaries do not go together."""
 

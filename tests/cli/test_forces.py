@@ -19,10 +19,10 @@ def test_tells_who_pushes_how_hard(run):
     """300 kN ahead, mostly from the stern; the report says so in words."""
     status, said, complaints = run("forces", "deck-barge", "--wrench", "300e3", "0", "0")
     assert (status, complaints) == (0, "")
-    assert said.startswith("Deck barge: the robots make it, with loads up to 38.9 %\n")
-    assert "Wanted        300.00 kN along x: " in said
-    assert "Largest load  38.9 %: Castor\n" in said
-    assert "Reserve       the robots could make up to 2.57 times this" in said
+    assert said.startswith("Deck barge: the robots make it, with shares up to 38.9 %\n")
+    assert "Wanted         300.00 kN along x: " in said
+    assert "Largest share  38.9 %: Castor\n" in said
+    assert "Reserve        the robots could make up to 2.57 times this" in said
     assert "Castor       305.39  38.9 %" in said
     assert "Ajax              0     0 %" in said
     assert "Metric: force weights 1 and 1" in said
@@ -32,8 +32,8 @@ def test_negative_numbers_are_numbers(run):
     """A hyphen begins no option here; small forces have a unit of their own."""
     status, said, _ = run("forces", "deck-barge", "--wrench", "-5", "0", "-1e-3")
     assert status == 0
-    assert "Wanted        -5.0000 N along x" in said
-    assert "force [N]       load  limit [kN]" in said
+    assert "Wanted         -5.0000 N along x" in said
+    assert "force [N]      share  limit [kN]" in said
 
 
 def test_out_of_reach_is_said_plainly(run):
@@ -41,7 +41,7 @@ def test_out_of_reach_is_said_plainly(run):
     status, said, _ = run("forces", "deck-barge", "--wrench", "900e3", "0", "0")
     assert status == 0
     assert said.startswith("Deck barge: out of reach by 120.")
-    for label in ("Made instead", "Missing", "Short by", "It takes      limits larger by 16.8 %"):
+    for label in ("Made instead", "Missing", "Short by", "It takes       limits larger by 16.8 %"):
         assert label in said
     assert "limits 5.97 times" in run("forces", "deck-barge", "--wrench", "-2e6", "-1e5", "5e6")[1]
 
@@ -58,7 +58,7 @@ def test_no_wrench_needs_no_force(run, pontoon):
     _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0")
     assert said.startswith("Pontoon: no force is needed\n")
     assert "Wanted  no wrench" in said
-    assert said.count("    0   0 %") == 4
+    assert said.count("0    0 %") == 4
 
 
 def test_a_scenario_may_have_no_robots(run, pontoon):
@@ -98,7 +98,7 @@ def test_json_and_a_picture(run, pontoon, tmp_path):
     assert said.endswith(f"wrote {numbers}\nwrote {picture}\n")
     assert picture.read_text().startswith("<?xml")
     assert [robot["name"] for robot in found["robots"]] == ["A", "B", "C", "D"]
-    assert found["largest_load"] == max(robot["load"] for robot in found["robots"])
+    assert found["largest_share"] == max(robot["share"] for robot in found["robots"])
     assert found["wrench"] == pytest.approx([500.0, 0.0, -100.0], abs=1e-9)
     _, printed, aside = run("forces", pontoon, *wrench, "--json", "-", "--plot", picture)
     assert json.loads(printed) == found
@@ -110,11 +110,12 @@ def test_a_table_of_wrenches(run, pontoon, table, tmp_path):
     target = tmp_path / "forces.csv"
     status, said, _ = run("forces", pontoon, "--wrenches", table, "--csv", target)
     assert status == 0
-    assert said.startswith("Pontoon: 3 wrenches, all made, with loads up to ")
+    assert said.startswith("Pontoon: 3 wrenches, all made, with shares up to ")
     assert said.endswith(f"wrote {target}\n")
     rows = list(csv.reader(io.StringIO(target.read_text())))
     assert rows[0] == [
-        "fx", "fy", "tz", "largest_load", "needed", "shortfall", "A [N]", "B [N]", "C [N]", "D [N]",
+        "fx", "fy", "tz", "largest_share", "needed", "shortfall",
+        "A [N]", "B [N]", "C [N]", "D [N]",
     ]  # fmt: skip
     assert [row[:3] for row in rows[1:]] == [
         ["100.0", "0.0", "-50.0"], ["0.0", "100.0", "-150.0"], ["0.0", "0.0", "-50.0"],
@@ -125,7 +126,7 @@ def test_a_table_of_wrenches(run, pontoon, table, tmp_path):
         if option == "--csv":
             assert printed == target.read_text()
         else:
-            assert [len(row["loads"]) for row in json.loads(printed)["wrenches"]] == [4, 4, 4]
+            assert [len(row["shares"]) for row in json.loads(printed)["wrenches"]] == [4, 4, 4]
 
 
 def test_wrenches_out_of_reach_are_told_by_line(run, pontoon, table):

@@ -23,14 +23,14 @@ def test_a_force_is_its_share_of_the_limit(barge):
     """The dark part of each arrow, and the load beside the name."""
     found = forces(barge, (50e3, 20e3, 0.0))
     figure = forces_plan(found)
-    hardest = found.loads >= found.largest_load - 1e-9
+    hardest = found.shares >= found.largest_share - 1e-9
     limits = lengths(figure, "limit")
     drawn = np.sort(np.concatenate([lengths(figure, "force"), lengths(figure, "hardest")]))
-    np.testing.assert_allclose(drawn, np.sort((found.loads * limits)[found.loads > 0.002]))
+    np.testing.assert_allclose(drawn, np.sort((found.shares * limits)[found.shares > 0.002]))
     assert len(lengths(figure, "hardest")) == hardest.sum()
     texts = {text.get_text() for text in by_gid(figure, "robot-label")}
     assert len(texts) == 5
-    assert any(text.endswith(f": {100 * found.largest_load:.0f} %") for text in texts)
+    assert any(text.endswith(f": {100 * found.largest_share:.0f} %") for text in texts)
 
 
 def test_the_outcome_stands_below_the_title(barge):
@@ -41,7 +41,7 @@ def test_the_outcome_stands_below_the_title(barge):
         texts = (text.get_text() for text in figure.axes[0].texts)
         return " ".join(texts).replace("\xa0", " ")
 
-    assert "made, with loads up to" in said((50e3, 0.0, 0.0))
+    assert "made, with shares up to" in said((50e3, 0.0, 0.0))
     assert "out of reach by" in said((5e6, 0.0, 0.0))
     assert "Load on the object" in said((50e3, 0.0, 0.0), load=(0.0, 1e3, 0.0))
 

@@ -34,8 +34,8 @@ def forces(
 ) -> None:
     """Tell how hard each robot pushes to make a wrench.
 
-    First the largest load is made as small as it can be, a load being a robot's force as a
-    share of its limit; then the sum of the loads' squares. If the wrench is out of reach,
+    First the largest share is made as small as it can be, a share being a robot's force as a
+    part of its limit; then the sum of the shares' squares. If the wrench is out of reach,
     the nearest one is made, and the report says by how much it falls short.
 
     Example: swarmgrasp forces deck-barge --wrench 300e3 0 0

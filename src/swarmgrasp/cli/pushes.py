@@ -19,7 +19,7 @@ Triple = tuple[float, float, float]
 IDLE = 1e-7
 """Load that is told as none."""
 FULL = 1e-9
-"""Difference of two loads that counts as none."""
+"""Difference of two shares that counts as none."""
 NONE = 1e-9
 """Size of a wrench, relative to one beside it, that is told as none."""
 MANY = 1000.0
@@ -53,13 +53,13 @@ def data_of(found: "Forces") -> dict[str, Any]:
         "is_degraded": found.is_degraded,
         "shortfall": found.shortfall,
         "missing": found.missing.tolist(),
-        "largest_load": found.largest_load,
+        "largest_share": found.largest_share,
         "needed": found.needed if math.isfinite(found.needed) else None,
         "normal": found.normal.tolist(),
         "robots": [
-            {"name": swarm.robot_label(i), "load": load, "force": force}
-            for i, (load, force) in enumerate(
-                zip(found.loads.tolist(), found.forces.tolist(), strict=True)
+            {"name": swarm.robot_label(i), "share": part, "force": force}
+            for i, (part, force) in enumerate(
+                zip(found.shares.tolist(), found.forces.tolist(), strict=True)
             )
         ],
         "metric": metric_data(swarm),
@@ -82,11 +82,11 @@ def show(name: str, found: "Forces") -> None:
     unit = Forces.for_size(size_of(swarm, found.wanted), size_of(swarm, found.wrench))
     if found.is_degraded:
         report.headline(f"{name}: out of reach by {unit.text(found.shortfall)}", "caution")
-    elif not found.loads.any():
+    elif not found.shares.any():
         report.headline(f"{name}: no force is needed", "good")
     else:
         report.headline(
-            f"{name}: the robots make it, with loads up to {share(found.largest_load)}", "good"
+            f"{name}: the robots make it, with shares up to {share(found.largest_share)}", "good"
         )
     report.blank()
     report.facts(_missed(found, unit) if found.is_degraded else _made(found, unit))
@@ -101,9 +101,9 @@ def show(name: str, found: "Forces") -> None:
 def _made(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
     """Tell a wrench that is made, who pushes hardest, and how much larger it might be."""
     facts = _asked(found, unit)
-    if not found.loads.any():
+    if not found.shares.any():
         return facts
-    facts.append(("Largest load", f"{share(found.largest_load)}: {_hardest(found)}"))
+    facts.append(("Largest share", f"{share(found.largest_share)}: {_hardest(found)}"))
     facts.append(("", "no forces of these robots make the wrench with a smaller one"))
     if found.needed < 1.0 - FULL:
         more = 1.0 / found.needed
@@ -136,8 +136,8 @@ def _missed(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
         ("Missing", wrench_text(swarm, found.missing, unit)),
         ("Short by", f"{unit.text(found.shortfall)} in the metric, {left}; nothing is nearer"),
         ("It takes", needed),
-        *([("Largest load", f"{share(found.largest_load)}: {_hardest(found)}")]
-          if found.loads.any() else []),
+        *([("Largest share", f"{share(found.largest_share)}: {_hardest(found)}")]
+          if found.shares.any() else []),
     ]  # fmt: skip
 
 
@@ -182,24 +182,24 @@ def size_of(swarm: "Swarm", wrench: "NDArray[Any] | Sequence[float]") -> float:
     return float(np.linalg.norm(np.asarray(wrench) * swarm.scale))
 
 
-def share(load: float) -> str:
-    """Return a load in percent.
+def share(part: float) -> str:
+    """Return a share in percent.
 
     Examples
     --------
-    >>> [share(load) for load in (0.12345, 1.0 - 1e-16, 1e-17)]
+    >>> [share(part) for part in (0.12345, 1.0 - 1e-16, 1e-17)]
     ['12.3 %', '100 %', '0 %']
     """
     from swarmgrasp.cli.report import percent
 
-    return percent(round(load, 9)) if load > IDLE else "0 %"
+    return percent(round(part, 9)) if part > IDLE else "0 %"
 
 
 def _hardest(found: "Forces") -> str:
-    """Name the robots with the largest load."""
+    """Name the robots with the largest share."""
     import numpy as np
 
-    hardest = np.flatnonzero(found.loads >= found.largest_load - FULL).tolist()
+    hardest = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
     names = [found.swarm.robot_label(i) for i in hardest[:8]]
     more = f" and {len(hardest) - 8} more" if len(hardest) > 8 else ""
     return ", ".join(names) + more
@@ -214,22 +214,22 @@ def _show_robots(report: "Report", found: "Forces") -> None:
     from swarmgrasp.cli.words import degrees, stance
 
     unit = Forces.for_size(*swarm.limits.tolist())
-    own = Forces.for_size(*found.forces.tolist()) if found.loads.any() else unit
+    own = Forces.for_size(*found.forces.tolist()) if found.shares.any() else unit
     lengths = Lengths.for_outline(swarm.outline)
     columns = [
         Column("robot"),
         *(Column(text, is_number=True) for text in (
-            f"force [{own.name}]", "load", f"limit [{unit.name}]", "to [deg]", "x [m]", "y [m]",
+            f"force [{own.name}]", "share", f"limit [{unit.name}]", "to [deg]", "x [m]", "y [m]",
         )),
         Column("place", is_spare=True),
     ]  # fmt: skip
     rows = []
     for index, robot in enumerate(swarm.robots):
-        load, force = float(found.loads[index]), float(found.forces[index])
+        part, force = float(found.shares[index]), float(found.forces[index])
         x, y = (lengths.number(v) for v in robot.contact)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
         rows.append([
-            swarm.robot_label(index), own.number(force if load > IDLE else 0.0), share(load),
+            swarm.robot_label(index), own.number(force if part > IDLE else 0.0), share(part),
             unit.number(robot.limit), degrees(robot.direction), x, y, where,
         ])  # fmt: skip
     report.blank()

@@ -181,9 +181,9 @@ def table_text(found: "ForcesAlong") -> str:
     out = io.StringIO(newline="")
     writer = tables.writer(out, lineterminator="\n")
     robots = [f"{found.swarm.robot_label(i)} [N]" for i in range(len(found.swarm))]
-    writer.writerow([*COLUMNS, "largest_load", "needed", "shortfall", *robots])
+    writer.writerow([*COLUMNS, "largest_share", "needed", "shortfall", *robots])
     columns = zip(
-        found.wanted.tolist(), found.largest_loads.tolist(), found.needed.tolist(),
+        found.wanted.tolist(), found.largest_shares.tolist(), found.needed.tolist(),
         found.shortfalls.tolist(), found.forces.tolist(), strict=True,
     )  # fmt: skip
     for wanted, largest, needed, shortfall, forces in columns:
@@ -195,8 +195,8 @@ def data_of(found: "ForcesAlong") -> dict[str, Any]:
     """Return the forces for many wrenches as plain data, in SI units."""
     swarm = found.swarm
     rows = zip(
-        found.wanted.tolist(), found.wrenches.tolist(), found.largest_loads.tolist(),
-        found.needed.tolist(), found.shortfalls.tolist(), found.loads.tolist(), strict=True,
+        found.wanted.tolist(), found.wrenches.tolist(), found.largest_shares.tolist(),
+        found.needed.tolist(), found.shortfalls.tolist(), found.shares.tolist(), strict=True,
     )  # fmt: skip
     return {
         "load": found.load.tolist(),
@@ -208,11 +208,11 @@ def data_of(found: "ForcesAlong") -> dict[str, Any]:
                 "wrench": wrench,
                 "is_degraded": shortfall > 0.0,
                 "shortfall": shortfall,
-                "largest_load": largest,
+                "largest_share": largest,
                 "needed": needed if math.isfinite(needed) else None,
-                "loads": loads,
+                "shares": shares,
             }
-            for wanted, wrench, largest, needed, shortfall, loads in rows
+            for wanted, wrench, largest, needed, shortfall, shares in rows
         ],
         "metric": metric_data(swarm),
     }
@@ -230,8 +230,8 @@ def show(name: str, found: "ForcesAlong", lines: Sequence[int]) -> None:
     if missed:
         report.headline(f"{name}: {many}, {len(missed)} out of reach", "caution")
     else:
-        top = share(float(found.largest_loads.max(initial=0.0)))
-        report.headline(f"{name}: {many}, all made, with loads up to {top}", "good")
+        top = share(float(found.largest_shares.max(initial=0.0)))
+        report.headline(f"{name}: {many}, all made, with shares up to {top}", "good")
     report.blank()
     report.facts(_facts(found, lines, missed, unit))
     _show_robots(report, found, lines)
@@ -256,9 +256,9 @@ def _facts(
         facts.append(("Out of reach", f"{_ranges([lines[i] for i in missed])} of the table"))
         facts.append(("Worst", f"line {lines[worst]}, short by {short} in the metric"))
         return facts
-    largest = int(found.largest_loads.argmax())
-    top = share(float(found.largest_loads[largest]))
-    facts.append(("Largest load", f"{top}, at line {lines[largest]} of the table"))
+    largest = int(found.largest_shares.argmax())
+    top = share(float(found.largest_shares[largest]))
+    facts.append(("Largest share", f"{top}, at line {lines[largest]} of the table"))
     return facts
 
 
@@ -292,18 +292,18 @@ def _show_robots(report: "Report", found: "ForcesAlong", lines: Sequence[int]) -
     columns = [
         Column("robot"),
         *(Column(text, is_number=True) for text in (
-            f"largest force [{unit.name}]", "load", "at line", "mean load",
+            f"largest force [{unit.name}]", "share", "at line", "mean share",
         )),
     ]  # fmt: skip
     rows = []
     for i in range(len(swarm)):
-        loads = found.loads[:, i]
-        hardest = int(loads.argmax())
-        is_idle = loads[hardest] <= IDLE
+        shares = found.shares[:, i]
+        hardest = int(shares.argmax())
+        is_idle = shares[hardest] <= IDLE
         force = 0.0 if is_idle else float(found.forces[hardest, i])
         rows.append([
-            swarm.robot_label(i), unit.number(force), share(float(loads[hardest])),
-            "" if is_idle else str(lines[hardest]), share(float(loads.mean())),
+            swarm.robot_label(i), unit.number(force), share(float(shares[hardest])),
+            "" if is_idle else str(lines[hardest]), share(float(shares.mean())),
         ])  # fmt: skip
     report.blank()
     report.table(columns, rows)
@@ -321,11 +321,11 @@ def _show_wrenches(
     columns = [
         Column(text, is_number=True)
         for text in (
-            "line", f"fx [{unit.name}]", f"fy [{unit.name}]", torques, "largest load",
+            "line", f"fx [{unit.name}]", f"fy [{unit.name}]", torques, "largest share",
             f"short by [{unit.name}]",
         )
     ]  # fmt: skip
-    order = np.lexsort((-found.largest_loads, -found.shortfalls))[:MOST_TOLD]
+    order = np.lexsort((-found.largest_shares, -found.shortfalls))[:MOST_TOLD]
     rows = []
     for i in sorted(order.tolist()):
         size = size_of(swarm, found.wanted[i])
@@ -333,7 +333,7 @@ def _show_wrenches(
         parts = zip(found.wanted[i].tolist(), wholes, strict=True)
         numbers = [unit.number(0.0 if abs(v) < 1e-4 * whole else v) for v, whole in parts]
         short = float(found.shortfalls[i])
-        largest = share(float(found.largest_loads[i]))
+        largest = share(float(found.largest_shares[i]))
         rows.append([str(lines[i]), *numbers, largest, unit.number(short) if short else ""])
     report.blank()
     if len(rows) < len(found):

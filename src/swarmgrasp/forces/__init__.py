@@ -1,7 +1,7 @@
 """Which robot pushes how hard, to make a wrench."""
 
 from swarmgrasp.forces.answer import Forces, ForcesAlong
-from swarmgrasp.forces.certificate import LoadCertificate
+from swarmgrasp.forces.certificate import ForcesCertificate
 from swarmgrasp.forces.least import forces, forces_along
 
-__all__ = ["Forces", "ForcesAlong", "LoadCertificate", "forces", "forces_along"]
+__all__ = ["Forces", "ForcesAlong", "ForcesCertificate", "forces", "forces_along"]

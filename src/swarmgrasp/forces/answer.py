@@ -1,4 +1,4 @@
-"""The loads that make a wrench, or many wrenches."""
+"""The shares that make a wrench, or many wrenches."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.forces.certificate import LoadCertificate
+from swarmgrasp.forces.certificate import ForcesCertificate
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.verify import Verdict
 from swarmgrasp.verify.forces import Claim, faults_of
@@ -26,36 +26,36 @@ class Forces:
         The wrench the object was to receive.
     load : (3,) [N, N, N m]
         The part of it that the environment exerts; the robots exert the rest.
-    loads : (n,)
+    shares : (n,)
         Each robot's force as a share of its limit, within [0, 1].
     needed : float
-        The least largest load that makes the wanted wrench. Above 1 it is out of reach: the
+        The least largest share that makes the wanted wrench. Above 1 it is out of reach: the
         limits would have to be so many times as large, or infinitely so where no force of these
         robots helps.
     shortfall : float [N]
         How far from the wanted wrench the nearest attainable one is, in the metric; 0 if it is
         attained.
-    certificate : LoadCertificate
-        The proof that no other loads are better.
+    certificate : ForcesCertificate
+        The proof that no other shares are better.
     """
 
     swarm: Swarm
     wanted: Array
     load: Array
-    loads: Array
+    shares: Array
     needed: float
     shortfall: float
-    certificate: LoadCertificate
+    certificate: ForcesCertificate
 
     @cached_property
     def forces(self) -> Array:
         """(n,) [N]: the force of each robot."""
-        return read_only(self.loads * self.swarm.limits)
+        return read_only(self.shares * self.swarm.limits)
 
     @cached_property
     def wrench(self) -> Array:
         """(3,) [N, N, N m]: what the object receives, from the robots and the environment."""
-        return read_only(self.loads @ self.swarm.generators + self.load)
+        return read_only(self.shares @ self.swarm.generators + self.load)
 
     @property
     def missing(self) -> Array:
@@ -63,9 +63,9 @@ class Forces:
         return self.wanted - self.wrench
 
     @property
-    def largest_load(self) -> float:
-        """The largest load of any robot, within [0, 1]."""
-        return float(self.loads.max(initial=0.0))
+    def largest_share(self) -> float:
+        """The largest share of any robot, within [0, 1]."""
+        return float(self.shares.max(initial=0.0))
 
     @property
     def is_degraded(self) -> bool:
@@ -76,13 +76,13 @@ class Forces:
     def normal(self) -> Array:
         """(3,): the unit direction, in the metric's coordinates, that limits; 0 for no wrench.
 
-        At this largest load the robots exert no more along it.
+        At this largest share the robots exert no more along it.
         """
         normals = self.certificate.normals
         return normals[0] if len(normals) else np.zeros(3)
 
     def verify(self) -> Verdict:
-        """Check that no other loads are better, by code that shares nothing with the solver.
+        """Check that no other shares are better, by code that shares nothing with the solver.
 
         Returns
         -------
@@ -97,7 +97,7 @@ class Forces:
         return Claim(
             swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
             (*swarm.force_weights, swarm.characteristic_length),
-            self.wanted, self.load, self.wrench, self.loads, self.shortfall,
+            self.wanted, self.load, self.wrench, self.shares, self.shortfall,
             self.certificate.normals, self.certificate.price,
         )  # fmt: skip
 
@@ -111,7 +111,7 @@ class ForcesAlong:
     swarm : Swarm
     wanted : (m, 3) [N, N, N m]
     load : (3,) [N, N, N m]
-    loads : (m, n)
+    shares : (m, n)
     needed : (m,)
     shortfalls : (m,) [N]
         As in `Forces`.
@@ -123,7 +123,7 @@ class ForcesAlong:
     swarm: Swarm
     wanted: Array
     load: Array
-    loads: Array
+    shares: Array
     needed: Array
     shortfalls: Array
     normals: Array
@@ -140,10 +140,10 @@ class ForcesAlong:
             self.swarm,
             self.wanted[index],
             self.load,
-            self.loads[index],
+            self.shares[index],
             float(self.needed[index]),
             float(self.shortfalls[index]),
-            LoadCertificate(normals[normals.any(axis=1)], self.prices[index]),
+            ForcesCertificate(normals[normals.any(axis=1)], self.prices[index]),
         )
 
     def __iter__(self) -> Iterator[Forces]:
@@ -153,12 +153,12 @@ class ForcesAlong:
     @cached_property
     def forces(self) -> Array:
         """(m, n) [N]: the force of each robot for each wrench."""
-        return read_only(self.loads * self.swarm.limits)
+        return read_only(self.shares * self.swarm.limits)
 
     @cached_property
     def wrenches(self) -> Array:
         """(m, 3) [N, N, N m]: what the object receives."""
-        return read_only(self.loads @ self.swarm.generators + self.load)
+        return read_only(self.shares @ self.swarm.generators + self.load)
 
     @property
     def missing(self) -> Array:
@@ -166,9 +166,9 @@ class ForcesAlong:
         return self.wanted - self.wrenches
 
     @property
-    def largest_loads(self) -> Array:
-        """(m,): the largest load of any robot for each wrench."""
-        return np.asarray(self.loads.max(axis=1, initial=0.0))
+    def largest_shares(self) -> Array:
+        """(m,): the largest share of any robot for each wrench."""
+        return np.asarray(self.shares.max(axis=1, initial=0.0))
 
     @property
     def is_degraded(self) -> NDArray[np.bool_]:

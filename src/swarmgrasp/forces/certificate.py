@@ -1,4 +1,4 @@
-"""The proof that no loads are better (T18)."""
+"""The proof that no shares are better (T18)."""
 
 from dataclasses import dataclass
 
@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True, eq=False)
-class LoadCertificate:
-    """Directions and a price that prove loads to be the least.
+class ForcesCertificate:
+    """Directions and a price that prove shares to be the least.
 
-    For the first normal n, a largest load t and any loads x_i <= t, n . sum x_i b_i <= t h(n):
+    For the first normal n, a largest share t and any shares x_i <= t, n . sum x_i b_i <= t h(n):
     where equality holds, no smaller t would do, robots in front of the plane across n have to
     give t, and those behind it nothing. The next normals say the same of robots that lie in the
     planes across all before. Robots across all of them have x_i = y . b_i, clipped to [0, t],

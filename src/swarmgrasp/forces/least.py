@@ -1,12 +1,18 @@
-"""Find the least loads that make wrenches (T18)."""
+"""Find the least shares that make wrenches (T18).
+
+A kernel finds them, and checks them itself. Where rounding has misled it, a linear program tells
+it the normal to start from.
+"""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.forces.answer import Forces, ForcesAlong, read_only
-from swarmgrasp.forces.certificate import LoadCertificate
-from swarmgrasp.forces.wanted import check_forces, check_forces_along
-from swarmgrasp.kernels import loads as kernel
+from swarmgrasp.errors import ForcesNotProven
+from swarmgrasp.forces.answer import Array, Forces, ForcesAlong, read_only
+from swarmgrasp.forces.certificate import ForcesCertificate
+from swarmgrasp.forces.start import start_for
+from swarmgrasp.forces.wanted import Triple, check_forces, check_forces_along
+from swarmgrasp.kernels import shares as kernel
 from swarmgrasp.swarm import Swarm
 
 CALM = (0.0, 0.0, 0.0)
@@ -15,9 +21,9 @@ _NO_LOAD = read_only(np.zeros(3))
 
 
 def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces:
-    """Find how hard each robot pushes to make a wrench, with the least largest load.
+    """Find how hard each robot pushes to make a wrench, with the least largest share.
 
-    A load is a robot's force as a share of its limit. First the largest of all loads is made as
+    A share is a robot's force as a part of its limit. First the largest of all shares is made as
     small as it can be, and then, with none above it, the sum of their squares. If the
     wrench is out of reach, the nearest attainable one in the metric is made so instead.
 
@@ -42,6 +48,8 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
         1e100; all faults at once.
     RobotInvalid
         If the swarm is no `Swarm`, with those faults beside this one.
+    ForcesNotProven
+        If robots are so unlike in strength that rounding decides, which takes more than 1e12.
 
     Examples
     --------
@@ -53,7 +61,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     >>> robots = [Robot((-1, -0.5), 0.0), Robot((-1, 0.25), 0.0, limit=2.0), Robot((1, 0), pi / 2)]
     >>> swarm = Swarm(square, robots)
     >>> found = forces(swarm, (1.5, 0.0, 0.0))
-    >>> found.loads.round(6).tolist(), found.largest_load, found.is_degraded
+    >>> found.shares.round(6).tolist(), found.largest_share, found.is_degraded
     ([0.5, 0.5, 0.0], 0.5, False)
     >>> far = forces(swarm, (4.0, 0.0, 0.0))
     >>> far.wrench.round(6).tolist(), round(far.shortfall, 6), bool(far.verify())
@@ -64,7 +72,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     x, y, z = wanted
     a, b, c = given
     scaled = np.array((u * x, v * y, w * z))
-    row = np.frombuffer(kernel.least_loads(swarm.scaled_generators, scaled, (u * a, v * b, w * c)))
+    row = _rows(swarm, scaled[None], (u * a, v * b, w * c))[0]
     n = len(swarm)
     needed, shortfall = row[n : n + 2].tolist()
     normals = row[n + 2 : n + 11].reshape(3, 3)
@@ -75,7 +83,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
         row[:n],
         needed,
         shortfall,
-        LoadCertificate(read_only(normals[normals.any(axis=1)]), row[n + 11 :]),
+        ForcesCertificate(read_only(normals[normals.any(axis=1)]), row[n + 11 : n + 14]),
     )
 
 
@@ -83,7 +91,7 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     """Find how hard each robot pushes for each of many wrenches, such as a trajectory's.
 
     Each is found as by `forces`, and where they follow each other smoothly sooner than alone.
-    The loads then follow smoothly too: they are a continuous function of the wrench.
+    The shares then follow smoothly too: they are a continuous function of the wrench.
 
     Parameters
     ----------
@@ -108,14 +116,13 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     >>> swarm = Swarm(square, [Robot((-1, 0), 0.0), Robot((1, 0), 3.141592653589793)])
     >>> found = forces_along(swarm, [(0.5, 0, 0), (-0.2, 0, 0), (0, 0, 0)])
-    >>> found.loads.round(6).tolist()
+    >>> found.shares.round(6).tolist()
     [[0.5, 0.0], [0.0, 0.2], [0.0, 0.0]]
     """
     wanted, given = check_forces_along(swarm, wrenches, load)
     a, b, c = (swarm.scale * given).tolist()
     m, n = len(wanted), len(swarm)
-    found = kernel.least_loads(swarm.scaled_generators, wanted * swarm.scale, (a, b, c))
-    table = np.frombuffer(found).reshape(m, n + 14)
+    table = _rows(swarm, wanted * swarm.scale, (a, b, c))
     return ForcesAlong(
         swarm,
         read_only(wanted),
@@ -124,5 +131,35 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
         table[:, n],
         table[:, n + 1],
         table[:, n + 2 : n + 11].reshape(m, 3, 3),
-        table[:, n + 11 :],
+        table[:, n + 11 : n + 14],
     )
+
+
+def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
+    """Return the kernel's rows for wrenches (m, 3), all confirmed by its check.
+
+    All in the metric's coordinates.
+
+    Raises
+    ------
+    ForcesNotProven
+        If rounding decides, so that shares can be found but not proven.
+    """
+    B = swarm.scaled_generators
+    rows = np.frombuffer(kernel.least_shares(B, wrenches, load)).reshape(
+        len(wrenches), len(swarm) + 15
+    )
+    unsure = np.flatnonzero(rows[:, -1] == 0.0)
+    if len(unsure):
+        rows = rows.copy()
+    for k in unsure.tolist():
+        start = start_for(B, wrenches[k] - load)
+        rows[k] = np.frombuffer(kernel.least_shares(B, wrenches[k], load, start))
+    if len(unsure) and not rows[unsure, -1].all():
+        k = unsure[np.argmin(rows[unsure, -1])]
+        raise ForcesNotProven(
+            f"the shares that make {(wrenches[k] / swarm.scale).tolist()} [N, N, N m] cannot be "
+            f"told from others by more than rounding: the limits are from {swarm.limits.min():.3g} "
+            f"to {swarm.limits.max():.3g} N; leave out robots that are so much weaker"
+        )
+    return read_only(rows)

@@ -24,16 +24,16 @@ static double span(const double *v) {
 
 /* Share out the point q of the face that the crew is divided by, times a scale. Returns how much
  * the robots in the plane add to its height: they are in it to within rounding. */
-static double share_out(Crew *crew, const double *q, double extent, double scale, double *loads,
-                        Loads *found) {
+static double share_out(Crew *crew, const double *q, double extent, double scale, double *shares,
+                        Shares *found) {
     double height = 0.0;
     Face *face = &crew->face;
     face_shares(face, q, extent, found->normals[1], found->price);
     for (ptrdiff_t i = 0; i < crew->n; i++)
-        loads[i] = crew->where[i] > 0 ? scale : 0.0;
+        shares[i] = crew->where[i] > 0 ? scale : 0.0;
     for (ptrdiff_t k = 0; k < face->count; k++) {
         ptrdiff_t i = face->robot[k];
-        loads[i] = scale * face->share[k];
+        shares[i] = scale * face->share[k];
         height += face->share[k] * crew->s[i] * crew->sizes[i];
     }
     for (int k = 0; k < 3; k++)
@@ -60,32 +60,32 @@ static double slide_in(Crew *crew, const Goal *goal, const double *normal, doubl
 }
 
 /* What is missing of a wrench; returns its size. */
-static double miss_of(const Crew *crew, const double *w, const double *loads, double *miss) {
+static double miss_of(const Crew *crew, const double *w, const double *shares, double *miss) {
     memcpy(miss, w, 3 * sizeof *miss);
     for (ptrdiff_t i = 0; i < crew->n; i++)
         for (int k = 0; k < 3; k++)
-            miss[k] -= loads[i] * crew->sizes[i] * crew->units[3 * i + k];
+            miss[k] -= shares[i] * crew->sizes[i] * crew->units[3 * i + k];
     return span(miss);
 }
 
 /* Let the robots in front take up what rounding leaves of a wrench: where the ray meets the face at
  * a small angle, that tells better how far out it is. */
-static void take_up(const Crew *crew, const double *w, double *loads, Loads *found) {
+static void take_up(const Crew *crew, const double *w, double *shares, Shares *found) {
     double corner[3] = {0.0}, miss[3];
     for (ptrdiff_t i = 0; i < crew->n; i++)
         for (int k = 0; k < 3 && crew->where[i] > 0; k++)
             corner[k] += crew->sizes[i] * crew->units[3 * i + k];
-    miss_of(crew, w, loads, miss);
+    miss_of(crew, w, shares, miss);
     double size = span(corner), more = size > 0.0 ? dot(miss, corner) / size / size : 0.0;
     found->needed += more;
     for (ptrdiff_t i = 0; i < crew->n; i++)
-        loads[i] = smaller(crew->where[i] > 0 ? loads[i] + more : loads[i],
+        shares[i] = smaller(crew->where[i] > 0 ? shares[i] + more : shares[i],
                            smaller(found->needed, 1.0));
 }
 
-/* Find the loads of a wrench that is in reach, or -1 if it is not; sets `needed` and the proof. */
-static int load_along(Crew *crew, const double *w, double size, double noise, double *loads,
-                      Loads *found) {
+/* Find the shares of a wrench that is in reach, or -1 if it is not; sets `needed` and the proof. */
+static int share_along(Crew *crew, const double *w, double size, double noise, double *shares,
+                      Shares *found) {
     double *normal = found->normals[0], q[2], extent, miss[3];
     Goal goal = {1, {w[0] / size, w[1] / size, w[2] / size}, 0.0, larger(LEAST, noise / size)};
     if (!(dot(normal, goal.target) > NEAR_ENOUGH))
@@ -97,30 +97,30 @@ static int load_along(Crew *crew, const double *w, double size, double noise, do
     found->needed = reach > 0.0 ? size / reach : INFINITY;
     if (found->needed > 1.0 + SAME)
         return -1;
-    double more = share_out(crew, q, extent, smaller(found->needed, 1.0), loads, found);
+    double more = share_out(crew, q, extent, smaller(found->needed, 1.0), shares, found);
     if (fabs(more) > OWN * reach) { /* the face is a little farther out, or nearer */
         more /= dot(normal, goal.target);
         q[0] += more * dot(goal.target, crew->face.e);
         q[1] += more * dot(goal.target, crew->face.f);
         found->needed = size / (reach + more);
         face_lay(&crew->face, normal, crew->units, crew->sizes);
-        share_out(crew, q, extent, smaller(found->needed, 1.0), loads, found);
+        share_out(crew, q, extent, smaller(found->needed, 1.0), shares, found);
     }
-    if (miss_of(crew, w, loads, miss) > SAME * size) {
-        take_up(crew, w, loads, found);
-        double missed = miss_of(crew, w, loads, miss);
+    if (miss_of(crew, w, shares, miss) > SAME * size) {
+        take_up(crew, w, shares, found);
+        double missed = miss_of(crew, w, shares, miss);
         if (missed > LOST * size + NOTHING * crew->total + noise)
             found->shortfall = ldexp(missed, crew->exponent);
     }
     return 0;
 }
 
-/* Find the loads of a wrench that the robots in the plane make by themselves. */
-static int load_in_plane(Crew *crew, const double *wrench, double *loads, Loads *found) {
+/* Find the shares of a wrench that the robots in the plane make by themselves. */
+static int share_in_plane(Crew *crew, const double *wrench, double *shares, Shares *found) {
     const double none[3] = {0.0};
     const Face *face = &crew->face;
     Crew part = {0};
-    Loads inner = {0};
+    Shares inner = {0};
     ptrdiff_t n = face->count;
     double *own = malloc((4 * (size_t)n + 1) * sizeof *own);
     int status = own ? 0 : -1;
@@ -130,10 +130,10 @@ static int load_in_plane(Crew *crew, const double *wrench, double *loads, Loads 
     if (status == 0)
         status = crew_room(&part, own, n, crew->interrupted);
     if (status == 0)
-        status = crew_loads(&part, wrench, none, own + 3 * n, &inner);
+        status = crew_shares(&part, wrench, none, own + 3 * n, &inner);
     if (status == 0) {
         for (ptrdiff_t k = 0; k < n; k++)
-            loads[face->robot[k]] = own[3 * n + k];
+            shares[face->robot[k]] = own[3 * n + k];
         memcpy(found->normals[1], inner.normals, sizeof inner.normals[0] * 2);
         for (int c = 0; c < 3; c++)
             found->price[c] = ldexp(inner.price[c], -crew->exponent);
@@ -143,9 +143,9 @@ static int load_in_plane(Crew *crew, const double *wrench, double *loads, Loads 
     return status;
 }
 
-/* Find the loads of the attainable wrench that is nearest to one out of reach. */
-static int load_nearest(Crew *crew, const double *w, double size, double noise, double *loads,
-                        Loads *found) {
+/* Find the shares of the attainable wrench that is nearest to one out of reach. */
+static int share_nearest(Crew *crew, const double *w, double size, double noise, double *shares,
+                        Shares *found) {
     double q[2], extent, made[3], miss[3], shrink = smaller(1.0, FARTHEST * crew->total / size);
     Goal goal = {0, {w[0], w[1], w[2]}, size, 0.0};
     for (int k = 0; k < 3 && crew->total > 0.0; k++)
@@ -153,18 +153,18 @@ static int load_nearest(Crew *crew, const double *w, double size, double noise, 
     find_face(crew, &goal, found->normals[0], q, &extent);
     if (crew->is_stopped)
         return -2;
-    share_out(crew, q, extent, 1.0, loads, found);
-    double shortfall = miss_of(crew, w, loads, miss);
+    share_out(crew, q, extent, 1.0, shares, found);
+    double shortfall = miss_of(crew, w, shares, miss);
     if (shortfall > SAME * size + NOTHING * crew->total + noise)
         found->shortfall = ldexp(shortfall, crew->exponent);
     if (crew->face.count == 0 || memchr(crew->where, 1, (size_t)crew->n))
         return 0;
     for (int k = 0; k < 3; k++) /* nobody has to give all: the face is that of no wrench, too */
         made[k] = w[k] - miss[k];
-    return load_in_plane(crew, made, loads, found);
+    return share_in_plane(crew, made, shares, found);
 }
 
-int crew_loads(Crew *crew, const double *wanted, const double *load, double *loads, Loads *found) {
+int crew_shares(Crew *crew, const double *wanted, const double *load, double *shares, Shares *found) {
     double w[3], size, noise;
     for (int k = 0; k < 3; k++)
         w[k] = ldexp(wanted[k] - load[k], -crew->exponent);
@@ -173,12 +173,12 @@ int crew_loads(Crew *crew, const double *wanted, const double *load, double *loa
     found->needed = found->shortfall = 0.0;
     memset(found->normals[1], 0, 2 * sizeof found->normals[1]);
     memset(found->price, 0, sizeof found->price);
-    memset(loads, 0, (size_t)crew->n * sizeof *loads);
+    memset(shares, 0, (size_t)crew->n * sizeof *shares);
     if (size <= noise) {
         memset(found->normals[0], 0, sizeof found->normals[0]);
         return 0;
     }
-    if (load_along(crew, w, size, noise, loads, found) == 0)
+    if (share_along(crew, w, size, noise, shares, found) == 0)
         return 0;
-    return crew->is_stopped ? -2 : load_nearest(crew, w, size, noise, loads, found);
+    return crew->is_stopped ? -2 : share_nearest(crew, w, size, noise, shares, found);
 }

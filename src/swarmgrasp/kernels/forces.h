@@ -1,26 +1,26 @@
-/* The least loads that make a wrench, or the nearest wrench there is (T18). */
+/* The least shares that make a wrench, or the nearest wrench there is (T18). */
 #ifndef SWARMGRASP_FORCES_H
 #define SWARMGRASP_FORCES_H
 
 #include "crew.h"
 
-/* What the loads are worth, and the proof. Vectors are in the metric's coordinates.
+/* What the shares are worth, and the proof. Vectors are in the metric's coordinates.
  *
  * The first of `normals` that is not at right angles to a robot's generator decides: in front of
- * the plane across it a robot gives the largest load, behind it nothing. Robots in all these planes
- * have the load y.b, clipped. */
+ * the plane across it a robot gives the largest share, behind it nothing. Robots in all these planes
+ * have the share y.b, clipped. */
 typedef struct {
-    double needed;    /* the least largest load of the wrench wanted; above 1 it is out of reach */
+    double needed;    /* the least largest share of the wrench wanted; above 1 it is out of reach */
     double shortfall; /* [N] how far the nearest attainable wrench is from it; 0 if attained */
     double normals[3][3]; /* units, or 0 */
     double price[3];      /* [1/N] y */
-} Loads;
+} Shares;
 
-#define LOADS 14 /* numbers in it */
+#define SHARES 15 /* numbers in it, and whether they are proven */
 
-/* Find the loads (n,) of a wrench wanted beside a load, and what they are worth. The search starts
+/* Find the shares (n,) of a wrench wanted beside a load, and what they are worth. The search starts
  * from the first normal in `found`, unless that is 0. Returns 0, -1 without memory, -2 if
  * stopped. */
-int crew_loads(Crew *crew, const double *wanted, const double *load, double *loads, Loads *found);
+int crew_shares(Crew *crew, const double *wanted, const double *load, double *shares, Shares *found);
 
 #endif

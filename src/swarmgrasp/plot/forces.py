@@ -33,18 +33,18 @@ LIMIT: Final = "#C3D3E0"
 WIDTH: Final = 0.026
 """Of the arrows [in]."""
 
-LEAST_LOAD: Final = 0.002
+LEAST_SHARE: Final = 0.002
 """Load below which no force is drawn."""
 
 HARDEST: Final = 1e-9
-"""Difference from the largest load that counts as none."""
+"""Difference from the largest share that counts as none."""
 
 
 def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
     """Draw the object from above with the forces that make a wrench.
 
     A pale arrow is the force a robot can exert, the dark part of it the one it does; robots at
-    the largest load are orange. A push ends at the contact, a pull starts there. At the origin is
+    the largest share are orange. A push ends at the contact, a pull starts there. At the origin is
     drawn which way the wanted wrench acts.
 
     Parameters
@@ -76,9 +76,9 @@ def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
 
 
 def _hardest(found: Forces) -> NDArray[np.bool_]:
-    """Tell which robots have the largest load."""
-    top = found.largest_load
-    return np.asarray((found.loads >= top - HARDEST) & (top > LEAST_LOAD))
+    """Tell which robots have the largest share."""
+    top = found.largest_share
+    return np.asarray((found.shares >= top - HARDEST) & (top > LEAST_SHARE))
 
 
 def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
@@ -94,7 +94,7 @@ def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
         (False, style.BLUE, "force"),
         (True, style.VERMILION, "hardest"),
     ):
-        chosen = (found.loads > LEAST_LOAD) & (hardest == is_hardest)
+        chosen = (found.shares > LEAST_SHARE) & (hardest == is_hardest)
         pushing = [
             replace(robots[i], limit=float(found.forces[i]), tolerance=None)
             for i in np.flatnonzero(chosen).tolist()
@@ -132,7 +132,7 @@ def _draw_wrench(page: Page, found: Forces) -> None:
 
 
 def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
-    """Write the name and the load of every robot, unless there are too many.
+    """Write the name and the share of every robot, unless there are too many.
 
     Of the two halves of a thruster that pushes either way, "bow +" and "bow -" at one contact,
     that which does more is told, as "bow".
@@ -144,8 +144,8 @@ def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
     hardest = _hardest(found)
     names = {(robot.name, robot.contact) for robot in robots}
     done = set()
-    for index in np.argsort(-found.loads, kind="stable").tolist():
-        robot, load = robots[index], float(found.loads[index])
+    for index in np.argsort(-found.shares, kind="stable").tolist():
+        robot, share = robots[index], float(found.shares[index])
         name = robot.name or str(index)
         stem = name.removesuffix(" +").removesuffix(" -")
         if all((f"{stem} {sign}", robot.contact) in names for sign in "+-"):
@@ -155,30 +155,30 @@ def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
             done.add((stem, robot.contact))
         spots, bearing = outer_spots(arrows, robot)
         colour = style.VERMILION if hardest[index] else style.BLUE
-        colour = colour if load > LEAST_LOAD else style.GREY
-        text = f"{name}: {_percent(load)}"
+        colour = colour if share > LEAST_SHARE else style.GREY
+        text = f"{name}: {_percent(share)}"
         page.label(text, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
 
-def _percent(load: float) -> str:
-    """Write a load in percent, shortly.
+def _percent(share: float) -> str:
+    """Write a share in percent, shortly.
 
     Examples
     --------
-    >>> [_percent(load) for load in (0.1234, 0.0321, 1e-9, 1.0)]
+    >>> [_percent(share) for share in (0.1234, 0.0321, 1e-9, 1.0)]
     ['12 %', '3.2 %', '0 %', '100 %']
     """
-    if load <= LEAST_LOAD:
+    if share <= LEAST_SHARE:
         return "0 %"
-    return f"{100.0 * load:.{int(load < 0.0995)}f} %"
+    return f"{100.0 * share:.{int(share < 0.0995)}f} %"
 
 
 def _caption(found: Forces, is_shown: bool) -> Caption:
     """Return what is written round the picture."""
     swarm = found.swarm
-    kinds = {"force": style.BLUE, "force at the largest load": style.VERMILION}
+    kinds = {"force": style.BLUE, "force at the largest share": style.VERMILION}
     hardest = _hardest(found)
-    drawn = [bool((found.loads[~hardest] > LEAST_LOAD).any()), bool(hardest.any())]
+    drawn = [bool((found.shares[~hardest] > LEAST_SHARE).any()), bool(hardest.any())]
     entries: list[Any] = [
         ArrowEntry(facecolor=colour, label=label)
         for (label, colour), is_drawn in zip(kinds.items(), drawn, strict=True)
@@ -201,7 +201,7 @@ def _outcome(found: Forces) -> str:
     """Say how well the wrench is made."""
     if found.is_degraded:
         return f"out of reach by {style.force(found.shortfall)}, the nearest wrench is made"
-    return f"made, with loads up to {_percent(found.largest_load)}" if found.loads.any() else ""
+    return f"made, with shares up to {_percent(found.largest_share)}" if found.shares.any() else ""
 
 
 def _capital(text: str) -> str:

@@ -1,7 +1,7 @@
-"""An independent check of loads, from plain data alone.
+"""An independent check of shares, from plain data alone.
 
 It uses nothing of the solver, nor of the package's swarms: generators are made anew, and what is
-claimed is recomputed in plain NumPy. That no other loads are better follows from the normals and
+claimed is recomputed in plain NumPy. That no other shares are better follows from the normals and
 the price by weak duality (T18), which holds whatever they are: they need no trust.
 """
 
@@ -25,7 +25,7 @@ FLAT = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Claim:
-    """What is claimed of the loads of one wrench.
+    """What is claimed of the shares of one wrench.
 
     Attributes
     ----------
@@ -36,11 +36,11 @@ class Claim:
     metric : tuple of float [1, 1, m]
         The force weights and the characteristic length.
     wanted, load, wrench : (3,) [N, N, N m]
-    loads : (n,)
+    shares : (n,)
     shortfall : float [N]
     normals : (k, 3)
     price : (3,) [1/N]
-        As in `Forces` and its `LoadCertificate`.
+        As in `Forces` and its `ForcesCertificate`.
     """
 
     arms: Array
@@ -50,7 +50,7 @@ class Claim:
     wanted: Array
     load: Array
     wrench: Array
-    loads: Array
+    shares: Array
     shortfall: float
     normals: Array
     price: Array
@@ -58,14 +58,14 @@ class Claim:
 
 def faults_of(claim: Claim) -> Iterator[str]:
     """Find everything that is claimed and does not hold."""
-    loads, (a1, a2, length) = claim.loads, claim.metric
+    shares, (a1, a2, length) = claim.shares, claim.metric
     scale = np.array([a1**0.5, a2**0.5, 1.0 / length])
     B = _generators(claim) * scale
     sizes = np.linalg.norm(B, axis=1)
-    made, wanted = loads @ B, (claim.wanted - claim.load) * scale
-    slack = ROUNDING * (float(sizes @ np.abs(loads)) + _length(wanted)) + OWN * float(sizes.sum())
-    if not ((loads >= 0.0) & (loads <= 1.0)).all():
-        yield f"the loads are from {loads.min()} to {loads.max()}; they should be within 0 and 1"
+    made, wanted = shares @ B, (claim.wanted - claim.load) * scale
+    slack = ROUNDING * (float(sizes @ np.abs(shares)) + _length(wanted)) + OWN * float(sizes.sum())
+    if not ((shares >= 0.0) & (shares <= 1.0)).all():
+        yield f"the shares are from {shares.min()} to {shares.max()}; they should be within 0 and 1"
     off = _length((claim.wrench - claim.load) * scale - made)
     if not off <= slack:
         yield f"the wrench is {off:g} N away from what the forces make, in the metric"
@@ -73,18 +73,18 @@ def faults_of(claim: Claim) -> Iterator[str]:
     if not abs(distance - claim.shortfall) <= slack:
         yield f"the shortfall is {claim.shortfall:g} N; recomputed it is {distance:g} N"
     if not len(claim.normals):
-        if loads.any():
-            yield "there are loads, but no normal that proves them needed"
+        if shares.any():
+            yield "there are shares, but no normal that proves them needed"
         return
     first, *others = claim.normals
     if claim.shortfall == 0.0:
-        yield from _needed_faults(first, B, loads, wanted, slack)
+        yield from _needed_faults(first, B, shares, wanted, slack)
     else:
         yield from _nearest_faults(first, B, wanted, made, slack)
         heights = B @ first
         if others and not (heights > FLAT * sizes).any():  # nobody has to give all
             flat = np.abs(heights) <= FLAT * sizes
-            yield from _needed_faults(others[0], B[flat], loads[flat], made, slack)
+            yield from _needed_faults(others[0], B[flat], shares[flat], made, slack)
     yield from _share_faults(claim, B, sizes)
 
 
@@ -106,14 +106,14 @@ def _height(B: Array, normal: Array) -> float:
 
 
 def _needed_faults(
-    normal: Array, B: Array, loads: Array, wanted: Array, slack: float
+    normal: Array, B: Array, shares: Array, wanted: Array, slack: float
 ) -> Iterator[str]:
-    """Check that no smaller largest load t makes the wrench: n . w <= t h(n) for all that do."""
-    top, height = float(loads.max(initial=0.0)), _height(B, normal)
+    """Check that no smaller largest share t makes the wrench: n . w <= t h(n) for all that do."""
+    top, height = float(shares.max(initial=0.0)), _height(B, normal)
     reach = float(normal @ wanted)
     if not top * height <= reach + slack:
         proven = max(0.0, reach / height)
-        yield f"the largest load is {top:.9g}; the normal proves no more than {proven:.9g} needed"
+        yield f"the largest share is {top:.9g}; the normal proves no more than {proven:.9g} needed"
 
 
 def _nearest_faults(
@@ -130,25 +130,27 @@ def _nearest_faults(
 
 
 def _share_faults(claim: Claim, B: Array, sizes: Array) -> Iterator[str]:
-    """Check who gives the largest load, who nothing, and that the others share by the price.
+    """Check who gives the largest share, who nothing, and that the others share by the price.
 
     The first normal that a generator is not at right angles to decides.
     """
-    loads = claim.loads
-    top = float(loads.max(initial=0.0))
+    shares = claim.shares
+    top = float(shares.max(initial=0.0))
     good = np.zeros(len(B), dtype=bool)
     undecided = ~good
     for normal in claim.normals:
         heights = B @ normal
         bound = np.where(heights > 0.0, top, 0.0)
-        good |= undecided & (heights != 0.0) & (np.abs(loads - bound) <= ROUNDING)
+        good |= undecided & (heights != 0.0) & (np.abs(shares - bound) <= ROUNDING)
         undecided &= np.abs(heights) <= FLAT * sizes
-    allowed = ROUNDING + EPSILON * sizes * _length(claim.price)
-    good |= undecided & (np.abs(loads - np.clip(B @ claim.price, 0.0, top)) <= allowed)
+    with np.errstate(divide="ignore"):  # a share of next to nothing may be any
+        own = OWN * float(sizes.sum()) / sizes
+    allowed = ROUNDING + EPSILON * sizes * _length(claim.price) + own
+    good |= undecided & (np.abs(shares - np.clip(B @ claim.price, 0.0, top)) <= allowed)
     wrong = np.flatnonzero(~good)
     if len(wrong):
         i = int(wrong[0])
         yield (
-            f"the load of robot {i} is {loads[i]:.9g}, which the proof does not show to be least; "
-            f"so it is for {len(wrong)} of {len(loads)} robots"
+            f"the share of robot {i} is {shares[i]:.9g}, which the proof does not show to be "
+            f"least; so it is for {len(wrong)} of {len(shares)} robots"
         )

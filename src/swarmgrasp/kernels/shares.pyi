@@ -1,4 +1,4 @@
-"""The least loads that make wrenches; `forces.h` beside this file says how they are found.
+"""The least shares that make wrenches; `forces.h` beside this file says how they are found.
 
 Arrays are C-contiguous float64 of the sizes given and finite; anything else raises `ValueError`.
 What takes long lets other threads run, looks at the keyboard in between, and raises
@@ -10,11 +10,19 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-def least_loads(generators: Array, wrenches: Array, load: tuple[float, float, float], /) -> bytes:
+def least_shares(
+    generators: Array,
+    wrenches: Array,
+    load: tuple[float, float, float],
+    start: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    /,
+) -> bytes:
     """Return a row for each wrench (m, 3) [N] of generators (n, 3) [N] beside a load (3,) [N].
 
-    All are in the metric's coordinates. A row (n + 14,) holds the loads (n,); the least largest
+    All are in the metric's coordinates. The search starts from a normal,
+    unless that is 0. A row (n + 15,) holds the shares (n,); the least largest
     load of the wrench, above 1 and perhaps infinite if it is out of reach; the distance [N] of
     the nearest attainable wrench, which is then made, and else 0; and the proof: three normals
-    (9,), those not needed 0, and a price (3,) [1/N].
+    (9,), those not needed 0, and a price (3,) [1/N]. Last is 1 if a quick check of its own
+    confirms them, and else 0.
     """

@@ -1,18 +1,20 @@
-/* The least loads as a Python module. */
+/* The least shares as a Python module. */
 #include "binding.h"
 #include "forces.h"
+#include "proven.h"
 
 #define ENOUGH 100000 /* robots times wrenches between two looks at the keyboard */
 
-/* Write a row of loads and what they are worth for each wrench. Returns 0, -1 without memory, -2 if
+/* Write a row of shares and what they are worth for each wrench, the first search starting from a
+ * normal, or 0. Returns 0, -1 without memory, -2 if
  * stopped. */
 static int fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const double *load,
-                     double *row) {
-    Loads found = {0};
+                     const double *start, double *row) {
+    Shares found = {.normals = {{start[0], start[1], start[2]}}};
     Py_ssize_t work = 0; /* since the keyboard was looked at */
     int status = 0;
-    for (Py_ssize_t k = 0; k < many && status == 0; k++, row += crew->n + LOADS) {
-        status = crew_loads(crew, wrenches + 3 * k, load, row, &found);
+    for (Py_ssize_t k = 0; k < many && status == 0; k++, row += crew->n + SHARES) {
+        status = crew_shares(crew, wrenches + 3 * k, load, row, &found);
         double *worth = row + crew->n;
         *worth++ = found.needed;
         *worth++ = found.shortfall;
@@ -20,6 +22,7 @@ static int fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const 
             *worth++ = found.normals[c / 3][c % 3];
         for (int c = 0; c < 3; c++)
             *worth++ = found.price[c];
+        *worth = shares_are_proven(crew, wrenches + 3 * k, load, row, &found);
         work += crew->n + 16;
         if (status == 0 && work > ENOUGH) {
             work = 0;
@@ -29,15 +32,15 @@ static int fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const 
     return status;
 }
 
-/* least_loads(generators, wrenches, load) -> bytes */
-static PyObject *least_loads(PyObject *module, PyObject *args) {
+/* least_shares(generators, wrenches, load, start) -> bytes */
+static PyObject *least_shares(PyObject *module, PyObject *args) {
     PyObject *generators, *wrenches, *result = NULL;
     Py_buffer robots, wanted;
-    double load[3];
+    double load[3], start[3] = {0.0};
     (void)module;
-    if (!PyArg_ParseTuple(args, "OO(ddd):least_loads", &generators, &wrenches, load, load + 1,
-                          load + 2)
-        || !are_finite(load) || get_doubles(generators, &robots, 3))
+    if (!PyArg_ParseTuple(args, "OO(ddd)|(ddd):least_shares", &generators, &wrenches, load,
+                          load + 1, load + 2, start, start + 1, start + 2)
+        || !are_finite(load) || !are_finite(start) || get_doubles(generators, &robots, 3))
         return NULL;
     if (get_doubles(wrenches, &wanted, 3)) {
         PyBuffer_Release(&robots);
@@ -46,13 +49,14 @@ static PyObject *least_loads(PyObject *module, PyObject *args) {
     Py_ssize_t n = rows_of(&robots, 3), many = rows_of(&wanted, 3);
     Crew crew = {0};
     int status = 0;
-    if (many > PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + LOADS))
+    if (many > PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + SHARES))
         PyErr_NoMemory();
     else
-        result = PyBytes_FromStringAndSize(NULL, many * (n + LOADS) * (Py_ssize_t)sizeof(double));
+        result = PyBytes_FromStringAndSize(NULL, many * (n + SHARES) * (Py_ssize_t)sizeof(double));
     if (result && (status = crew_room(&crew, robots.buf, n, interrupted)) == 0) {
         leave(n * many > 4096);
-        status = fill_rows(&crew, wanted.buf, many, load, (double *)PyBytes_AsString(result));
+        status = fill_rows(&crew, wanted.buf, many, load, start,
+                           (double *)PyBytes_AsString(result));
         come_back();
     }
     crew_free(&crew);
@@ -66,14 +70,14 @@ static PyObject *least_loads(PyObject *module, PyObject *args) {
 }
 
 static PyMethodDef methods[] = {
-    {"least_loads", least_loads, METH_VARARGS, NULL},
+    {"least_shares", least_shares, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };
 
 static PyModuleDef_Slot slots[] = {{0, NULL}};
 
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, .m_name = "loads", .m_slots = slots, .m_methods = methods,
+    PyModuleDef_HEAD_INIT, .m_name = "shares", .m_slots = slots, .m_methods = methods,
 };
 
-PyMODINIT_FUNC PyInit_loads(void) { return PyModuleDef_Init(&definition); }
+PyMODINIT_FUNC PyInit_shares(void) { return PyModuleDef_Init(&definition); }

@@ -1,0 +1,93 @@
+/* A quick check of shares and of their proof (T18): what the robots make, what the first normal says
+ * of the largest share or of the nearest wrench, and each robot's share. It trusts the sizes of the
+ * arrays and the generators, and nothing that was found. Time grows with the robots. */
+#include "proven.h"
+#include "vectors.h"
+
+#define RELATIVE 5e-10 /* difference that counts as rounding */
+#define OWN 5e-15      /* of the robots' total wrench: what counts as rounding of any wrench */
+#define BLURRED 5e-15  /* relative error of a product of a price and a generator */
+#define FLAT 1e-12     /* cosine within which a generator may be at right angles to a normal */
+
+/* The proof and what is made, in the crew's unit. */
+typedef struct {
+    const Crew *crew;
+    const double *shares;
+    const Shares *found;
+    double top;                       /* the largest share */
+    double wanted[3], made[3], miss[3];
+    double slack;                     /* difference of wrenches that counts as rounding */
+} Audit;
+
+static double height(const Audit *a, const double *normal) {
+    double sum = 0.0;
+    for (ptrdiff_t i = 0; i < a->crew->n; i++)
+        sum += a->crew->sizes[i] * larger(0.0, dot(normal, a->crew->units + 3 * i));
+    return sum;
+}
+
+/* Tell whether no smaller largest share makes the wrench: n . w <= t h(n) for all that do. */
+static int is_needed(const Audit *a) {
+    const double *normal = a->found->normals[0];
+    return a->top * height(a, normal) <= dot(normal, a->wanted) + a->slack;
+}
+
+/* Tell whether no wrench is nearer: all are behind the plane through the one made. */
+static int is_nearest(const Audit *a) {
+    const double *normal = a->found->normals[0];
+    double slack = a->slack + RELATIVE * a->crew->total, along = dot(normal, a->miss), off[3];
+    for (int k = 0; k < 3; k++)
+        off[k] = a->miss[k] - along * normal[k];
+    return height(a, normal) - dot(normal, a->made) <= slack && length(off) <= slack;
+}
+
+/* Tell whether a robot gives what the first normal that its generator is not across says, or what
+ * the price says of one that is across all. */
+static int is_shared(const Audit *a, ptrdiff_t i) {
+    const double *unit = a->crew->units + 3 * i, *price = a->found->price;
+    double size = a->crew->sizes[i], share = a->shares[i];
+    for (int k = 0; k < 3; k++) {
+        const double *normal = a->found->normals[k];
+        double along = dot(normal, unit);
+        if (along != 0.0 && fabs(share - (along > 0.0 ? a->top : 0.0)) <= RELATIVE)
+            return 1;
+        if (fabs(along) > FLAT)
+            return 0;
+    }
+    size = ldexp(size, a->crew->exponent);
+    double fair = smaller(larger(size * dot(price, unit), 0.0), a->top);
+    double most = RELATIVE + BLURRED * size * length(price) + OWN * a->crew->total / a->crew->sizes[i];
+    return size == 0.0 || fabs(share - fair) <= most;
+}
+
+int shares_are_proven(const Crew *crew, const double *wanted, const double *load,
+                     const double *shares, const Shares *found) {
+    Audit a = {.crew = crew, .shares = shares, .found = found};
+    double given = 0.0, distance;
+    for (ptrdiff_t i = 0; i < crew->n; i++) {
+        if (!(shares[i] >= 0.0 && shares[i] <= 1.0))
+            return 0;
+        a.top = larger(a.top, shares[i]);
+        given += shares[i] * crew->sizes[i];
+        for (int k = 0; k < 3; k++)
+            a.made[k] += shares[i] * crew->sizes[i] * crew->units[3 * i + k];
+    }
+    for (int k = 0; k < 3; k++) {
+        a.wanted[k] = ldexp(wanted[k] - load[k], -crew->exponent);
+        a.miss[k] = a.wanted[k] - a.made[k];
+    }
+    a.slack = RELATIVE * (given + length(a.wanted)) + OWN * crew->total;
+    distance = length(a.miss);
+    if (!isfinite(a.slack)) /* a wrench so large that its square is none */
+        return 1;
+    if (!(fabs(distance - ldexp(found->shortfall, -crew->exponent)) <= a.slack))
+        return 0;
+    if (length(found->normals[0]) == 0.0)
+        return a.top == 0.0;
+    if (!(found->shortfall == 0.0 ? is_needed(&a) : is_nearest(&a)))
+        return 0;
+    for (ptrdiff_t i = 0; i < crew->n; i++)
+        if (!is_shared(&a, i))
+            return 0;
+    return 1;
+}
