@@ -3,9 +3,10 @@
 from functools import cache
 
 from swarmgrasp import Newcomer, Outline, Robot, Stretch, Swarm, Zone, place
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.placement import Problem
-from swarmgrasp.placement.document import digest_of, document_of
 from swarmgrasp.verify import verify_document
+from swarmgrasp.verify.digest import digest_of
 
 OUTLINE = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)], edge_names=["s", "e", "n", "w"])
 CREW = [
@@ -27,7 +28,7 @@ def honest_document():
     answer = place(
         SWARM, NEWCOMER, ZONES, no_go=QUESTION.no_go, spacing=QUESTION.spacing, runners_up=0.0
     )
-    return document_of((answer,))
+    return document_of(answer)
 
 
 def judge(document):
@@ -39,3 +40,8 @@ def judge(document):
 def first(document):
     """Return the only placement."""
     return document["placements"][0]
+
+
+def asked(document):
+    """Return its question."""
+    return document["problem"]

@@ -1,5 +1,6 @@
 """Where the next robot should attach to a large object, and which way it should push."""
 
+from swarmgrasp.answer_file import read_answer, write_answer
 from swarmgrasp.capability import Capability, capability
 from swarmgrasp.environment import (
     BLENDERMANN,
@@ -16,6 +17,7 @@ from swarmgrasp.placement import (
     HowMany,
     Move,
     Placement,
+    Placements,
     Problem,
     Relocation,
     Together,
@@ -26,8 +28,6 @@ from swarmgrasp.placement import (
     place_sequence,
     place_together,
     qualities_with,
-    read_answer,
-    write_answer,
 )
 from swarmgrasp.quality import (
     Criterion,
@@ -66,6 +66,7 @@ __all__ = [
     "Newcomer",
     "Outline",
     "Placement",
+    "Placements",
     "Polytope",
     "Problem",
     "Quality",

@@ -69,6 +69,10 @@ class ScenarioInvalid(SwarmGraspError):
     """A scenario file has faults; each carries file, line, column and key."""
 
 
+class DataInvalid(SwarmGraspError):
+    """Plain data do not make the object: keys are missing or unknown, or values are wrong."""
+
+
 class AnswerInvalid(SwarmGraspError):
     """An answer file is malformed, was altered, or claims what its proof does not show."""
 

@@ -96,7 +96,7 @@ def test_json_on_standard_output_is_json_alone(run, pontoon):
     """`--json -` prints the answer file and nothing else."""
     status, said, complaints = run("place", pontoon, "--json", "-")
     assert (status, complaints) == (0, "")
-    assert json.loads(said)["format"] == "swarmgrasp answer 2"
+    assert json.loads(said)["format"] == "swarmgrasp placements 3"
 
 
 def test_files_are_written_and_named(run, pontoon, tmp_path):

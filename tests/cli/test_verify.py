@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from swarmgrasp.placement.document import digest_of
+from swarmgrasp.verify.digest import digest_of
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_a_forged_digest_does_not_help(run, answer, change):
         ("[]", "an answer is a JSON object"),
         ("{}", ": not an answer file; `swarmgrasp place --json` writes one\n"),
         ("name: x", ": not an answer file; `swarmgrasp place --json` writes one\n"),
-        ('{"format": "swarmgrasp answer 2"}', "placements: Field required"),
+        ('{"format": "swarmgrasp placements 3"}', "placements: Field required"),
     ],
 )
 def test_what_is_no_answer_is_malformed(run, tmp_path, text, fault):

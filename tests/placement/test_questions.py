@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from swarmgrasp import Newcomer, Outline, Problem, Robot, Stretch, Swarm, Zone, place_sequence
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import NowhereToAttach
-from swarmgrasp.placement.document import document_of
 from swarmgrasp.verify import verify_document
 
 

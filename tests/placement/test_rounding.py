@@ -23,7 +23,7 @@ from swarmgrasp import (
     qualities_with,
     quality,
 )
-from swarmgrasp.placement.document import document_of
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.verify import verify_document
 from swarmgrasp.verify.digest import digest_of
 

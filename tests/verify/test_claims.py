@@ -6,14 +6,16 @@ import math
 import pytest
 
 from answers import first, honest_document
+from swarmgrasp import read_answer
 from swarmgrasp.errors import AnswerInvalid
-from swarmgrasp.placement import read_answer
 from swarmgrasp.verify import verify_document
 
 TOLERANCE = {
     "contact": [-0.1, 0.1], "direction": [0.0, 0.0], "least_limit": None, "may_be_absent": False
 }  # fmt: skip
-NOTHING = {"rows": [[0.0, 0.0, 0.0]]}
+NOTHING, ONE = [[0.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]]
+SWARM = ("problem", "swarm")
+ROBOT = (*SWARM, "robots", 0)
 
 
 @pytest.fixture
@@ -25,51 +27,73 @@ def document():
 @pytest.mark.parametrize(
     ("where", "value", "says"),
     [
-        (("format",), "swarmgrasp answer 1", "format: Input should be 'swarmgrasp answer 2'"),
-        (("metric", "characteristic_length"), math.nan, "should be a finite number"),
-        (("metric", "characteristic_length"), 0.0, "greater than 0"),
-        (("metric", "characteristic_length"), 5e-324, "should be at least 1e-100"),
-        (("metric", "force_weights"), [1.0], "metric.force_weights"),
-        (("metric", "force_weights"), [-1.0, 1.0], "metric.force_weights"),
-        (("metric", "force_weights"), [0.0, 1.0], "metric.force_weights"),
-        (("outline", "vertices"), [[0, 0], [1, 0]], "at least 3"),
-        (("outline", "vertices"), [[0, 0], [1, 0], [1, math.inf]], "finite"),
-        (("outline", "vertices"), [[1, 1]] * 4, "outline"),
-        (("outline", "vertices"), [[-2, 1], [2, 1], [2, -1], [-2, -1]], "outline"),  # clockwise
-        (("robots", 0, "limit"), "1", "robots.0.limit: Input should be a valid number"),
-        (("robots", 0, "limit"), -1.0, "robots.0.limit"),
-        (("robots", 0, "mounted"), 0, "robots.0.mounted"),
+        (("format",), "swarmgrasp answer 2", "format: Input should be 'swarmgrasp placements 3'"),
+        ((*SWARM, "characteristic_length"), math.nan, "should be a finite number"),
+        ((*SWARM, "characteristic_length"), 0.0, "greater than 0"),
+        ((*SWARM, "characteristic_length"), 5e-324, "should be at least 1e-100"),
+        ((*SWARM, "force_weights"), [1.0], "swarm.force_weights"),
+        ((*SWARM, "force_weights"), [-1.0, 1.0], "swarm.force_weights"),
+        ((*SWARM, "force_weights"), [0.0, 1.0], "swarm.force_weights"),
+        ((*SWARM, "outline", "vertices"), [[0, 0], [1, 0]], "at least 3"),
+        ((*SWARM, "outline", "vertices"), [[0, 0], [1, 0], [1, math.inf]], "finite"),
+        ((*SWARM, "outline", "vertices"), [[1, 1]] * 4, "outline"),
+        (
+            (*SWARM, "outline", "vertices"),
+            [[-2, 1], [2, 1], [2, -1], [-2, -1]],
+            "outline",
+        ),  # clockwise
+        (
+            (*ROBOT, "limit"),
+            "1",
+            "robots.0.limit: Input should be a valid number",
+        ),
+        ((*ROBOT, "limit"), -1.0, "robots.0.limit"),
+        ((*ROBOT, "mounted"), 0, "robots.0.mounted"),
         (("placements",), [], "placements"),
         (("placements", 0, "quality"), True, "placements.0.quality"),
         (("placements", 0, "quality"), 10**400, "placements.0.quality"),
         (("placements", 0, "robot", "contact"), [0.0], "placements.0.robot.contact"),
-        (("placements", 0, "newcomer", "attachment"), "glue", "newcomer.attachment"),
-        (("placements", 0, "newcomer", "half_angle"), 10.0, "half_angle"),
-        (("placements", 0, "zones", 0, "start"), -1.0, "zones.0.start"),
-        (("placements", 0, "zones", 0, "end"), 1e9, "zones.0"),
-        (("placements", 0, "spacing"), 1e308, ""),
+        (("problem", "newcomer", "attachment"), "glue", "newcomer.attachment"),
+        (("problem", "newcomer", "half_angle"), 10.0, "half_angle"),
+        (("problem", "zones", 0, "stretch", "start"), -1.0, "zones.0.stretch.start"),
+        (("problem", "zones", 0, "stretch", "end"), 1e9, "zones.0"),
+        (("problem", "spacing"), 1e308, ""),
         (("placements", 0, "proofs", 0, "normals"), [[1.0, 0.0]], "proofs.0.normals"),
         (("placements", 0, "proofs", 0, "weights"), [], "proofs.0.weights"),
-        (("robots", 0, "tolerance"), {}, "robots.0.tolerance.contact: Field required"),
-        (("robots", 0, "tolerance"), {**TOLERANCE, "contact": [0.1, 0.2]}, "tolerance.contact.0"),
-        (("robots", 0, "tolerance"), {**TOLERANCE, "direction": [0.0, 4.0]}, "direction.1"),
-        (("robots", 0, "tolerance"), {**TOLERANCE, "least_limit": 0.0}, "least_limit"),
-        (("robots", 0, "tolerance"), {**TOLERANCE, "may_be_absent": 1}, "may_be_absent"),
-        (("placements", 0, "criterion"), None, "placements.0.criterion"),
-        (("placements", 0, "criterion", "losing"), -1, "criterion.losing"),
-        (("placements", 0, "criterion", "losing"), 0.5, "criterion.losing"),
-        (("placements", 0, "criterion", "load"), [0.0, 0.0], "criterion.load"),
         (
-            ("placements", 0, "criterion", "task"),
-            {"kind": "ball", "rows": [[1, 0, 0]]},
-            "task.kind",
+            (*ROBOT, "tolerance"),
+            {},
+            "robots.0.tolerance.contact: Field required",
         ),
-        (("placements", 0, "criterion", "task"), {"kind": "polytope", "rows": []}, "task.rows"),
         (
-            ("placements", 0, "criterion", "task"),
-            {**NOTHING, "kind": "ellipsoid"},
-            "at least 1e-100",
+            (*ROBOT, "tolerance"),
+            {**TOLERANCE, "contact": [0.1, 0.2]},
+            "tolerance.contact.0",
         ),
+        (
+            (*ROBOT, "tolerance"),
+            {**TOLERANCE, "direction": [0.0, 4.0]},
+            "direction.1",
+        ),
+        (
+            (*ROBOT, "tolerance"),
+            {**TOLERANCE, "least_limit": 0.0},
+            "least_limit",
+        ),
+        (
+            (*ROBOT, "tolerance"),
+            {**TOLERANCE, "may_be_absent": 1},
+            "may_be_absent",
+        ),
+        (("problem", "criterion"), None, "problem.criterion"),
+        (("problem", "criterion", "losing"), -1, "criterion.losing"),
+        (("problem", "criterion", "losing"), 0.5, "criterion.losing"),
+        (("problem", "criterion", "load"), [0.0, 0.0], "criterion.load"),
+        (("problem", "criterion", "task"), {"ball": [[1, 0, 0]]}, "task.ball: Extra inputs"),
+        (("problem", "criterion", "task"), {"vertices": []}, "task.vertices"),
+        (("problem", "criterion", "task"), {"axes": NOTHING}, "at least 1e-100"),
+        (("problem", "criterion", "task"), {"axes": ONE, "vertices": ONE}, "either"),
+        (("problem", "criterion", "task"), {}, "either"),
         (("digest",), 5, "digest"),
     ],
 )
@@ -86,20 +110,21 @@ def test_a_malformed_entry_is_named(document, where, value, says):
 
 def test_a_mounted_robot_stays_where_it_is(document):
     """It may turn the wrong way, and not drift along the boundary."""
-    document["robots"][0].update(mounted=True, tolerance=TOLERANCE)
+    document["problem"]["swarm"]["robots"][0].update(mounted=True, tolerance=TOLERANCE)
     with pytest.raises(AnswerInvalid, match="a mounted robot's contact has no tolerance"):
         verify_document(document)
 
 
 def test_every_missing_and_every_unknown_entry_is_named(document):
     """All faults at once."""
-    del document["metric"], first(document)["robot"]["limit"]
+    del document["problem"]["swarm"]["outline"], first(document)["robot"]["limit"]
     document["extra"] = first(document)["quality_afterwards"] = 1
     with pytest.raises(AnswerInvalid) as caught:
         verify_document(document)
     named = {fault.partition(":")[0] for fault in caught.value.faults}
     assert named == {
-        "metric", "placements.0.robot.limit", "extra", "placements.0.quality_afterwards"
+        "problem.swarm.outline", "placements.0.robot.limit", "extra",
+        "placements.0.quality_afterwards",
     }  # fmt: skip
 
 

@@ -25,7 +25,7 @@ from swarmgrasp import (
     place,
     place_sequence,
 )
-from swarmgrasp.placement.document import document_of
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.verify import judge as judge_of
 from swarmgrasp.verify import verify_document
 from swarmgrasp.verify.boundary import Boundary
@@ -66,9 +66,9 @@ def honest(name, is_unsure=False):
 
 def recomputed(swarm, **terms):
     """Return the bounds of a swarm's quality by the check."""
-    claims = read_claims(document_of(place(swarm, Newcomer(), **terms)))
-    found = Judge(Boundary(claims.outline), claims.metric, claims.placements[0].criterion)
-    return found.value(found.team(claims.robots), np.zeros((0, 3)))
+    asked = read_claims(document_of(place(swarm, Newcomer(), **terms))).problem
+    found = Judge(Boundary(asked.swarm.outline), asked.swarm, asked.criterion)
+    return found.value(found.team(asked.swarm.robots), np.zeros((0, 3)))
 
 
 # -- honest answers -------------------------------------------------------------------
@@ -144,7 +144,7 @@ def test_a_newcomer_that_misses_its_place_needs_proofs_too():
 
 def _change(key, value):
     def spoil(document):
-        first(document)["criterion"][key] = value
+        document["problem"]["criterion"][key] = value
 
     return spoil
 
@@ -157,31 +157,33 @@ def _scale(key, factor):
 
 
 def _task_scaled(document):
-    task = first(document)["criterion"]["task"]
-    task["rows"] = [[0.99 * number for number in row] for row in task["rows"]]
+    task = document["problem"]["criterion"]["task"]
+    (kind,) = task
+    task[kind] = [[0.99 * number for number in row] for row in task[kind]]
 
 
 def _task_renamed(document):
-    first(document)["criterion"]["task"]["kind"] = "ellipsoid"
+    criterion = document["problem"]["criterion"]
+    criterion["task"] = {"axes": criterion["task"]["vertices"]}
 
 
 def _narrower(document):
-    for robot in document["robots"]:
+    for robot in document["problem"]["swarm"]["robots"]:
         robot["tolerance"]["contact"] = [0.99 * end for end in robot["tolerance"]["contact"]]
 
 
 def _wider(document):
-    for robot in document["robots"]:
+    for robot in document["problem"]["swarm"]["robots"]:
         robot["tolerance"]["direction"] = [1.01 * end for end in robot["tolerance"]["direction"]]
 
 
 def _stronger(document):
-    for robot in document["robots"]:
+    for robot in document["problem"]["swarm"]["robots"]:
         robot["tolerance"]["least_limit"] = 0.71
 
 
 def _absent(document):
-    document["robots"][0]["tolerance"]["may_be_absent"] = True
+    document["problem"]["swarm"]["robots"][0]["tolerance"]["may_be_absent"] = True
 
 
 def _surer(document):
@@ -337,9 +339,9 @@ def test_uncertain_robots_contribute_their_least():
         for k, tolerance in enumerate(tolerances)
     ]
     swarm = Swarm(notched, crew)
-    claims = read_claims(document_of(place(swarm, Newcomer(), worst_case=True)))
-    found = Judge(Boundary(claims.outline), claims.metric, claims.placements[0].criterion)
-    team = found.team(claims.robots)
+    asked = read_claims(document_of(place(swarm, Newcomer(), worst_case=True))).problem
+    found = Judge(Boundary(asked.swarm.outline), asked.swarm, asked.criterion)
+    team = found.team(asked.swarm.robots)
     rng = np.random.default_rng(1)
     normals = rng.normal(size=(20, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import reference
-from answers import CREW, NEWCOMER, OUTLINE, QUESTION, SWARM, first, honest_document, judge
+from answers import CREW, NEWCOMER, OUTLINE, QUESTION, SWARM, asked, first, honest_document, judge
 from swarmgrasp import (
     Newcomer,
     Outline,
@@ -23,10 +23,11 @@ from swarmgrasp import (
     place,
     place_sequence,
     quality,
+    read_answer,
+    write_answer,
 )  # fmt: skip
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
-from swarmgrasp.placement import read_answer, write_answer
-from swarmgrasp.placement.document import document_of
 from swarmgrasp.verify import placement as verify
 from swarmgrasp.verify import verify_document
 
@@ -140,8 +141,8 @@ def test_honest_answers_pass_on_edges_of_any_length(seed):
 
 def test_a_number_written_another_way_is_not_an_alteration(document):
     """2.0 and 2 are the same number."""
-    document["outline"]["origin"] = [0, 0]
-    assert document["outline"]["origin"] == [0.0, 0.0]
+    asked(document)["swarm"]["outline"]["origin"] = [0, 0]
+    assert asked(document)["swarm"]["outline"]["origin"] == [0.0, 0.0]
     assert verify_document(document)
 
 
@@ -182,32 +183,32 @@ def _bent(d):
 
 
 def _zone(d):
-    first(d)["zones"][0]["end"] += 0.5
+    asked(d)["zones"][0]["stretch"]["end"] += 0.5
 
 
 def _zone_away(d):
-    first(d)["zones"][0].update(start=0.0, end=3.0)
-    first(d)["zones"].pop()
+    asked(d)["zones"][0]["stretch"].update(start=0.0, end=3.0)
+    asked(d)["zones"].pop()
 
 
 def _everywhere(d):
-    first(d)["zones"] = None
+    asked(d)["zones"] = None
 
 
 def _wider(d):
-    first(d)["newcomer"]["half_angle"] = 1.5
+    asked(d)["newcomer"]["half_angle"] = 1.5
 
 
 def _stronger(d):
-    first(d)["newcomer"]["limit"] = first(d)["robot"]["limit"] = 1.1
+    asked(d)["newcomer"]["limit"] = first(d)["robot"]["limit"] = 1.1
 
 
 def _limit(d):
-    first(d)["newcomer"]["limit"] = 1.1
+    asked(d)["newcomer"]["limit"] = 1.1
 
 
 def _spacing(d):
-    first(d)["spacing"] = 4.0
+    asked(d)["spacing"] = 4.0
 
 
 def _runner(d):
@@ -219,24 +220,24 @@ def _before(d):
 
 
 def _crew(d):
-    for robot in d["robots"]:
+    for robot in asked(d)["swarm"]["robots"]:
         robot["limit"] *= 1.001
 
 
 def _object(d):
-    d["outline"]["vertices"][2][0] += 0.5
+    asked(d)["swarm"]["outline"]["vertices"][2][0] += 0.5
 
 
 def _origin(d):
-    d["outline"]["origin"][0] += 1e-3
+    asked(d)["swarm"]["outline"]["origin"][0] += 1e-3
 
 
 def _metric(d):
-    d["metric"]["characteristic_length"] *= 1.001
+    asked(d)["swarm"]["characteristic_length"] *= 1.001
 
 
 def _weights(d):
-    d["metric"]["force_weights"][1] = 1.01
+    asked(d)["swarm"]["force_weights"][1] = 1.01
 
 
 def _mounted(d):
@@ -244,7 +245,7 @@ def _mounted(d):
 
 
 def _name(d):
-    d["robots"][0]["name"] = "Zoe"
+    asked(d)["swarm"]["robots"][0]["name"] = "Zoe"
 
 
 TAMPERINGS = [
@@ -294,7 +295,7 @@ def _hopeless(d):
 
 
 def _overboard(d):
-    d["robots"][0].update(contact=[-1.5, -51.0], mounted=True)
+    asked(d)["swarm"]["robots"][0].update(contact=[-1.5, -51.0], mounted=True)
 
 
 def _twice(d):
@@ -338,7 +339,7 @@ def test_a_forgery_is_refused_by_more_than_its_digest(document, spoil):
 )
 def test_no_giant_lends_a_claim_its_rounding(document, giant, claimed):
     """Beside a robot that is much stronger a claim is refused, or said not to be checked."""
-    document["robots"].append({**document["robots"][0], **giant})
+    asked(document)["swarm"]["robots"].append({**asked(document)["swarm"]["robots"][0], **giant})
     claim = first(document)
     claim.update(runners_up=[], improves=False)
     claim.update(quality_before=claimed, quality=claimed, upper_bound=claimed)
@@ -360,8 +361,8 @@ def test_a_true_answer_beside_a_giant_says_how_far_it_is_checked():
 
 def test_numbers_whose_squares_overflow_are_refused(document):
     """Nothing near them can be checked, so that anything would pass."""
-    document["metric"]["characteristic_length"] = 1e-100
-    first(document)["criterion"]["load"] = [1e100, 0.0, 1e100]
+    asked(document)["swarm"]["characteristic_length"] = 1e-100
+    asked(document)["criterion"]["load"] = [1e100, 0.0, 1e100]
     with pytest.raises(AnswerInvalid, match="too large to be squared"):
         judge(document)
 
@@ -385,7 +386,7 @@ def test_the_other_placements_of_a_sequence_count():
 
 def test_no_gain_is_no_improvement():
     """A robot that adds nothing may not be said to improve the swarm."""
-    document = document_of((place(Swarm(OUTLINE, CREW[:2]), NEWCOMER),))
+    document = document_of(place(Swarm(OUTLINE, CREW[:2]), NEWCOMER))
     assert judge(document)
     first(document)["improves"] = True
     assert "the newcomer is said to improve" in judge(document).faults[0]
@@ -394,12 +395,13 @@ def test_no_gain_is_no_improvement():
 def _worse(document):
     """Replace the robot by a worse one with its true quality, said to be the best."""
     claim = first(document)
-    claim["zones"], claim["no_go"], claim["spacing"], claim["runners_up"] = None, [], 0.0, []
+    asked(document).update(zones=None, no_go=[], spacing=0.0)
+    claim["runners_up"] = []
     claim["robot"].update(contact=[0.0, -1.0], direction=math.pi / 2)
-    rows = [*document["robots"], claim["robot"]]
+    rows = [*asked(document)["swarm"]["robots"], claim["robot"]]
     B = reference.generators(
         [r["contact"] for r in rows], [r["direction"] for r in rows], [r["limit"] for r in rows],
-        document["outline"]["origin"], SWARM.scale,
+        asked(document)["swarm"]["outline"]["origin"], SWARM.scale,
     )  # fmt: skip
     claim["quality"] = claim["upper_bound"] = reference.quality(B)
     claim["improves"] = claim["quality"] > claim["quality_before"] + 1e-9
@@ -433,15 +435,12 @@ def test_a_forged_proof_proves_nothing(document, proof):
 def test_no_cell_of_length_zero_hides_the_others(document):
     """A repeated vertex with a bollard on it does not make the bound undefined."""
     _worse(document)
-    for robot in document["robots"]:
+    for robot in asked(document)["swarm"]["robots"]:
         robot["mounted"] = True
-    document["outline"]["vertices"].insert(1, [2.0, -1.0])
-    document["outline"]["edge_names"].append("")
-    bollard = {"start": 4.0, "end": 4.0, "name": "", "attachment": None}
-    first(document)["zones"] = [
-        {**bollard, "half_angle": None, "directions": None},
-        {**bollard, "start": 0.0, "half_angle": None, "directions": None},
-    ]
+    asked(document)["swarm"]["outline"]["vertices"].insert(1, [2.0, -1.0])
+    asked(document)["swarm"]["outline"]["edge_names"].append("")
+    bollards = Zone(Stretch(4.0, 4.0)), Zone(Stretch(0.0, 4.0))
+    asked(document)["zones"] = [bollard.to_data() for bollard in bollards]
     with contextlib.suppress(AnswerInvalid):
         assert not judge(document)
 

@@ -4,7 +4,7 @@ import pytest
 
 from cases import rounded_tank
 from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
-from swarmgrasp.placement.document import document_of
+from swarmgrasp.answer_file import document_of
 from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.claims import read_claims
 from swarmgrasp.verify.rounding import noise_of
@@ -20,7 +20,7 @@ BOARD = Robot(SPOTS[1].point, SPOTS[1].inward, mounted=True)
 )
 def test_the_check_finds_the_swarms_noise(swarm):
     """By code that shares nothing with the swarm's."""
-    claims = read_claims(document_of(place(swarm, Newcomer(limit=1.0))))
-    found = noise_of(claims.robots, Boundary(claims.outline), swarm.scale)
+    claim = read_claims(document_of(place(swarm, Newcomer(limit=1.0)))).problem.swarm
+    found = noise_of(claim.robots, Boundary(claim.outline), swarm.scale)
     assert found == pytest.approx(swarm.noise, rel=1e-9)
     assert found > 0.0

@@ -70,14 +70,13 @@ def count(
             f"{source_of(file)}:1:1: there is no newcomer to count; add one, such as "
             "`newcomer: {limit: 1000, attachment: push}`"
         )
-    from swarmgrasp.cli.gains import problem_of
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 
     steps = EFFORT if effort is None else int(effort)
 
     try:
-        problem = problem_of(scenario, criterion)
+        problem = scenario.problem(criterion)
         found = how_many(problem, quality, most=int(most), effort=steps)
     except SwarmGraspError as error:
         source = source_of(file)

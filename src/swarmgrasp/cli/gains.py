@@ -5,27 +5,13 @@ from typing import Any
 from swarmgrasp.cli.report import Column, Forces, Lengths, Report, percent
 from swarmgrasp.cli.words import degrees, stance
 from swarmgrasp.outline import Outline
-from swarmgrasp.placement import Problem, Together
-from swarmgrasp.quality import Criterion
-from swarmgrasp.scenario import Scenario
-from swarmgrasp.swarm import Newcomer, Robot
+from swarmgrasp.placement import Together
+from swarmgrasp.swarm import Robot
 
 SAME = 1e-9
 """Relative difference of two qualities that is none."""
 FINE = 1e-6
 """Relative difference, 0.0001 %, below which it is not told to the digit."""
-
-
-def problem_of(scenario: Scenario, criterion: Criterion) -> Problem:
-    """Return the question where a scenario's newcomer goes; anywhere if it has none."""
-    return Problem(
-        scenario.swarm,
-        scenario.newcomer or Newcomer(),
-        scenario.zones,
-        scenario.no_go,
-        scenario.spacing,
-        criterion,
-    )
 
 
 def change(before: float, after: float, unit: Forces) -> str:

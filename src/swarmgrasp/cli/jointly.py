@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from swarmgrasp.cli.criteria import criterion_data, unit_for
-from swarmgrasp.cli.gains import change, problem_of, proven, robots_data, show_robots
+from swarmgrasp.cli.gains import change, proven, robots_data, show_robots
 from swarmgrasp.cli.inputs import UsageFault, source_of
 from swarmgrasp.cli.report import ALONG, NOTES, Mood, Report
 from swarmgrasp.errors import SwarmGraspError
@@ -24,7 +24,7 @@ def solve(
         If the scenario leaves them no place.
     """
     try:
-        return place_together(problem_of(scenario, criterion), robots, gap=gap, effort=effort)
+        return place_together(scenario.problem(criterion), robots, gap=gap, effort=effort)
     except SwarmGraspError as error:
         raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
 

@@ -55,11 +55,10 @@ def move(
     """
     scenario = read_scenario(file, losing_faults(losing) + json_faults(json))
     criterion = criterion_of(scenario, file, losing, worst_case)
-    from swarmgrasp.cli.gains import problem_of
     from swarmgrasp.placement import best_move
 
     try:
-        found = best_move(problem_of(scenario, criterion))
+        found = best_move(scenario.problem(criterion))
     except SwarmGraspError as error:
         source = source_of(file)
         raise UsageFault(f"{source}:1:1: {fault}" for fault in error.faults) from error

@@ -25,7 +25,7 @@ from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
-    from swarmgrasp.placement import Placement
+    from swarmgrasp.placement import Placements
     from swarmgrasp.quality import Criterion
     from swarmgrasp.scenario import Scenario
 
@@ -98,18 +98,18 @@ def place(
     # files first: whoever reads the report may leave before its end
     written: list[str | Path] = []
     if json not in (None, DASH):
-        from swarmgrasp.placement import write_answer
+        from swarmgrasp.answer_file import write_answer
 
-        write_answer(str(json), answers)
+        write_answer(str(json), answers, scenario.name)
         written.append(str(json))
     if plot is not None:
         from swarmgrasp.cli.pictures import pictures
 
         written += pictures(_beside(plot), scenario.swarm, answers, criterion)
     if json == DASH:
-        from swarmgrasp.placement.document import answer_text
+        from swarmgrasp.answer_file import document_of, document_text
 
-        print_json(answer_text(answers))
+        print_json(document_text(document_of(answers, scenario.name)))
     else:
         from swarmgrasp.cli.placed import show
 
@@ -147,7 +147,7 @@ def solve(
     gap: float = 1e-6,
     runners_up: float = 0.9,
     criterion: "Criterion | None" = None,
-) -> "tuple[Placement, ...]":
+) -> "Placements":
     """Place a scenario's newcomer.
 
     Parameters
@@ -166,12 +166,11 @@ def solve(
         If the scenario has no newcomer, leaves it no place, or has a robot of its name.
     """
     check_newcomer(scenario, file, robots)
-    from swarmgrasp.cli.gains import problem_of
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import place_sequence
 
     try:
-        problem = problem_of(scenario, criterion or scenario.criterion)
+        problem = scenario.problem(criterion)
         with shown_progress(robots) as progress:
             return place_sequence(
                 problem, robots, gap=gap, runners_up=runners_up, progress=progress

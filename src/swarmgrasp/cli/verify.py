@@ -71,8 +71,7 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
 
 def _read(answer: str) -> dict[str, Any]:
     """Read an answer from a file or from standard input; tell at once what is none."""
-    from swarmgrasp.placement import parse_answer, read_answer
-    from swarmgrasp.placement.document import LARGEST_FILE
+    from swarmgrasp.answer_file import LARGEST_FILE, format_of, parse_answer, read_answer
 
     name = source_of(answer)
     no_answer = f"{name}: not an answer file; `swarmgrasp place --json` writes one"
@@ -84,13 +83,14 @@ def _read(answer: str) -> dict[str, Any]:
     except AnswerInvalid as error:
         readable = answer == DASH or (os.access(answer, os.R_OK) and not Path(answer).is_dir())
         raise AnswerInvalid([*[no_answer][: int(readable)], *error.faults]) from None
-    if "sequential" in document and "format" not in document:
-        raise AnswerInvalid(
-            f"{name}: robots placed together carry no proof that could be checked; their bound is "
-            "the word of the search"
-        )
-    if not str(document.get("format")).startswith("swarmgrasp answer "):
+    kind = str(document.get("format"))
+    if not kind.startswith("swarmgrasp "):
         raise AnswerInvalid(no_answer)
+    if kind != format_of("placements"):
+        raise AnswerInvalid(
+            f"{name}: the format is {kind!r}, which carries no proof that could be checked here; "
+            f"{format_of('placements')!r} does, which `swarmgrasp place --json` writes"
+        )
     return document
 
 
@@ -135,12 +135,11 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         return
     report.blank()
     placements = document["placements"]
-    questions = list(map(_questions, placements))
-    is_one = all(asked == questions[0] for asked in questions)
-    facts = questions[0] if is_one else []
-    for claim, bound, asked in zip(placements, verdict.upper_bounds, questions, strict=True):
+    problem = document["problem"]
+    facts = _questions(problem)
+    for claim, bound in zip(placements, verdict.upper_bounds, strict=True):
         unit = Forces.for_size(claim["quality"], bound)
-        if claim["criterion"]["task"]:
+        if problem["criterion"]["task"]:
             unit = Forces(1.0, "times the task")
         robot = claim["robot"]
         x, y = robot["contact"]
@@ -149,7 +148,6 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         near = f"the answer is at most {percent(gap)} below the best possible"
         near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
         facts += [
-            *([] if is_one else asked),
             (robot["name"], f"at ({x:.6g}, {y:.6g}) m, {degrees(robot['direction'])} deg"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
@@ -167,7 +165,7 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
         "Checked is the answer to the question in the file, not whether the file asks your "
         "question; reasons given in words are not checked."
     )
-    metric = document["metric"]
+    metric = problem["swarm"]
     a1, a2 = metric["force_weights"]
     report.note(
         f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
@@ -175,10 +173,10 @@ def show(name: str, document: dict[str, Any], verdict: "Verdict") -> None:
     )
 
 
-def _questions(claim: dict[str, Any]) -> list[tuple[str, str]]:
-    """Return as facts what a placement was asked, and by what criterion if not as things stand."""
-    words = criterion_words(claim["criterion"])
-    return [("Question", _question(claim)), *([("", f"quality {words}")] if words else [])]
+def _questions(problem: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return as facts what was asked, and by what criterion if not as things stand."""
+    words = criterion_words(problem["criterion"])
+    return [("Question", _question(problem)), *([("", f"quality {words}")] if words else [])]
 
 
 def criterion_words(criterion: dict[str, Any]) -> str:
@@ -197,16 +195,17 @@ def criterion_words(criterion: dict[str, Any]) -> str:
     x, y, torque = criterion["load"]
     if (x, y, torque) != (0.0, 0.0, 0.0):
         parts.append(f"beside a load of ({x:.6g}, {y:.6g}) N and {torque:.6g} N m")
-    if task and task["kind"] == "polytope":
-        parts.append(f"relative to a polytope of {_count(len(task['rows']), 'wrench', 'wrenches')}")
+    if task and "vertices" in task:
+        wrenches = _count(len(task["vertices"]), "wrench", "wrenches")
+        parts.append(f"relative to a polytope of {wrenches}")
     elif task:
-        parts.append(f"relative to an ellipsoid of {_count(len(task['rows']), 'axis', 'axes')}")
+        parts.append(f"relative to an ellipsoid of {_count(len(task['axes']), 'axis', 'axes')}")
     return ", ".join(parts)
 
 
-def _question(claim: dict[str, Any]) -> str:
-    """Say what a placement was asked: the newcomer, and where it may attach."""
-    newcomer, zones = claim["newcomer"], claim["zones"]
+def _question(problem: dict[str, Any]) -> str:
+    """Say what was asked: the newcomer, and where it may attach."""
+    newcomer, zones = problem["newcomer"], problem["zones"]
     limit = Forces.for_size(newcomer["limit"]).text(newcomer["limit"])
     attachment, half = newcomer["attachment"], newcomer["half_angle"]
     way = "pushing any way" if attachment == "free" else f"{attachment}ing"
@@ -214,8 +213,8 @@ def _question(claim: dict[str, Any]) -> str:
         within = 90.0 if half is None else math.degrees(half)
         way += f" within {within:.4g} deg of the normal"
     where = "the whole boundary" if zones is None else _count(len(zones), "zone")
-    spacing = f"spacing {claim['spacing']:.6g} m" if claim["spacing"] else "no spacing"
-    no_go = _count(len(claim["no_go"]), "no-go stretch", "no-go stretches")
+    spacing = f"spacing {problem['spacing']:.6g} m" if problem["spacing"] else "no spacing"
+    no_go = _count(len(problem["no_go"]), "no-go stretch", "no-go stretches")
     return f"a robot of {limit}, {way}; {where}, {no_go}, {spacing}"
 
 

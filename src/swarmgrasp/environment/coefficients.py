@@ -7,10 +7,11 @@ from typing import Final
 
 from swarmgrasp.environment.limits import COEFFICIENT, CROSS_FORCE
 from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.plain import Plain
 
 
 @dataclass(frozen=True)
-class WindCoefficients:
+class WindCoefficients(Plain):
     """Blendermann's coefficients of what a vessel shows to the wind.
 
     Attributes
@@ -52,7 +53,7 @@ class WindCoefficients:
 
 
 @dataclass(frozen=True)
-class CurrentCoefficients:
+class CurrentCoefficients(Plain):
     """Drag coefficients of the underwater hull; those of DNV-ST-0111 for a ship by default.
 
     Attributes

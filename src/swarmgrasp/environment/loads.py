@@ -14,13 +14,14 @@ from swarmgrasp.environment.coefficients import SHIP, CurrentCoefficients, WindC
 from swarmgrasp.environment.limits import AREA, BEARING, DENSITY, DYNAMIC_FACTOR, OFFSET, SPEED
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.outline import Outline
+from swarmgrasp.plain import Plain
 
 AIR, WATER = 1.226, 1026.0
 """Densities [kg/m^3] of air and sea water, those of DNV-ST-0111."""
 
 
 @dataclass(frozen=True)
-class Wind:
+class Wind(Plain):
     """What the object shows to the wind, and perhaps a wind.
 
     Attributes
@@ -112,7 +113,7 @@ class Wind:
 
 
 @dataclass(frozen=True)
-class Current:
+class Current(Plain):
     """What the object shows to the current, and the current.
 
     Attributes
@@ -188,7 +189,7 @@ class Current:
 
 
 @dataclass(frozen=True)
-class Environment:
+class Environment(Plain):
     """Wind and current around an object.
 
     Attributes

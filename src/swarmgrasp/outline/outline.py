@@ -19,6 +19,7 @@ from swarmgrasp.outline.polygon import (
     signed_area,
 )
 from swarmgrasp.outline.precision import written_precision
+from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import name_faults, numbers
 
 BOUNDARY_TOLERANCE = 1e-6
@@ -26,7 +27,7 @@ BOUNDARY_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
-class Contact:
+class Contact(Plain):
     """A point on the boundary.
 
     Attributes
@@ -51,7 +52,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class Stretch(Plain):
     """A stretch of the boundary, counter-clockwise from `start` to `end`.
 
     Attributes
@@ -85,7 +86,7 @@ class Stretch:
 
 
 @dataclass(frozen=True, eq=False)
-class Outline:
+class Outline(Plain):
     """A simple polygon, convex or not, with the point that moments are taken about.
 
     Vertices may be given in either orientation; they are kept counter-clockwise, with

@@ -1,8 +1,7 @@
 """Where the next robot goes, with a proof that no place is better."""
 
-from swarmgrasp.placement.answer import Placement, RunnerUp
+from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.certificate import Certificate, Proof
-from swarmgrasp.placement.document import parse_answer, read_answer, write_answer
 from swarmgrasp.placement.many import cell_qualities, qualities_with
 from swarmgrasp.placement.place import place, place_sequence
 from swarmgrasp.placement.problem import Problem
@@ -21,6 +20,7 @@ __all__ = [
     "HowMany",
     "Move",
     "Placement",
+    "Placements",
     "Problem",
     "Proof",
     "Relocation",
@@ -29,11 +29,8 @@ __all__ = [
     "best_move",
     "cell_qualities",
     "how_many",
-    "parse_answer",
     "place",
     "place_sequence",
     "place_together",
     "qualities_with",
-    "read_answer",
-    "write_answer",
 ]

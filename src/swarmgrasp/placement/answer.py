@@ -1,13 +1,19 @@
 """The answer to a placement: the robot, what it adds, and the proof."""
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, fields
 from functools import cached_property
+from itertools import pairwise
+from typing import Any, Self
 
+from swarmgrasp.answer_file import document_of
+from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
+from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.verify import Verdict, verify_document
@@ -32,7 +38,7 @@ def relative_gap(upper_bound: float, quality: float) -> float:
 
 
 @dataclass(frozen=True)
-class RunnerUp:
+class RunnerUp(Plain):
     """The best robot in another place.
 
     Attributes
@@ -50,7 +56,7 @@ class RunnerUp:
 
 
 @dataclass(frozen=True, eq=False)
-class Placement:
+class Placement(Answer):
     """Where the newcomer goes.
 
     Attributes
@@ -68,6 +74,8 @@ class Placement:
         What no allowed robot exceeds.
     asked_gap : float
         The `gap` at which the search was to end.
+    asked_runners_up : float, optional
+        The share of the best quality from which on other places were to be told.
     stopped_early : bool
         Whether the search ran out of its budget before coming so near. The bound holds all
         the same.
@@ -86,10 +94,13 @@ class Placement:
     opposite: float
     upper_bound: float
     asked_gap: float
+    asked_runners_up: float | None
     stopped_early: bool
     improves: bool
     runners_up: tuple[RunnerUp, ...]
     _found: Optimum = field(repr=False)
+
+    kind = "placements"
 
     @property
     def quality_before(self) -> float:
@@ -150,6 +161,62 @@ class Placement:
             True in a condition when all claims hold; its faults say which do not. The
             reason is prose and is not checked.
         """
-        from swarmgrasp.placement.document import document_of
-
         return verify_document(document_of(self))
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data: as of a sequence of one."""
+        return Placements((self,)).to_data()
+
+    def _found_data(self) -> dict[str, Any]:
+        """Return the answer without its question as plain data."""
+        return {
+            **picked(
+                self, "robot", "place", "quality_before", "quality", "upper_bound", "asked_gap",
+                "asked_runners_up", "stopped_early", "improves", "reason", "runners_up",
+            ),
+            "proofs": plain(self.certificate.proofs),
+        }  # fmt: skip
+
+
+class Placements(tuple[Placement, ...], Answer):
+    """Newcomers of one kind placed one after the other: each finds the robots of those before it.
+
+    Raises
+    ------
+    AnswerInvalid
+        If there is none, or they do not follow one from the other.
+    """
+
+    kind = "placements"
+
+    def __new__(cls, answers: Iterable[Placement]) -> Self:
+        """Check that they follow one from the other."""
+        made = super().__new__(cls, answers)
+        if not made:
+            raise AnswerInvalid("there is no answer to write")
+        for before, after in pairwise(made):
+            left = before.swarm_after
+            if after.problem.swarm is not left and after.problem.swarm.robots != left.robots:
+                raise AnswerInvalid(
+                    f"{after.robot.name or 'a robot'} was placed in another swarm than the one "
+                    f"that {before.robot.name or 'the robot before it'} joined: write them apart"
+                )
+            if _asked(after) != _asked(before):
+                raise AnswerInvalid(
+                    f"{after.robot.name or 'a robot'} answers another question than "
+                    f"{before.robot.name or 'the robot before it'}: write them apart"
+                )
+        return made
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the first one's question, and what was found of each, as plain data."""
+        return {
+            "problem": self[0].problem.to_data(),
+            "placements": [answer._found_data() for answer in self],
+        }
+
+
+def _asked(answer: Placement) -> list[object]:
+    """Return what was asked of a swarm."""
+    problem = answer.problem
+    return [getattr(problem, part.name) for part in fields(problem) if part.name != "swarm"]

@@ -9,7 +9,7 @@ import numpy as np
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.outline import Stretch
-from swarmgrasp.placement.answer import Placement, RunnerUp
+from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.optimum import Best, Optimum, search_for
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
@@ -103,7 +103,7 @@ def place_sequence(
     gap: float = 1e-6,
     runners_up: float | None = None,
     progress: Callable[[int], object] | None = None,
-) -> tuple[Placement, ...]:
+) -> Placements:
     """Place several newcomers of one kind, one after the other.
 
     Each is optimal given those before it; together they need not be (T17).
@@ -121,8 +121,8 @@ def place_sequence(
 
     Returns
     -------
-    tuple of Placement
-        Each with the swarm it found as its problem's swarm.
+    Placements
+        A tuple of them, each with the swarm it found as its problem's swarm.
 
     Raises
     ------
@@ -166,7 +166,7 @@ def place_sequence(
         answers.append(placing.placement(runners_up, index if count > 1 else None))
         if progress is not None:
             progress(index)
-    return tuple(answers)
+    return Placements(answers)
 
 
 class _Placing:
@@ -210,6 +210,7 @@ class _Placing:
             opposite=search.opposite,
             upper_bound=max(upper_bound, winner.quality),
             asked_gap=self.gap,
+            asked_runners_up=fraction,
             stopped_early=upper_bound > asked_for,
             improves=improves,
             runners_up=tuple(sorted((r for r, _ in runners), key=lambda r: -r.quality)),

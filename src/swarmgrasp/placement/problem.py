@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from swarmgrasp.errors import ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
+from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 
 
 @dataclass(frozen=True, eq=False)
-class Problem:
+class Problem(Plain):
     """One newcomer looking for a place.
 
     Attributes

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
 from swarmgrasp.ranges import STRONGEST, numbers
 from swarmgrasp.swarm import Swarm
@@ -25,7 +26,7 @@ class Terms(TypedDict, total=False):
 
 
 @dataclass(frozen=True)
-class Criterion:
+class Criterion(Plain):
     """What quality means: how much of a task is left in the worst of cases.
 
     Quality is min over n of H(n) / D(n), where H adds up what each robot certainly contributes

@@ -7,12 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.plain import Plain
 from swarmgrasp.products import weighted
 from swarmgrasp.ranges import STRONGEST, WEAKEST
 
 
 @dataclass(frozen=True, eq=False)
-class Polytope:
+class Polytope(Plain):
     """The convex hull of some wrenches and of no wrench at all.
 
     One wrench asks how far the swarm can go in that direction; several, what it can do in all
@@ -58,7 +59,7 @@ class Polytope:
 
 
 @dataclass(frozen=True, eq=False)
-class Ellipsoid:
+class Ellipsoid(Plain):
     """An ellipsoid of wrenches around no wrench: all sum x_k a_k with sum x_k^2 <= 1.
 
     Parameters

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Stretch
+from swarmgrasp.placement import Problem
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 
@@ -43,3 +44,20 @@ class Scenario:
     spacing: float
     environment: Environment | None = None
     criterion: Criterion = NOMINAL
+
+    def problem(self, criterion: Criterion | None = None) -> Problem:
+        """Return the question where the newcomer goes; one that may go anywhere if there is none.
+
+        Parameters
+        ----------
+        criterion : Criterion, optional
+            Instead of the scenario's own.
+        """
+        return Problem(
+            self.swarm,
+            self.newcomer or Newcomer(),
+            self.zones,
+            self.no_go,
+            self.spacing,
+            criterion or self.criterion,
+        )

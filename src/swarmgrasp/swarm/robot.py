@@ -6,6 +6,7 @@ from typing import Literal, get_args
 
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
+from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import angles, limit_faults, name_faults, numbers
 from swarmgrasp.swarm.tolerance import Tolerance
 
@@ -18,7 +19,7 @@ SAME_ANGLE = 1e-9
 
 
 @dataclass(frozen=True)
-class Robot:
+class Robot(Plain):
     """A robot that pushes one way, and only so hard.
 
     Attributes
@@ -77,7 +78,7 @@ class Robot:
 
 
 @dataclass(frozen=True)
-class Newcomer:
+class Newcomer(Plain):
     """The robot to place: how hard it can push and which way it may.
 
     Attributes
@@ -124,7 +125,7 @@ class Newcomer:
 
 
 @dataclass(frozen=True)
-class Zone:
+class Zone(Plain):
     """A part of the boundary where a newcomer may attach, and how it may push there.
 
     Attributes

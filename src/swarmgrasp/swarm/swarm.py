@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid
 from swarmgrasp.outline import Outline
+from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import STRONGEST, WEAKEST, numbers
 from swarmgrasp.swarm.columns import (
     NAMELESS,
@@ -31,7 +32,7 @@ Tolerances = Mapping[int, Tolerance]
 
 
 @dataclass(frozen=True, eq=False)
-class Swarm:
+class Swarm(Plain):
     """Robots in contact with an object.
 
     Kept as read-only arrays, so that there may be a million of them: see `from_arrays`.

@@ -4,11 +4,12 @@ import math
 from dataclasses import dataclass
 
 from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import limit_faults, numbers
 
 
 @dataclass(frozen=True)
-class Tolerance:
+class Tolerance(Plain):
     """How far a robot's pose and strength may be from what they are said to be.
 
     Attributes

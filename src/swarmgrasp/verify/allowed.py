@@ -16,7 +16,7 @@ from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.recompute import Array, covers, labels_of, sides_of
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import PlacementClaim, RobotClaim, ZoneClaim
+    from swarmgrasp.verify.claims import ProblemClaim, RobotClaim, ZoneClaim
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Piece:
 class Allowed:
     """What a placement's question allows, beside the robots already there."""
 
-    claim: "PlacementClaim"
+    asked: "ProblemClaim"
     boundary: Boundary
     present: "list[RobotClaim]"
 
@@ -44,7 +44,7 @@ class Allowed:
         """Yield the allowed contacts and directions, edge by edge and side by side."""
         boundary = self.boundary
         lap, sliver = boundary.perimeter, boundary.sliver
-        zones = [None] if self.claim.zones is None else self.claim.zones
+        zones = [None] if self.asked.zones is None else self.asked.zones
         labels = labels_of(zones)
         for edge, (length, base) in enumerate(zip(boundary.lengths, boundary.arcs, strict=False)):
             p, q = boundary.edge(edge)
@@ -56,7 +56,7 @@ class Allowed:
                     if not self.has(zone, middle, lap, 0.5 * (start + end)):
                         continue
                     place = label or boundary.names[edge] or f"edge {edge}"
-                    for lo, hi in sides_of(self.claim, zone, inward):
+                    for lo, hi in sides_of(self.asked, zone, inward):
                         yield Piece(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * sliver)
 
     def spans(
@@ -68,10 +68,10 @@ class Allowed:
         as a bollard, they are its places on the edge.
         """
         length, near = float(np.linalg.norm(q - p)), self.boundary.near
-        stretches = [*self.claim.no_go, *([] if zone is None else [zone])]
-        is_point = zone is not None and zone.start == zone.end
+        stretches = [*self.asked.no_go, *([] if zone is None else [zone.stretch])]
+        is_point = zone is not None and zone.stretch.is_point
         cuts = set() if is_point else {0.0, length, *self.spacing_cuts(p, q)}
-        for stretch in [zone] if is_point and zone else stretches:
+        for stretch in [zone.stretch] if is_point and zone else stretches:
             for arc in (stretch.start, stretch.end):
                 for turn in (-perimeter, 0.0, perimeter):
                     at = arc + turn - base
@@ -82,7 +82,7 @@ class Allowed:
 
     def spacing_cuts(self, p: Array, q: Array) -> Iterator[float]:
         """Yield where the circles around the robots cross an edge [m from its start]."""
-        length, spacing = float(np.linalg.norm(q - p)), self.claim.spacing
+        length, spacing = float(np.linalg.norm(q - p)), self.asked.spacing
         for robot in self.present if spacing > 0.0 else []:
             if not robot.mounted:
                 d, from_p = (q - p) / length, np.array(robot.contact) - p
@@ -95,12 +95,12 @@ class Allowed:
     def has(self, zone: "ZoneClaim | None", arc: float, perimeter: float, point: Array) -> bool:
         """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
         sliver = self.boundary.sliver
-        is_point = zone is not None and zone.start == zone.end  # then the contact is its own
-        if zone and not is_point and not covers(zone, arc, perimeter, sliver):
+        is_point = zone is not None and zone.stretch.is_point  # then the contact is its own
+        if zone and not is_point and not covers(zone.stretch, arc, perimeter, sliver):
             return False
-        if any(covers(stretch, arc, perimeter, -sliver) for stretch in self.claim.no_go):
+        if any(covers(stretch, arc, perimeter, -sliver) for stretch in self.asked.no_go):
             return False
-        spacing = self.claim.spacing - sliver
+        spacing = self.asked.spacing - sliver
         return all(
             robot.mounted or float(np.linalg.norm(point - np.array(robot.contact))) >= spacing
             for robot in self.present

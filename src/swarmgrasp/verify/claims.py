@@ -79,10 +79,16 @@ class StretchClaim(_Form):
     end: Size
     name: str
 
+    @property
+    def is_point(self) -> bool:
+        """Whether it is a single point, such as a bollard."""
+        return self.start == self.end
 
-class ZoneClaim(StretchClaim):
+
+class ZoneClaim(_Form):
     """Where a newcomer may attach, and how."""
 
+    stretch: StretchClaim
     attachment: Literal["push", "pull", "free"] | None
     half_angle: HalfAngle | None
     directions: tuple[Angle, Angle] | None
@@ -99,17 +105,24 @@ class NewcomerClaim(_Form):
 
 
 class TaskClaim(_Form):
-    """Wrenches that the swarm should be able to make: vertices, or axes."""
+    """Wrenches that the swarm should be able to make: vertices of a polytope, or axes."""
 
-    kind: Literal["polytope", "ellipsoid"]
-    rows: list[Wrench] = Field(min_length=1)
+    vertices: list[Wrench] = Field([], min_length=1)
+    axes: list[Wrench] = Field([], min_length=1)
 
     @model_validator(mode="after")
     def check_size(self) -> Self:
-        """Refuse a task of nothing."""
+        """Refuse a task of two kinds, and one of nothing."""
+        if len(self.model_fields_set) != 1:
+            raise ValueError("a task has either vertices or axes")
         if max(abs(number) for row in self.rows for number in row) < SMALLEST:
-            raise ValueError(f"some number of the task's rows should be at least {SMALLEST:g}")
+            raise ValueError(f"some number of the task should be at least {SMALLEST:g}")
         return self
+
+    @property
+    def rows(self) -> list[Wrench]:
+        """The vertices or the axes."""
+        return self.vertices or self.axes
 
 
 class CriterionClaim(_Form):
@@ -137,19 +150,15 @@ class ProofClaim(_Form):
 
 
 class PlacementClaim(_Form):
-    """One placement with its question."""
+    """What is said of one newcomer."""
 
-    criterion: CriterionClaim
-    newcomer: NewcomerClaim
-    zones: list[ZoneClaim] | None
-    no_go: list[StretchClaim]
-    spacing: Size
     robot: RobotClaim
     place: str
     quality_before: Size
     quality: Size
     upper_bound: Size
     asked_gap: float = Field(gt=0.0, lt=1.0)
+    asked_runners_up: float | None = Field(ge=0.0, le=1.0)
     stopped_early: bool
     improves: bool
     reason: str
@@ -181,11 +190,13 @@ class OutlineClaim(_Form):
         return float(LinearRing(self.vertices).length)
 
 
-class MetricClaim(_Form):
-    """The metric of wrenches."""
+class SwarmClaim(_Form):
+    """The object, the robots that hold it, and the metric of wrenches."""
 
-    force_weights: tuple[Positive, Positive]
+    outline: OutlineClaim
+    robots: list[RobotClaim]
     characteristic_length: Positive
+    force_weights: tuple[Positive, Positive]
 
     @model_validator(mode="after")
     def check_size(self) -> Self:
@@ -195,26 +206,39 @@ class MetricClaim(_Form):
         return self
 
 
-class Claims(_Form):
-    """A whole answer file."""
+class ProblemClaim(_Form):
+    """The question: where a newcomer goes."""
 
-    format: Literal["swarmgrasp answer 2"]
-    outline: OutlineClaim
-    metric: MetricClaim
-    robots: list[RobotClaim]
-    placements: list[PlacementClaim] = Field(min_length=1)
-    digest: str
+    swarm: SwarmClaim
+    newcomer: NewcomerClaim
+    zones: list[ZoneClaim] | None
+    no_go: list[StretchClaim]
+    spacing: Size
+    criterion: CriterionClaim
 
     @model_validator(mode="after")
     def check_stretches(self) -> Self:
         """Refuse stretches beyond the boundary's length."""
-        reach = self.outline.perimeter * (1.0 + 1e-6)
-        for index, placement in enumerate(self.placements):
-            for kind, stretches in (("zones", placement.zones or []), ("no_go", placement.no_go)):
-                for k, stretch in enumerate(stretches):
-                    if max(stretch.start, stretch.end) > reach:
-                        raise ValueError(f"placements.{index}.{kind}.{k} leaves the boundary")
+        reach = self.swarm.outline.perimeter * (1.0 + 1e-6)
+        zones = [zone.stretch for zone in self.zones or []]
+        for kind, stretches in (("zones", zones), ("no_go", self.no_go)):
+            for k, stretch in enumerate(stretches):
+                if max(stretch.start, stretch.end) > reach:
+                    raise ValueError(f"{kind}.{k} leaves the boundary")
         return self
+
+
+class Claims(_Form):
+    """A whole answer file: newcomers of one kind, each of which finds those before it."""
+
+    format: Literal["swarmgrasp placements 3"]
+    name: str
+    version: str
+    date: str
+    units: Literal["SI: m, N, N m, rad"]
+    problem: ProblemClaim
+    placements: list[PlacementClaim] = Field(min_length=1)
+    digest: str
 
 
 def read_claims(document: dict[str, Any]) -> Claims:

@@ -16,7 +16,7 @@ from swarmgrasp.verify.recompute import ABSOLUTE, Array, exact_quality, spiral
 from swarmgrasp.verify.team import Team, team_of
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import CriterionClaim, MetricClaim, RobotClaim
+    from swarmgrasp.verify.claims import CriterionClaim, RobotClaim, SwarmClaim
 
 MOST_SWEPT, MOST_LISTED = 2000, 400
 """Robots up to which a quality is recomputed, by the nominal criterion and by any other: a few
@@ -59,18 +59,18 @@ class Judge:
     """
 
     def __init__(
-        self, boundary: Boundary, metric: "MetricClaim", criterion: "CriterionClaim"
+        self, boundary: Boundary, swarm: "SwarmClaim", criterion: "CriterionClaim"
     ) -> None:
         self._boundary, self._criterion = boundary, criterion
-        a1, a2 = metric.force_weights
-        self.scale = np.array([a1**0.5, a2**0.5, 1.0 / metric.characteristic_length])
+        a1, a2 = swarm.force_weights
+        self.scale = np.array([a1**0.5, a2**0.5, 1.0 / swarm.characteristic_length])
         self.load = np.array(criterion.load) * self.scale
         self.unit, task = 1.0, criterion.task
         if task is not None:
             rows = np.array(task.rows) * self.scale
             largest = float(np.abs(rows).max())
             self.unit = largest * float(np.linalg.norm(rows / largest, axis=1).max())
-            self._rows, self._is_polytope = rows / self.unit, task.kind == "polytope"
+            self._rows, self._is_polytope = rows / self.unit, bool(task.vertices)
 
     @property
     def is_plain(self) -> bool:

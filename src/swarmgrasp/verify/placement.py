@@ -27,7 +27,7 @@ from swarmgrasp.verify.team import Team
 from swarmgrasp.verify.verdict import Verdict
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import Claims, PlacementClaim, RobotClaim, RunnerUpClaim
+    from swarmgrasp.verify.claims import PlacementClaim, ProblemClaim, RobotClaim, RunnerUpClaim
 
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
@@ -71,7 +71,7 @@ def verify_document(document: dict[str, Any]) -> Verdict:
     Examples
     --------
     >>> from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
-    >>> from swarmgrasp.placement.document import document_of
+    >>> from swarmgrasp.answer_file import document_of
     >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     >>> crew = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7)]
     >>> document = document_of(place(Swarm(square, crew), Newcomer(attachment="push")))
@@ -87,13 +87,13 @@ def verify_document(document: dict[str, Any]) -> Verdict:
     faults = []
     if claims.digest != digest_of(document):
         faults.append("the digest does not fit the content: the file was altered")
-    present = list(claims.robots)
+    present = list(claims.problem.swarm.robots)
     bounds: list[float] = []
     unchecked: list[str] = []
-    boundary = Boundary(claims.outline)
+    boundary = Boundary(claims.problem.swarm.outline)
     for index, claim in enumerate(claims.placements):
         where = f"placement {index + 1}: " if len(claims.placements) > 1 else ""
-        check = _Check(claims, claim, present, boundary)
+        check = _Check(claims.problem, claim, present, boundary)
         faults += [where + fault for fault in check.faults()]
         bounds.append(check.bound)
         unchecked += check.unchecked()
@@ -106,22 +106,23 @@ class _Check:
 
     def __init__(
         self,
-        claims: "Claims",
+        asked: "ProblemClaim",
         claim: "PlacementClaim",
         present: "list[RobotClaim]",
         boundary: Boundary,
     ) -> None:
-        self.claim, self.boundary, self.present = claim, boundary, tuple(present)
-        self.judge = judge = Judge(boundary, claims.metric, claim.criterion)
+        self.asked, self.claim = asked, claim
+        self.boundary, self.present = boundary, tuple(present)
+        self.judge = judge = Judge(boundary, asked.swarm, asked.criterion)
         self.base = judge.team(present)
-        self.unit = "" if claim.criterion.task else " N"
-        tolerance = claim.newcomer.tolerance if claim.criterion.worst_case else None
+        self.unit = "" if asked.criterion.task else " N"
+        tolerance = asked.newcomer.tolerance if asked.criterion.worst_case else None
         self.is_tolerant = tolerance is not None and tolerance.is_spread
-        self.certain_limit = claim.newcomer.limit
+        self.certain_limit = asked.newcomer.limit
         if tolerance is not None:
             self.certain_limit = tolerance.certain(self.certain_limit)
         force, turn = judge.scale[:2].max(), judge.scale[2]
-        reach = claim.newcomer.limit * (force + turn * boundary.radius)
+        reach = asked.newcomer.limit * (force + turn * boundary.radius)
         with np.errstate(over="ignore"):
             size = float(judge.size(self.base) + reach) / judge.unit
         if not size * size < math.inf:
@@ -131,7 +132,7 @@ class _Check:
             )
         self.zero = ABSOLUTE * size
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
-        self.pieces = list(Allowed(claim, boundary, present).pieces())
+        self.pieces = list(Allowed(asked, boundary, present).pieces())
         units = [units_of(proof.normals) for proof in claim.proofs]
         self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
         self.bound = self.upper_bound()
@@ -216,7 +217,7 @@ class _Check:
         """Return the difference that counts as rounding at a value."""
         if self.base.spread or self.is_tolerant:
             return CERTIFIED * max(value, SMALL * self.zero / ABSOLUTE) + self.rounding
-        return (CERTIFIED if self.claim.criterion.task else RELATIVE) * value + self.rounding
+        return (CERTIFIED if self.asked.criterion.task else RELATIVE) * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""
@@ -232,7 +233,7 @@ class _Check:
 
     def robot_faults(self, what: str, claim: "PlacementClaim | RunnerUpClaim") -> Iterator[str]:
         """Yield what is wrong with a robot said to be allowed and to reach a quality."""
-        robot, newcomer = claim.robot, self.claim.newcomer
+        robot, newcomer = claim.robot, self.asked.newcomer
         if robot.limit != newcomer.limit:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
         if robot.tolerance != newcomer.tolerance:
@@ -259,7 +260,7 @@ class _Check:
     def least_noise(self, robots: "list[RobotClaim]") -> float:
         """Bound what the outline's rounding may change of the quality, where that is least."""
         noise = noise_of(robots, self.boundary, self.judge.scale)
-        if noise == 0.0 or self.claim.criterion.task is None or not len(self.normals):
+        if noise == 0.0 or self.asked.criterion.task is None or not len(self.normals):
             return noise
         height, _, extent = self.judge.levels(self.judge.team(robots), self.normals)
         asked = float(extent[np.argmin(over(height, extent, 0.0))])

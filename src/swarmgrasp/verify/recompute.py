@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import PlacementClaim, StretchClaim, ZoneClaim
+    from swarmgrasp.verify.claims import ProblemClaim, StretchClaim, ZoneClaim
 
 ABSOLUTE = 1e-12
 """Share of sum |b_i| that counts as rounding, and up to which a quality counts as 0."""
@@ -101,10 +101,10 @@ def crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
 
 
 def sides_of(
-    claim: "PlacementClaim", zone: "ZoneClaim | None", inward: float
+    asked: "ProblemClaim", zone: "ZoneClaim | None", inward: float
 ) -> Iterator[tuple[float, float]]:
     """Yield the sectors allowed at an edge, each on one side of it."""
-    source = claim.newcomer if zone is None or zone.attachment is None else zone
+    source = asked.newcomer if zone is None or zone.attachment is None else zone
     free = source.attachment == "free"
     half = math.pi / 2 if free or source.half_angle is None else source.half_angle
     for side, middle in (("push", inward), ("pull", inward + math.pi)):
@@ -155,7 +155,7 @@ def turns_into(angle: float, lo: float, hi: float) -> bool:
 
 def labels_of(zones: "Sequence[ZoneClaim | None]") -> list[str]:
     """Return the zones' names; of several with one name, each with its number."""
-    names = ["" if zone is None else zone.name for zone in zones]
+    names = ["" if zone is None else zone.stretch.name for zone in zones]
     return [
         f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
         for k, name in enumerate(names)

@@ -1,0 +1,142 @@
+"""Answer files: any answer with its question, as JSON that a stranger can check and ask again."""
+
+import json
+import os
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.files import write_whole
+from swarmgrasp.plain import Answer
+from swarmgrasp.verify.digest import digest_of
+
+REVISION = 3
+"""Of the form of answer files."""
+UNITS = "SI: m, N, N m, rad"
+LARGEST_FILE = 50_000_000
+"""Bytes; an answer for 1 000 robots takes about 0.2 MB."""
+
+
+def document_of(answer: Answer, name: str = "", date: datetime | None = None) -> dict[str, Any]:
+    """Return an answer as the plain data of an answer file.
+
+    Parameters
+    ----------
+    answer : Answer
+        Of any kind, as functions of this package give it.
+    name : str
+        What the answer is called, such as the scenario's name.
+    date : datetime, optional
+        When it was found, with its time zone; now when left out, or what the environment variable
+        SOURCE_DATE_EPOCH says [s since 1970], which makes files reproducible.
+    """
+    return sealed(answer.kind, answer.to_data(), name, date)
+
+
+def sealed(
+    kind: str, content: dict[str, Any], name: str = "", date: datetime | None = None
+) -> dict[str, Any]:
+    """Return the content of an answer file with what it is, who made it when, and its digest."""
+    document = {
+        "format": format_of(kind),
+        "name": name,
+        "version": version("swarmgrasp"),
+        "date": (date or _now()).astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
+        "units": UNITS,
+        **content,
+    }
+    return {**document, "digest": digest_of(document)}
+
+
+def format_of(kind: str) -> str:
+    """Return what the `format` of a file says that holds a kind of answer."""
+    return f"swarmgrasp {kind} {REVISION}"
+
+
+def document_text(document: dict[str, Any]) -> str:
+    """Return plain data as the text of a JSON file."""
+    return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def write_answer(
+    path: str | Path, answer: Answer, name: str = "", date: datetime | None = None
+) -> None:
+    """Write an answer to a JSON file, whole or not at all.
+
+    Parameters
+    ----------
+    path : str or Path
+    answer : Answer
+        Of any kind: a `Placement` or several in a row, a `Quality`, a `Move` and so on.
+    name, date
+        The file's own entries: a title, and when the answer was found; now when left out, or what
+        the environment variable SOURCE_DATE_EPOCH says.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from swarmgrasp import Newcomer, Outline, Robot, Swarm, place
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> crew = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7)]
+    >>> answer = place(Swarm(square, crew), Newcomer(attachment="push"))
+    >>> with TemporaryDirectory() as folder:
+    ...     write_answer(f"{folder}/answer.json", answer, "square")
+    ...     read_answer(f"{folder}/answer.json")["format"]
+    'swarmgrasp placements 3'
+    """
+    write_whole(path, document_text(document_of(answer, name, date)).encode())
+
+
+def read_answer(path: str | Path) -> dict[str, Any]:
+    """Read an answer file, unchecked but for being JSON.
+
+    Raises
+    ------
+    AnswerInvalid
+        If it cannot be read, is too large, or is not a JSON object; with file and line.
+    """
+    try:
+        with Path(path).open("rb") as file:
+            return parse_answer(file.read(LARGEST_FILE + 1), str(path))
+    except OSError as error:
+        raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
+    except ValueError as error:
+        if isinstance(error, AnswerInvalid):
+            raise
+        raise AnswerInvalid(f"{str(path)!r}: not a path: {error}") from None
+
+
+def parse_answer(content: bytes, source: str) -> dict[str, Any]:
+    """Read an answer from the bytes of a file, which messages call `source`.
+
+    Raises
+    ------
+    AnswerInvalid
+        As for `read_answer`.
+    """
+    if len(content) > LARGEST_FILE:
+        raise AnswerInvalid(f"{source}: more than {LARGEST_FILE} bytes, too many for an answer")
+    try:
+        document = json.loads(content.decode())
+    except UnicodeDecodeError as error:
+        raise AnswerInvalid(f"{source}: not UTF-8 text (byte {error.start})") from None
+    except json.JSONDecodeError as error:
+        raise AnswerInvalid(f"{source}:{error.lineno}:{error.colno}: {error.msg}") from None
+    except (RecursionError, ValueError) as error:  # nested too deeply, or a number too long
+        raise AnswerInvalid(f"{source}: not an answer: {error}") from None
+    if not isinstance(document, dict):
+        raise AnswerInvalid(f"{source}:1:1: an answer is a JSON object")
+    return document
+
+
+def _now() -> datetime:
+    """Return the time that answers are of."""
+    given = os.environ.get("SOURCE_DATE_EPOCH")
+    try:
+        return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
+    except (ValueError, OverflowError, OSError):
+        raise AnswerInvalid(
+            f"SOURCE_DATE_EPOCH is {given!r}; it should be a whole number of seconds since 1970"
+        ) from None
