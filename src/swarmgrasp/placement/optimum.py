@@ -152,8 +152,9 @@ class Search:
         """
         mask = None
         if chosen is not None:
-            wanted = set(chosen)
-            mask = bytes(k in wanted for k in range(self._many))
+            wanted = np.zeros(self._many, dtype=bool)
+            wanted[list(chosen)] = True
+            mask = wanted.tobytes()
         solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask, MOST_NORMALS)
         normals = self._core.normals()  # kept: joining robots change them
         unit = self._unit

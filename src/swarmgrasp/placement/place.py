@@ -12,6 +12,7 @@ from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.optimum import Best, Optimum, search_for
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import Criterion, Terms
@@ -57,7 +58,8 @@ def place(
         Largest difference between bound and answer, relative to the answer.
     runners_up : float, optional
         Also report the best place on each other edge or zone whose quality is at least
-        this fraction of the best, within [0, 1].
+        this fraction of the best, within [0, 1]. Nameless edges that follow each other smoothly
+        are one side, of which the places are told that are better than all around them.
     losing, worst_case, load, task
         As for `Criterion`: what quality means. In the worst case a newcomer with a tolerance
         aims at the place that is best for the worst of those it may end up in.
@@ -283,16 +285,21 @@ class _Placing:
         self, found: Optimum, winner: RunnerUp, name: str, fraction: float
     ) -> list[tuple[RunnerUp, Weakest]]:
         """Find the best robot in every other place that is nearly as good."""
-        runners = []
-        least, bounds = fraction * winner.quality, found.bounds
-        for place in dict.fromkeys(piece.place for piece in self.pieces.each):
-            chosen = [k for k, piece in enumerate(self.pieces.each) if piece.place == place]
-            if place == winner.place or bounds[chosen].max() < least:
-                continue
-            best = self.search.solve(self.half, chosen).best
-            if best.piece >= 0:  # otherwise nothing there betters the swarm as it is
-                runners.append(self.candidate(best, name))
-        return [pair for pair in runners if pair[0].quality >= least]
+        least, bounds, parts = fraction * winner.quality, found.bounds, parts_of(self.pieces)
+        values, runners = {}, {}
+        for part, chosen in enumerate(parts.pieces):
+            if any(self.pieces.each[k].place == winner.place for k in chosen):
+                values[part] = winner.quality
+            elif bounds[chosen].max() >= least:
+                best = self.best_on(chosen, name)
+                if best is not None and best[0].quality >= least:
+                    values[part], runners[part] = best[0].quality, best
+        return [runners[part] for part in hills(values, parts.touching) if part in runners]
+
+    def best_on(self, chosen: list[int], name: str) -> tuple[RunnerUp, Weakest] | None:
+        """Return the best robot on some pieces; None if none there betters the swarm as it is."""
+        best = self.search.solve(self.half, chosen).best
+        return self.candidate(best, name) if best.piece >= 0 else None
 
 
 class _Aiming(_Placing):
@@ -300,7 +307,8 @@ class _Aiming(_Placing):
 
     def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
-        best = TolerantSearch(self.problem, self.pieces, found).solve(self.gap)
+        self.aiming = TolerantSearch(self.problem, self.pieces, found)
+        best = self.aiming.solve(self.gap)
         return (*self.aimed(best, name), best.upper_bound)
 
     def aimed(self, best: Found, name: str) -> tuple[RunnerUp, Weakest]:
@@ -309,17 +317,9 @@ class _Aiming(_Placing):
         place = self.pieces.each[best.piece].place
         return RunnerUp(robot, best.after.quality, place), best.after
 
-    def others(
-        self, found: Optimum, winner: RunnerUp, name: str, fraction: float
-    ) -> list[tuple[RunnerUp, Weakest]]:
-        """Find a good robot in every other place that is nearly as good."""
-        search, least = TolerantSearch(self.problem, self.pieces, found), fraction * winner.quality
-        runners = []
-        for place in dict.fromkeys(piece.place for piece in self.pieces.each):
-            chosen = {k for k, piece in enumerate(self.pieces.each) if piece.place == place}
-            if place != winner.place and found.bounds[list(chosen)].max() >= least:
-                runners.append(self.aimed(search.solve(ROUGH, chosen), name))
-        return [pair for pair in runners if pair[0].quality >= least]
+    def best_on(self, chosen: list[int], name: str) -> tuple[RunnerUp, Weakest] | None:
+        """Return a good robot on some pieces."""
+        return self.aimed(self.aiming.solve(ROUGH, set(chosen)), name)
 
 
 def _placing(problem: Problem, gap: float) -> _Placing:
