@@ -48,22 +48,10 @@ def test_no_direction_is_below_the_least(seed, points, boxes, losing):
     rows = np.array([box(k, rng) for k in range(boxes)]).reshape(-1, 12)
     task = rng.normal(size=(3, 3))
     criterion = Criterion(known, UNIT, rows, losing, NO_LOAD, task, bool(seed % 2))
-    value, normal = criterion.least(1e-7, np.inf, 1e-12, None)
+    value, normal, _ = criterion.least(1e-7, np.inf)
     at = np.frombuffer(criterion.heights(np.array([normal])))
     assert value == pytest.approx(at[0] / at[2], rel=1e-9, abs=1e-11)
     trials = rng.normal(size=(300, 3))
     height, cap, extent = np.frombuffer(criterion.heights(trials)).reshape(-1, 3).T
     assert (height >= value * extent * (1.0 - 1e-6) - 1e-11).all()
     assert (cap >= height).all()
-
-
-def test_one_generator_more():
-    """It may be asked for as if it were among the others."""
-    rng = np.random.default_rng(3)
-    known = rng.normal(size=(12, 3))
-    fewer = Criterion(known[:-1].copy(), UNIT, NO_ROWS, 2, NO_LOAD, NO_TASK, False)
-    all_ = Criterion(known, UNIT, NO_ROWS, 2, NO_LOAD, NO_TASK, False)
-    extra = tuple(known[-1].tolist())
-    value = all_.least(1e-12, np.inf, 1e-12, None)[0]
-    assert fewer.least(1e-12, np.inf, 1e-12, extra)[0] == pytest.approx(value, rel=1e-12)
-    assert fewer.least(1e-12, 0.5 * value, 1e-12, extra)[0] == 0.5 * value

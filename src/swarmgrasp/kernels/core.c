@@ -10,23 +10,24 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
     PyObject *object;
     Py_buffer view;
     Sweep sweep = {0};
-    double quality, n[3], load[3] = {0.0};
+    double quality, bound, units = WORK, n[3], load[3] = {0.0};
     (void)module;
-    if (!PyArg_ParseTuple(args, "O|(ddd):weakest", &object, load, load + 1, load + 2)
+    if (!PyArg_ParseTuple(args, "O|(ddd)d:weakest", &object, load, load + 1, load + 2, &units)
         || !are_finite(load) || get_doubles(object, &view, 3))
         return NULL;
     int count = rows_of(&view, 3);
     int status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
     if (status == 0) {
+        Work work = work_of(units, interrupted);
         leave(count > SWEPT);
-        status = exact_quality(&sweep, view.buf, count, interrupted, &quality, n);
+        status = exact_quality(&sweep, view.buf, count, &work, &quality, &bound, n);
         come_back();
     }
     sweep_free(&sweep);
     PyBuffer_Release(&view);
-    if (status != 0)
+    if (status == -1 || status == STOPPED)
         return status == -1 ? PyErr_NoMemory() : NULL;
-    return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
+    return Py_BuildValue("d(ddd)d", quality, n[0], n[1], n[2], bound);
 }
 
 static PyObject *core_qualities(PyObject *module, PyObject *args) {
@@ -47,14 +48,15 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
     int count = rows_of(&view, 3 * n);
     result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
     if (result && sweep_room(&sweep, n <= SWEPT ? n : 0, load) == 0) {
-        double *values = (double *)PyBytes_AsString(result), weakest[3];
+        double *values = (double *)PyBytes_AsString(result), bound, weakest[3];
+        Work work = work_of(INFINITY, interrupted);
         const double *generators = view.buf;
         leave(count > 1);
         for (int k = 0; k < count && status == 0; k++) {
-            status = exact_quality(&sweep, generators + (Py_ssize_t)3 * n * k, n, interrupted,
-                                   values + k, weakest);
-            if (status == 0 && k % 256 == 255 && interrupted())
-                status = -2;
+            status = exact_quality(&sweep, generators + (Py_ssize_t)3 * n * k, n, &work,
+                                   values + k, &bound, weakest);
+            if (status == 0)
+                status = spend(&work, n * n);
         }
         come_back();
     } else {
@@ -138,13 +140,13 @@ static void search_dealloc(PyObject *object) {
 static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) {
     PyObject *generators, *pieces, *aim = Py_None;
     const Criterion *criterion = NULL;
-    double weights[3], load[3] = {0.0};
+    double weights[3], load[3] = {0.0}, units = WORK;
     if (kwargs && PyDict_Size(kwargs) > 0) {
         PyErr_SetString(PyExc_TypeError, "Search takes no keyword arguments");
         return NULL;
     }
-    if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd)O:Search", &generators, weights, weights + 1,
-                          weights + 2, &pieces, load, load + 1, load + 2, &aim)
+    if (!PyArg_ParseTuple(args, "O(ddd)O|(ddd)Od:Search", &generators, weights, weights + 1,
+                          weights + 2, &pieces, load, load + 1, load + 2, &aim, &units)
         || !are_finite(weights) || !are_finite(load))
         return NULL;
     if (aim != Py_None && !(criterion = criterion_of(aim)))
@@ -165,7 +167,7 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
     int count = rows_of(&self->generators, 3);
     leave(count > SWEPT || criterion);
     int status = search_begin(&self->search, self->generators.buf, count, load, criterion, weights,
-                              self->pieces.buf, many, interrupted);
+                              self->pieces.buf, many, units, interrupted);
     come_back();
     if (is_fault(status))
         goto failed;
@@ -180,15 +182,14 @@ static PyObject *best_tuple(const Best *best) {
     return Py_BuildValue("ddddi", best->quality, w[0], w[1], w[2], best->piece);
 }
 
-/* solve(gap, chosen, budget) -> (solved, best, top, bounds, rows, shares) */
+/* solve(gap, chosen) -> (solved, best, top, bounds, rows, shares) */
 static PyObject *search_solve_method(PyObject *object, PyObject *args) {
     SearchObject *self = (SearchObject *)object;
     const char *chosen = NULL;
     Py_ssize_t chosen_size = self->search.many;
     double gap;
-    int budget;
     Best best;
-    if (!PyArg_ParseTuple(args, "dz#i:solve", &gap, &chosen, &chosen_size, &budget))
+    if (!PyArg_ParseTuple(args, "dz#:solve", &gap, &chosen, &chosen_size))
         return NULL;
     if (chosen && chosen_size != self->search.many) {
         PyErr_Format(PyExc_ValueError, "there are %d pieces", self->search.many);
@@ -197,7 +198,7 @@ static PyObject *search_solve_method(PyObject *object, PyObject *args) {
     Search *s = take(object);
     if (!s)
         return NULL;
-    int status = search_solve(s, chosen, gap, budget, &best, self->proofs);
+    int status = search_solve(s, chosen, gap, &best, self->proofs);
     give_back(object);
     if (is_fault(status))
         return NULL;
@@ -290,7 +291,7 @@ static PyObject *search_quality_method(PyObject *object, PyObject *args) {
     Search *s = take(object);
     if (!s)
         return NULL;
-    int status = search_quality(s, wrench, -INFINITY, &quality, n);
+    int status = search_value(s, wrench, &quality, n);
     give_back(object);
     if (is_fault(status))
         return NULL;
@@ -307,12 +308,9 @@ static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
     double *values = result ? (double *)PyBytes_AsString(result) : NULL, normal[3];
     Search *s = result ? take(object) : NULL;
     if (s) {
-        for (int k = 0; k < count && status == SOLVED; k++) {
-            status = search_quality(s, (const double *)view.buf + 3 * (Py_ssize_t)k, -INFINITY,
-                                    values + k, normal);
-            if (status == SOLVED && (!s->is_small || k % 1024 == 1023) && interrupted())
-                status = INTERRUPTED;
-        }
+        for (int k = 0; k < count && status == SOLVED; k++)
+            status = search_value(s, (const double *)view.buf + 3 * (Py_ssize_t)k, values + k,
+                                  normal);
         give_back(object);
     }
     PyBuffer_Release(&view);
@@ -426,7 +424,8 @@ static int fill(PyObject *module) {
         status |= types[k] ? PyModule_AddObjectRef(module, names[k], types[k]) : -1;
         Py_XDECREF(types[k]);
     }
-    return status || add_number(module, "MARGINAL", ZERO) || add_number(module, "FLOOR", FLOOR);
+    return status || add_number(module, "MARGINAL", ZERO) || add_number(module, "FLOOR", FLOOR)
+           || add_number(module, "UNASKED", UNASKED) || add_number(module, "WORK", WORK);
 }
 
 static PyModuleDef_Slot slots[] = {{Py_mod_exec, fill}, {0, NULL}};

@@ -18,11 +18,18 @@ MARGINAL: float
 """Quality relative to sum |b_i| at and below which it counts as zero."""
 FLOOR: float
 """Gap between bound and best, relative to `Search.size`, that is not worth closing."""
+UNASKED: float
+"""Share of a task's size at and below which it asks for nothing: what rounding hides."""
+WORK: float
+"""Units of work that a search may do unless told otherwise: some seconds. See `work.h`."""
 
-def weakest(generators: Array, load: Normal = ..., /) -> tuple[float, Normal]:
+def weakest(
+    generators: Array, load: Normal = ..., work: float = ..., /
+) -> tuple[float, Normal, float]:
     """Return the exact quality of generators (n, 3) [N], and the unit normal that attains it.
 
-    A load (3,) [N] is a wrench that is always there.
+    A load (3,) [N] is a wrench that is always there. The last number is what the quality is at
+    least: less than it if the work was cut short.
     """
 
 def qualities(generators: Array, n: int, /) -> bytes:
@@ -58,14 +65,12 @@ class Criterion:
         is_polytope: bool,
         /,
     ) -> Criterion: ...
-    def least(
-        self, gap: float, below: float, zero: float, extra: Normal | None, /
-    ) -> tuple[float, Normal]:
-        """Return the least H / D and a unit normal that attains it.
+    def least(self, gap: float, below: float, work: float = ..., /) -> tuple[float, Normal, bool]:
+        """Return the least H / D, a unit normal that attains it, and whether that is certain.
 
-        No direction has less than 1 - gap times that. A value of `below` or more is not wanted,
-        one of `zero` or less as good as 0, and a negative one, where the load is not held, is
-        the first to be found. With one generator more, unless that is None.
+        Then no direction has less than 1 - gap times that, but for rounding. What is 0 but for
+        rounding is 0, and so is what is left of a load that is not held. A value of `below` or
+        more is not wanted: it is then `below`, and the normal is zero.
         """
 
     def heights(self, normals: Array, /) -> bytes:
@@ -87,6 +92,8 @@ class Search:
     criterion : Criterion, optional
         Asked instead of the nominal quality: it has the robots and the load itself, and no robot
         can join.
+    work : float, optional
+        Units of work for all that is asked, and as many again after each robot that joins.
     """
 
     quality: float
@@ -103,14 +110,15 @@ class Search:
         pieces: Array,
         load: Normal = ...,
         criterion: Criterion | None = None,
+        work: float = ...,
         /,
     ) -> Search: ...
     def solve(
-        self, gap: float, chosen: bytes | None, budget: int, /
+        self, gap: float, chosen: bytes | None, /
     ) -> tuple[bool, Best, float, bytes, bytes, bytes]:
         """Find the best robot over all pieces, or over those whose byte in `chosen` is not 0.
 
-        Stops at a relative gap, or after so many normals.
+        Stops at a relative gap, or when the work is spent.
 
         Returns whether the gap is closed, the best robot, what no robot exceeds [N], and for
         each piece its bound (k,) [N] and the proof of that: rows (k, 4) of `normals`, as C

@@ -2,18 +2,19 @@
 #include <string.h>
 
 #include "criterion.h"
+#include "quality.h"
 #include "tree.h"
 #include "triangle.h"
 #include "vectors.h"
 
 #define LISTED 12       /* planes that may cross a triangle for its vertices to be listed */
 #define TRIES 3         /* cuts made in a triangle before it is split */
-#define UNHELD 1e3      /* times the tolerance: what a load that is not held lacks at least */
+#define TASKS 0.1       /* share of the task's rows in what directions are whitened by */
 #define AROUND 128      /* directions looked at to begin with */
-#define ROUNDS 256      /* triangles between two looks at the keyboard */
 #define SMALLEST 1e-13  /* edge of a triangle that is a point, */
 #define DEPTH 110       /* halvings until then, and more */
-#define ROUNDING 1e-15  /* of sum |b_i|: what evaluations may differ by */
+#define BASIC 20.0      /* units of work that a triangle takes besides */
+#define EXACT 1e-12     /* relative gap to which the quality of worst poses is found */
 #define UNKNOWN 1e300   /* a value, as long as there is none */
 #define NO_VERTEX 1e-12 /* sine of the angle between generators that have no vertex */
 
@@ -27,13 +28,17 @@ typedef struct {
 typedef struct {
     const Criterion *aim;
     const double *extra;
-    double gap, zero, tolerance;
-    double best, normal[3];
+    Tree white;             /* how directions are whitened; nothing else of it */
+    double gap, zero, rounding;
+    double best, normal[3]; /* the least (H + rounding) / D, and its normal */
+    double polished;        /* the best that is known to be least around its normal */
+    double rest;            /* triangles until polishing another is worth it */
     Active *active;  /* those of all triangles on the way to the one at hand */
     size_t room;
     double *top;     /* (losing + 1,) the largest terms, greatest first */
-    long round;
-    int (*interrupted)(void);
+    double triangles;
+    double each;            /* units of work to value a robot, on the average */
+    Work *work;
 } Hunt;
 
 /* A triangle: its corners as normals and, whitened, as unit vectors; and what is common there. */
@@ -129,42 +134,59 @@ double criterion_extent(const Criterion *aim, const double *normal) {
     return aim->is_polytope ? extent : sqrt(extent);
 }
 
+/* Add the wrenches at the ends of an uncertain robot's contacts and directions to the frame. Returns
+ * the largest of them. */
+static double frame_row(Criterion *aim, const double *row) {
+    const double *piece = row + 2;
+    double most = 0.0;
+    for (int end = 0; end < 4; end++) {
+        const double *arm = piece + (end & 2), *turn = piece + 6 + 2 * (end & 1);
+        double wrench[3] = {turn[0], turn[1], arm[0] * turn[1] - arm[1] * turn[0]};
+        double *b = aim->frame + (ptrdiff_t)3 * aim->frames++;
+        for (int k = 0; k < 3; k++)
+            b[k] = wrench[k] * aim->scale[k] * row[1];
+        most = larger(most, length(b));
+    }
+    return most;
+}
+
 int criterion_begin(Criterion *aim, int rows) {
     int u = -1;
-    Tree tree = {0};
-    double(*middle)[3] = malloc(((size_t)aim->points + (size_t)rows + 1) * sizeof *middle);
+    size_t room = (size_t)aim->points + 4 * (size_t)rows + (size_t)aim->tasks + 1;
+    double most = 0.0;
+    aim->frame = malloc(3 * room * sizeof *aim->frame);
     aim->first = calloc((size_t)rows + 2, sizeof *aim->first);
-    if (!middle || !aim->first) {
-        free(middle);
+    if (!aim->frame || !aim->first)
         return -1;
-    }
-    memcpy(middle, aim->point, 3 * (size_t)aim->points * sizeof **middle);
+    memcpy(aim->frame, aim->point, 3 * (size_t)aim->points * sizeof *aim->frame);
+    aim->frames = aim->points;
+    aim->weight = total_size(aim->point, aim->points) + length(aim->load);
     for (int r = 0; r < rows; r++) {
-        const double *row = aim->rows + (ptrdiff_t)SPREAD * r, *piece = row + 2;
-        double turn = 0.5 * (piece[4] + piece[5]), c = cos(turn), s = sin(turn);
-        double x = 0.5 * (piece[0] + piece[2]), y = 0.5 * (piece[1] + piece[3]);
-        double wrench[3] = {c, s, x * s - y * c};
-        if (row[0] == u + 1.0)
+        const double *row = aim->rows + (ptrdiff_t)SPREAD * r;
+        if (row[0] == u + 1.0) {
             aim->first[++u] = r;
-        if (row[0] != (double)u) {
-            free(middle);
-            return -3;
+            aim->weight += most;
+            most = 0.0;
         }
-        for (int k = 0; k < 3; k++)
-            middle[aim->points + r][k] = wrench[k] * aim->scale[k] * row[1];
+        if (row[0] != (double)u)
+            return -3;
+        most = larger(most, frame_row(aim, row));
     }
+    aim->weight += most;
     aim->spread = u + 1;
     aim->first[aim->spread] = rows;
-    aim->weight = total_size(middle[0], aim->points + rows) + length(aim->load);
-    tree_whitening(&tree, middle[0], aim->points + rows);
-    memcpy(aim->whiten, tree.whiten, sizeof aim->whiten);
-    free(middle);
+    for (int k = 0; k < 3 * aim->tasks; k++)
+        aim->frame[3 * aim->frames + k] = TASKS * aim->weight / aim->tasks * aim->task[k];
+    aim->frames += aim->tasks;
+    memcpy(aim->frame + 3 * aim->frames++, aim->load, sizeof aim->load);
     return 0;
 }
 
 void criterion_end(Criterion *aim) {
     free(aim->first);
+    free(aim->frame);
     aim->first = NULL;
+    aim->frame = NULL;
 }
 
 /* -- values ------------------------------------------------------------------------------ */
@@ -172,16 +194,14 @@ void criterion_end(Criterion *aim) {
 /* Keep a normal with its H and D if it is the weakest so far. A load that is not held where the
  * task asks for nothing counts as the worst there is. */
 static void offer(Hunt *h, const double *normal, double height, double extent) {
-    double size = length(normal), value, error = 0.0;
-    if (extent > UNASKED * size) {
-        value = height / extent;
-        error = h->tolerance * size / extent; /* large where next to nothing is asked */
-    } else if (height < -UNHELD * h->tolerance * size) {
-        value = height / (UNASKED * size);
-    } else {
-        return;
+    double size = length(normal), value;
+    if (extent <= UNASKED * size) {
+        if (height >= -h->zero * size)
+            return;
+        extent = UNASKED * size;
     }
-    if (value < h->best - error) {
+    value = (height + h->rounding * size) / extent;
+    if (value < h->best) {
         h->best = value;
         memcpy(h->normal, normal, sizeof h->normal);
     }
@@ -203,21 +223,22 @@ static double height_at(Hunt *h, const Place *place, size_t begin, size_t end,
 }
 
 /* The value that a triangle must not fall below to be done. */
-static double wanted(const Hunt *h) { return smaller(h->best, UNKNOWN) * (1.0 - h->gap); }
+static double wanted(const Hunt *h) {
+    double best = smaller(h->best, UNKNOWN);
+    return best - larger(h->gap * best, h->rounding);
+}
 
 /* -- bounds ------------------------------------------------------------------------------ */
 
 /* What the robots that are positive at a mixture of the corners hold at each corner, less the
  * worst loss there and what is wanted. Each low_i is at least the mixture of its values at the
  * corners (T14), whichever robots are lost, and others do not take away: H is nowhere less. */
-static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const double *share,
-                double *row) {
+static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const double *slack,
+                const double *share, double *row) {
     int losing = h->aim->losing;
     double target = wanted(h);
     for (int j = 0; j < 3; j++) {
-        const double *normal = place->normal + 3 * j;
-        row[j] = dot(place->fixed, normal) - target * place->extent[j]
-                 + h->tolerance * length(normal);
+        row[j] = dot(place->fixed, place->normal + 3 * j) - target * place->extent[j] + slack[j];
         clear(h->top, losing);
         for (size_t a = begin; a < end; a++) {
             const Active *robot = h->active + a;
@@ -231,10 +252,15 @@ static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const dou
 
 /* Tell whether no normal of a triangle has less than what is wanted. */
 static int is_held(Hunt *h, const Place *place, size_t begin, size_t end) {
-    double rows[TRIES][3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    double rows[TRIES][3], slack[3], middle[3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    /* n is at least as long as its part along the middle; corners may be much longer */
+    for (int k = 0; k < 3; k++)
+        middle[k] = place->normal[k] + place->normal[3 + k] + place->normal[6 + k];
+    for (int j = 0; j < 3; j++)
+        slack[j] = h->rounding * dot(middle, place->normal + 3 * j) / length(middle);
     for (int t = 0; t < TRIES; t++) {
         double before = t ? relax(rows, t, share) : -INFINITY;
-        cut(h, place, begin, end, share, rows[t]);
+        cut(h, place, begin, end, slack, share, rows[t]);
         double value = dot(rows[t], share);
         if (value < 0.0 || value <= before)
             return 0;
@@ -292,9 +318,7 @@ static size_t sift(Hunt *h, Place *place, size_t begin, size_t end, int *others)
 
 /* The generator of a known robot, whitened. */
 static void whitened(const Hunt *h, const Active *robot, double *c) {
-    Tree tree;
-    memcpy(tree.whiten, h->aim->whiten, sizeof tree.whiten);
-    tree_whiten(&tree, known(h->aim, h->extra, robot->robot), c);
+    tree_whiten(&h->white, known(h->aim, h->extra, robot->robot), c);
 }
 
 /* Of the known robots that change sign, find one for each plane, LISTED at most. Returns how many,
@@ -349,8 +373,6 @@ static int meet_in_one(const Hunt *h, size_t begin, size_t end, const Active **p
 static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one,
                        const Active *two) {
     double p[3], q[3], m[3], normal[3];
-    Tree tree;
-    memcpy(tree.whiten, h->aim->whiten, sizeof tree.whiten);
     whitened(h, one, p);
     whitened(h, two, q);
     cross(p, q, m);
@@ -362,7 +384,7 @@ static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, co
     double turn = dot(m, p) / dot(p, p);
     for (int k = 0; k < 3; k++)
         m[k] = side * (m[k] - turn * p[k]);
-    tree_normal(&tree, m, normal);
+    tree_normal(&h->white, m, normal);
     offer(h, normal, height_at(h, place, begin, end, normal, one->robot, two->robot),
           criterion_extent(h->aim, normal));
 }
@@ -389,6 +411,7 @@ static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, con
 static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) {
     const Active *planes[LISTED], *pair[2];
     int count = find_planes(h, begin, end, planes);
+    charge(h->work, h->each * (double)(end - begin) * larger(1.0, 0.5 * count * count));
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++)
             try_vertex(h, place, begin, end, planes[a], planes[b]);
@@ -404,6 +427,7 @@ static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) 
 }
 
 static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth);
+static int polish(Hunt *h);
 
 /* Search the half of a triangle in which the middle of an edge replaces a corner. */
 static int explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, int corner,
@@ -432,8 +456,12 @@ static int explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, i
 static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
     int others, losing = h->aim->losing, status;
     double height[3];
-    if (++h->round % ROUNDS == 0 && h->interrupted())
-        return -2;
+    h->triangles += 1.0;
+    status = spend(h->work, h->each * (double)(end - begin) + BASIC);
+    if (status == 0 && h->best < h->polished && h->rest-- <= 0.0)
+        status = polish(h);
+    if (status != 0)
+        return status;
     end = sift(h, place, begin, end, &others);
     for (int j = 0; j < 3; j++) {
         height[j] = dot(place->fixed, place->normal + 3 * j);
@@ -469,65 +497,136 @@ static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
 
 /* Look at directions spread evenly: a low value to begin with keeps the search out of valleys that
  * are not the deepest. */
-static void look_around(Hunt *h, const Tree *tree) {
+static int look_around(Hunt *h) {
     for (int k = 0; k < AROUND && h->best > h->zero; k++) {
         double white[3], cap, normal[3];
         on_spiral(k, AROUND, white);
-        tree_normal(tree, white, normal);
+        tree_normal(&h->white, white, normal);
         double height = criterion_height(h->aim, normal, h->extra, &cap);
-        if (!isnan(height))
-            offer(h, normal, height, criterion_extent(h->aim, normal));
+        if (isnan(height))
+            return -1;
+        offer(h, normal, height, criterion_extent(h->aim, normal));
+    }
+    return spend(h->work, AROUND * (h->each * robots_of(h->aim) + BASIC));
+}
+
+static void swap_corners(double *corners, int width) {
+    for (int k = 0; k < width; k++) {
+        double swap = corners[k];
+        corners[k] = corners[width + k];
+        corners[width + k] = swap;
     }
 }
 
-int criterion_search(const Criterion *aim, const double *extra, double gap, double below,
-                     double zero, int (*interrupted)(void), double *value, double *normal) {
-    Tree tree;
-    int status = 0, count = robots_of(aim) + (extra != NULL);
-    double weight = aim->weight + (extra ? length(extra) : 0.0);
-    Hunt h = {.aim = aim, .extra = extra, .gap = gap, .zero = zero, .best = below,
-              .tolerance = ROUNDING * weight, .interrupted = interrupted};
-    h.room = 2 * (size_t)count + 64;
-    h.active = malloc(h.room * sizeof *h.active);
-    h.top = malloc(((size_t)aim->losing + 1) * sizeof *h.top);
-    memcpy(tree.whiten, aim->whiten, sizeof tree.whiten);
-    if (!h.active || !h.top)
-        status = -1;
-    if (status == 0)
-        look_around(&h, &tree);
-    for (int octant = 0; octant < 8 && status == 0 && h.best > zero; octant++) {
-        Place place = {.white = {0.0}};
-        memcpy(place.fixed, aim->load, sizeof place.fixed);
-        for (int j = 0; j < 3; j++) {
-            place.white[3 * j + j] = octant >> j & 1 ? -1.0 : 1.0;
-            tree_normal(&tree, place.white + 3 * j, place.normal + 3 * j);
-            place.extent[j] = criterion_extent(aim, place.normal + 3 * j);
-        }
-        if ((octant ^ octant >> 1 ^ octant >> 2) & 1) { /* counter-clockwise */
-            for (int k = 0; k < 3; k++) {
-                double swap = place.white[k];
-                place.white[k] = place.white[3 + k];
-                place.white[3 + k] = swap;
-                swap = place.normal[k];
-                place.normal[k] = place.normal[3 + k];
-                place.normal[3 + k] = swap;
-            }
-            double swap = place.extent[0];
-            place.extent[0] = place.extent[1];
-            place.extent[1] = swap;
-        }
-        for (int i = 0; i < count; i++) {
-            h.active[i] = (Active){.robot = i};
-            for (int j = 0; j < 3; j++)
-                h.active[i].at[j] = low(aim, extra, i, place.normal + 3 * j);
-        }
-        status = explore(&h, &place, 0, (size_t)count, DEPTH);
+/* Search one of the eight triangles that all directions are divided into. */
+static int explore_octant(Hunt *h, int octant, int count) {
+    const Criterion *aim = h->aim;
+    Place place = {.white = {0.0}};
+    memcpy(place.fixed, aim->load, sizeof place.fixed);
+    for (int j = 0; j < 3; j++) {
+        place.white[3 * j + j] = octant >> j & 1 ? -1.0 : 1.0;
+        tree_normal(&h->white, place.white + 3 * j, place.normal + 3 * j);
+        place.extent[j] = criterion_extent(aim, place.normal + 3 * j);
     }
-    *value = h.best;
+    if ((octant ^ octant >> 1 ^ octant >> 2) & 1) { /* counter-clockwise */
+        swap_corners(place.white, 3);
+        swap_corners(place.normal, 3);
+        swap_corners(place.extent, 1);
+    }
+    for (int i = 0; i < count; i++) {
+        h->active[i] = (Active){.robot = i};
+        for (int j = 0; j < 3; j++)
+            h->active[i].at[j] = low(aim, h->extra, i, place.normal + 3 * j);
+    }
+    return explore(h, &place, 0, (size_t)count, DEPTH);
+}
+
+/* Search all directions for values below the best. */
+static int explore_all(Hunt *h) {
+    int count = robots_of(h->aim) + (h->extra != NULL), status = 0;
+    h->room = 2 * (size_t)count + 64;
+    h->active = malloc(h->room * sizeof *h->active);
+    h->top = malloc(((size_t)h->aim->losing + 1) * sizeof *h->top);
+    if (!h->active || !h->top)
+        status = -1;
+    for (int octant = 0; octant < 8 && status == 0 && h->best > h->zero; octant++)
+        status = explore_octant(h, octant, count);
+    free(h->active);
+    free(h->top);
+    return status;
+}
+
+/* Lower the best to the least that the robots have in the poses that are worst at its normal, which
+ * is exact and takes a few triangles; and again with those that are worst there. Without this a
+ * search creeps down into every valley by ever smaller steps. */
+static int polish(Hunt *h) {
+    int count = robots_of(h->aim) + (h->extra != NULL), status = 0;
+    double *point = malloc(3 * (size_t)count * sizeof *point), before, cap;
+    Criterion fixed = *h->aim;
+    if (!point)
+        return -1;
+    fixed.points = count;
+    fixed.point = point;
+    fixed.spread = 0;
+    h->rest = 0.0;
+    do {
+        for (int i = 0; i < count; i++) {
+            const double *b = known(h->aim, h->extra, i);
+            if (b)
+                memcpy(point + 3 * i, b, 3 * sizeof *b);
+            else
+                spread_low(h->aim, i - h->aim->points, h->normal, point + 3 * i);
+        }
+        Hunt part = {.aim = &fixed, .white = h->white, .gap = EXACT, .zero = h->zero, .rounding = h->rounding,
+                     .best = h->best, .polished = -INFINITY, .each = 1.0, .work = h->work};
+        before = h->best;
+        status = explore_all(&part);
+        h->rest += part.triangles;
+        if (part.best < before) /* in poses that are worse there, even less */
+            offer(h, part.normal, criterion_height(h->aim, part.normal, h->extra, &cap),
+                  criterion_extent(h->aim, part.normal));
+    } while (status == 0 && h->best < before - EXACT * fabs(before) && h->best > h->zero);
+    h->polished = h->best;
+    free(point);
+    return status;
+}
+
+/* Whiten directions by what matters: the robots, uncertain ones by their ends, task and load. */
+static int whiten(Hunt *h) {
+    const Criterion *aim = h->aim;
+    size_t size = 3 * (size_t)aim->frames;
+    double *frame = malloc((size + 3) * sizeof *frame);
+    if (!frame)
+        return -1;
+    memcpy(frame, aim->frame, size * sizeof *frame);
+    if (h->extra)
+        memcpy(frame + size, h->extra, 3 * sizeof *frame);
+    tree_whitening(&h->white, frame, aim->frames + (h->extra != NULL));
+    free(frame);
+    return 0;
+}
+
+int criterion_search(const Criterion *aim, const double *extra, double gap, double below,
+                     double rounding, Work *work, double *value, double *normal) {
+    double cap;
+    int robots = robots_of(aim);
+    Hunt h = {.aim = aim, .extra = extra, .gap = gap, .zero = ZERO / UNASKED * rounding, .best = below,
+              .rounding = rounding, .work = work};
+    h.polished = aim->spread ? below : -INFINITY;
+    h.each = robots ? (aim->points + TURNED * aim->first[aim->spread]) / robots : 1.0;
+    int status = whiten(&h);
+    if (status == 0)
+        status = look_around(&h);
+    if (status == 0)
+        status = explore_all(&h);
     double size = length(h.normal);
+    *value = below;
     for (int k = 0; k < 3; k++)
         normal[k] = size > 0.0 ? h.normal[k] / size : 0.0;
-    free(h.active);
-    free(h.top);
+    if (size > 0.0) {
+        double height = criterion_height(aim, normal, extra, &cap);
+        double extent = larger(criterion_extent(aim, normal), UNASKED);
+        *value = height <= rounding || height <= h.zero * extent ? 0.0 : height / extent;
+    }
     return status;
 }

@@ -9,8 +9,13 @@
 #define SWARMGRASP_CRITERION_H
 
 #include "sector.h"
+#include "work.h"
 
-#define UNASKED 1e-6       /* D, relative to the normal, at which the task asks for nothing there */
+/* Rounding may change H by so much of sum |b_i|: values are compared as if the robots could do so
+ * much more in every direction. So a value is known to this / D of sum |b_i|, which it never
+ * exceeds, and where D is no larger, relative to the normal and to the task's size, the task asks
+ * for nothing. */
+#define UNASKED 4e-15
 #define SPREAD (PIECE + 2) /* numbers in a row of a robot whose pose is uncertain */
 
 typedef struct {
@@ -26,10 +31,11 @@ typedef struct {
     int tasks;            /* length of (n . v) over its rows: an ellipsoid. No rows: the unit ball */
     const double *task;   /* (tasks, 3) in the metric's coordinates, the longest row about 1 */
     double weight;        /* sum |b_i|, and the load's size [N] */
-    double whiten[6];     /* see tree.h */
+    int frames;           /* vectors that span what matters, for the whitening of directions: */
+    double *frame;        /* (frames, 3) [N] */
 } Criterion;
 
-/* Complete a criterion whose arrays are set: find `first`, `weight` and `whiten`. Returns 0, -1
+/* Complete a criterion whose arrays are set: find `first`, `weight` and `frame`. Returns 0, -1
  * without memory, or -3 if rows are not sorted by robot, 0 1 2 ... */
 int criterion_begin(Criterion *criterion, int rows);
 void criterion_end(Criterion *criterion);
@@ -47,11 +53,11 @@ double criterion_total(const Criterion *criterion, const double *normal);
 double criterion_extent(const Criterion *criterion, const double *normal);
 
 /* Find the least H / D, with one more generator or NULL, to a relative `gap`: no direction has
- * less than (1 - gap) times the value. A value of `below` or more is not wanted, and is then
- * `below`; one of `zero` or less is as good as 0, and the first to be found. A load that is not
- * held gives a negative one, the first to be found. Writes a unit normal that attains it. Returns
- * 0, -1 without memory, -2 if interrupted. */
+ * less than (1 - gap) times the value, but for what `rounding` [N] may add to H. A value of `below`
+ * or more is not wanted: it is then `below`, and the normal is zero. What is 0 but for rounding is 0,
+ * and the first to be found; so is what a load leaves that is not held. Writes a unit normal that
+ * attains it. Returns 0, -1 without memory, STOPPED, or SPENT: then some direction may have less. */
 int criterion_search(const Criterion *criterion, const double *extra, double gap, double below,
-                     double zero, int (*interrupted)(void), double *value, double *normal);
+                     double rounding, Work *work, double *value, double *normal);
 
 #endif

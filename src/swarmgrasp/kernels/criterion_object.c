@@ -69,32 +69,20 @@ static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwa
     return NULL;
 }
 
-/* Get one more generator, or nothing for None. Returns 0, or -1 with an exception. */
-static int get_extra(PyObject *object, double *room, const double **extra) {
-    *extra = NULL;
-    if (object == Py_None)
-        return 0;
-    if (!PyArg_ParseTuple(object, "ddd", room, room + 1, room + 2) || !are_finite(room))
-        return -1;
-    *extra = room;
-    return 0;
-}
-
-/* least(gap, below, zero, extra) -> (value, normal) */
+/* least(gap, below, units) -> (value, normal, whether no direction has less) */
 static PyObject *criterion_least(PyObject *object, PyObject *args) {
     const Criterion *criterion = &((CriterionObject *)object)->criterion;
-    double gap, below, zero, room[3], value, n[3];
-    const double *extra;
-    PyObject *more;
-    if (!PyArg_ParseTuple(args, "dddO:least", &gap, &below, &zero, &more)
-        || get_extra(more, room, &extra))
+    double gap, below, units = WORK, value, n[3];
+    if (!PyArg_ParseTuple(args, "dd|d:least", &gap, &below, &units))
         return NULL;
+    Work work = work_of(units, interrupted);
     leave(1);
-    int status = criterion_search(criterion, extra, gap, below, zero, interrupted, &value, n);
+    int status = criterion_search(criterion, NULL, gap, below, UNASKED * criterion->weight, &work,
+                                  &value, n);
     come_back();
-    if (status != 0)
+    if (status == -1 || status == STOPPED)
         return status == -1 ? PyErr_NoMemory() : NULL;
-    return Py_BuildValue("d(ddd)", value, n[0], n[1], n[2]);
+    return Py_BuildValue("d(ddd)O", value, n[0], n[1], n[2], status == 0 ? Py_True : Py_False);
 }
 
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */

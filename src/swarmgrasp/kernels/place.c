@@ -1,4 +1,3 @@
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +19,11 @@
 #define TIGHT_KNOWN 1e-11   /* relative gap to which a criterion's value is found: known poses, */
 #define TIGHT_SPREAD 1e-7   /* and uncertain ones */
 #define MARGIN 1e-9         /* of a bound, against rounding */
+#define STRICT 0.5          /* of what values may be off: robots found lack no more than that */
+#define CLEARLY 2.0         /* times what counts as none: that is asked, by any rounding */
+#define PER_SWEEP 4.0       /* units of work to sweep a plane, for each robot */
+#define PER_ROW 0.5         /* units of work to value a row of the pool, */
+#define PER_PIECE 10.0      /* and to bound a piece */
 
 /* Of a piece: a level just above the best is told from it by rounding alone in a COARSE one, and no
  * level is in a SETTLED one. */
@@ -29,6 +33,14 @@ typedef struct {
     double v[3], size; /* only directions with (v[0], v[1]) . F >= v[2] reach the level */
     int i, j;          /* because these two demands clash elsewhere */
 } Arc;
+
+/* What a search on the sphere returned, as a status of this one. */
+static int status_of(int outcome) {
+    return outcome == 0 ? SOLVED : outcome == -1 ? NO_MEMORY
+           : outcome == SPENT ? OUT_OF_BUDGET : INTERRUPTED;
+}
+
+int search_spend(Search *s, double units) { return status_of(spend(&s->work, units)); }
 
 /* -- the pool ---------------------------------------------------------------------------- */
 
@@ -48,6 +60,7 @@ static int add_row(Search *s, const double *normal, double height, double cap) {
     row->m[2] = free ? 0.0 : normal[2] * s->weights[2];
     row->height = height;
     row->cap = cap;
+    row->slack = s->criterion ? s->rounding * length(normal) : 0.0;
     if (cap < s->pool[s->lowest].cap)
         s->lowest = s->count - 1;
     row->inverse = free ? 1.0 : 1.0 / fabs(row->m[2]);
@@ -59,13 +72,13 @@ static int add_row(Search *s, const double *normal, double height, double cap) {
  * if there is nothing to add. */
 static int add_normal(Search *s, const double *normal) {
     double cap, unit[3], height = criterion_height(s->criterion, normal, NULL, &cap);
-    double extent = criterion_extent(s->criterion, normal), least = UNASKED * length(normal);
+    double extent = criterion_extent(s->criterion, normal), least = CLEARLY * UNASKED * length(normal);
     if (isnan(height))
         return NO_MEMORY;
-    if (extent < least) {
-        if (height >= -ZERO * s->size * length(normal))
+    if (extent <= least) {
+        if (height >= -ZERO / UNASKED * s->rounding * length(normal))
             return SOLVED;
-        extent = UNASKED * least; /* the load alone is what counts */
+        extent = least; /* the load alone is what counts */
     }
     for (int k = 0; k < 3; k++)
         unit[k] = normal[k] / extent;
@@ -99,10 +112,11 @@ double search_height(const Search *s, const double *normal) {
 /* Find the tightest bounds on the torque that a level demands of a direction (c, s), and the rows
  * that demand them: twice the same if one demand on the direction alone fails, and then the
  * lower bound is above the upper. */
-static void torque_bounds(const Search *search, double level, double c, double s, double *lower,
+static void torque_bounds(Search *search, double level, double c, double s, double *lower,
                           double *upper, int *i, int *j) {
     double worst = 0.0;
     int barred = 0;
+    charge(&search->work, PER_ROW * search->count);
     *lower = -INFINITY;
     *upper = INFINITY;
     *i = *j = 0;
@@ -227,8 +241,9 @@ static void refute(const Search *s, const double *piece, const Arc *arc, const A
 }
 
 /* Try one proof on every piece. */
-static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
-    double mean[4] = {0.0}, highest = 0.0, cap = INFINITY, wrench[3];
+static void share_proof(Search *s, const Proof *proof, Proof *proofs) {
+    double mean[4] = {0.0}, highest = 0.0, cap = INFINITY, slack = 0.0, wrench[3];
+    charge(&s->work, PER_PIECE * s->many);
     for (int k = 0; k < 4; k++)
         if (proof->share[k] > 0.0) {
             const Row *row = s->pool + proof->row[k];
@@ -237,6 +252,7 @@ static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
             for (int c = 0; c < 3; c++)
                 mean[c] += proof->share[k] * row->m[c];
             mean[3] += proof->share[k] * row->height;
+            slack = larger(slack, row->slack);
         }
     for (int k = 0; k < s->many; k++)
         if (proofs[k].bound > smaller(highest, cap)) {
@@ -245,6 +261,7 @@ static void share_proof(const Search *s, const Proof *proof, Proof *proofs) {
             if (bound < proofs[k].bound) {
                 proofs[k] = *proof;
                 proofs[k].bound = bound;
+                proofs[k].slack = slack;
             }
         }
 }
@@ -255,14 +272,20 @@ static double tightest(const Search *s) {
     return s->criterion->spread ? TIGHT_SPREAD : TIGHT_KNOWN;
 }
 
-static double least_in_pool(const Search *s, const double *wrench, int *at) {
+/* Units of work to sweep the plane across a robot. */
+static double sweep_work(const Search *s) { return (PER_SWEEP + 0.1 * s->n) * s->n; }
+
+/* The least quality that rows allow a robot, with what rounding may add, and the row. */
+static double least_in_pool(Search *s, const double *wrench, int *at) {
     double least = INFINITY;
     *at = LIMITS;
+    charge(&s->work, PER_ROW * s->count);
     for (int k = LIMITS; k < s->count; k++) {
         const Row *row = s->pool + k;
         if (row->height >= least)
             continue;
-        double value = smaller(row->height + larger(0.0, dot(row->m, wrench)), row->cap);
+        double value = row->slack + smaller(row->height + larger(0.0, dot(row->m, wrench)),
+                                            row->cap);
         if (value < least) {
             least = value;
             *at = k;
@@ -280,9 +303,12 @@ int search_quality(Search *s, const double *wrench, double enough, double *quali
         normal[k] = s->pool[at].m[k] / s->weights[k];
         generator[k] = wrench[k] * s->weights[k];
     }
-    if (*quality < enough)
+    if (*quality < enough) {
+        *quality -= s->pool[at].slack;
         return SOLVED;
+    }
     if (s->is_small) {
+        charge(&s->work, sweep_work(s));
         *quality = sweep_least(&s->sweep, s->generators, s->n, generator, 0, *quality, s->error,
                                normal);
         return SOLVED;
@@ -290,22 +316,33 @@ int search_quality(Search *s, const double *wrench, double enough, double *quali
     if (s->criterion) {
         double weakest[3], value;
         int status = criterion_search(s->criterion, generator, tightest(s), *quality,
-                                      ZERO * s->size, s->interrupted, &value, weakest);
-        if (value < *quality) {
+                                      s->rounding, &s->work, &value, weakest);
+        *quality -= s->pool[at].slack;
+        if (length(weakest) > 0.0) {
             *quality = value;
             memcpy(normal, weakest, sizeof weakest);
         }
-        return status == 0 ? SOLVED : status == -1 ? NO_MEMORY : INTERRUPTED;
+        return status_of(status);
     }
     Sphere sphere;
     int extras = s->n - s->in_tree + 1;
     tree_whiten(&s->tree, generator, s->extra + 3 * (extras - 1));
     int status = sphere_search(&sphere, &s->tree, s->extra, extras, &s->open, 0.0, *quality,
-                               ZERO * s->size, s->interrupted);
+                               ZERO * s->size, &s->work);
     if (sphere.best < *quality)
         *quality = sphere_best(&sphere, normal);
     sphere_free(&sphere);
-    return status == 0 ? SOLVED : status == -1 ? NO_MEMORY : INTERRUPTED;
+    return status_of(status);
+}
+
+int search_value(Search *s, const double *wrench, double *quality, double *normal) {
+    double left = s->work.left;
+    s->work.left = WORK;
+    int status = search_quality(s, wrench, -INFINITY, quality, normal);
+    s->work.left = left;
+    if (status == SOLVED || status == OUT_OF_BUDGET)
+        status = search_spend(s, 0.0);
+    return status == OUT_OF_BUDGET ? SOLVED : status;
 }
 
 /* Turn a normal that a robot fails away from the robot's wrench, for a deeper cut. At
@@ -336,11 +373,12 @@ static double tilt(const Search *s, double *normal, double height, double level,
 
 /* Ask whether the robot at hand reaches a level: REACHED, SOLVED (a new cut says no), or a fault. */
 static int try_robot(Search *s, const double *wrench, double level, Best *best) {
-    double generator[3], normal[3], value, quality, height;
+    double generator[3], normal[3], value, quality, height, slack = MISSED * s->size;
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
     if (s->is_small) { /* all facets hold: only normals across the robot can fail */
         int at;
+        charge(&s->work, sweep_work(s));
         value = sweep_least(&s->sweep, s->generators, s->n, generator, 0, INFINITY, s->error,
                             normal);
         quality = smaller(value, least_in_pool(s, wrench, &at));
@@ -356,10 +394,10 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
         best->quality = quality;
         memcpy(best->wrench, wrench, sizeof best->wrench);
     }
-    if (value >= level - MISSED * s->size)
+    if (s->criterion)
+        slack = larger(slack, s->rounding / larger(criterion_extent(s->criterion, normal), UNASKED));
+    if (value >= level - slack)
         return REACHED;
-    if (s->count >= s->most)
-        return OUT_OF_BUDGET;
     if (s->criterion) {
         int count = s->count, status = add_normal(s, normal);
         if (status != SOLVED)
@@ -382,17 +420,20 @@ static int reach(Search *s, const double *piece, double level, Best *best, Proof
     for (int k = 0; k < LIMITS; k++) {
         double sign = 1.0 - 2.0 * k;
         s->pool[k] = (Row){{sign * piece[2 * k + 1], -sign * piece[2 * k], sign}, level, INFINITY,
-                           1.0};
+                           1.0, 0.0};
     }
     double lo = piece[4], hi = piece[5];
     for (;;) {
+        int status = search_spend(s, 0.0);
+        if (status != SOLVED)
+            return status;
         double middle = 0.5 * (lo + hi), wrench[3] = {cos(middle), sin(middle), 0.0};
         double lower, upper, new_lo = lo, new_hi = hi;
         int i, j;
         torque_bounds(s, level, wrench[0], wrench[1], &lower, &upper, &i, &j);
         if (lower <= upper || (i < LIMITS && j < LIMITS)) {
             wrench[2] = 0.5 * (lower + upper);
-            int status = try_robot(s, wrench, level, best);
+            status = try_robot(s, wrench, level, best);
             if (status != SOLVED)
                 return status;
             continue;
@@ -424,8 +465,8 @@ static int reach(Search *s, const double *piece, double level, Best *best, Proof
 }
 
 /* Bound all pieces by what is known before any search. */
-static void first_proofs(const Search *s, Proof *proofs) {
-    Proof trial = {INFINITY, {LIMITS, LIMITS + 1, LIMITS, LIMITS}, {1.0, 0.0, 0.0, 0.0}};
+static void first_proofs(Search *s, Proof *proofs) {
+    Proof trial = {INFINITY, 0.0, {LIMITS, LIMITS + 1, LIMITS, LIMITS}, {1.0, 0.0, 0.0, 0.0}};
     for (int k = 0; k < s->many; k++)
         proofs[k].bound = INFINITY;
     share_proof(s, &trial, proofs);
@@ -438,10 +479,8 @@ static void first_proofs(const Search *s, Proof *proofs) {
     }
 }
 
-int search_solve(Search *s, const char *chosen, double gap, int budget, Best *best,
-                 Proof *proofs) {
+int search_solve(Search *s, const char *chosen, double gap, Best *best, Proof *proofs) {
     int status = SOLVED;
-    s->most = budget < INT_MAX - s->count ? s->count + budget : INT_MAX;
     char *progress = calloc((size_t)s->many, 1); /* OPEN */
     if (!progress)
         return NO_MEMORY;
@@ -449,7 +488,7 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
         progress[k] = chosen[k] ? OPEN : SETTLED;
     *best = (Best){s->quality, {0.0, 0.0, 0.0}, -1};
     first_proofs(s, proofs);
-    for (long round = 1;; round++) {
+    for (;;) {
         Proof trial;
         int k = -1;
         for (int j = 0; j < s->many; j++)
@@ -459,12 +498,9 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
         if (k < 0)
             break;
         double before = best->quality, high = proofs[k].bound;
-        if (high - before <= larger(gap * before, FLOOR * s->size))
+        if (high - before <= larger(larger(gap * before, FLOOR * s->size), proofs[k].slack))
             break;
-        if (round % 64 == 0 && s->interrupted()) {
-            status = INTERRUPTED;
-            break;
-        }
+        charge(&s->work, PER_ROW * s->many);
         int is_probe = best->piece >= 0 && best->piece != k && progress[k] == OPEN;
         double share = is_probe ? PROBE : 0.5;
         double level = before + share * (high - before);
@@ -475,7 +511,7 @@ int search_solve(Search *s, const char *chosen, double gap, int budget, Best *be
             best->piece = k;
         if (outcome == CAPPED) {
             int row = s->lowest;
-            trial = (Proof){INFINITY, {row, row, row, row}, {1.0, 0.0, 0.0, 0.0}};
+            trial = (Proof){INFINITY, 0.0, {row, row, row, row}, {1.0, 0.0, 0.0, 0.0}};
             share_proof(s, &trial, proofs);
         } else if (outcome == REFUTED) {
             share_proof(s, &trial, proofs);
@@ -507,11 +543,15 @@ static double begin_pool(Search *s, const double *both) {
     for (int k = 0; k < 2; k++) {
         double opposite[3] = {-normals[k][0], -normals[k][1], -normals[k][2]};
         if (s->criterion) {
-            int count = s->count;
-            add_normal(s, normals[k]);
-            add_normal(s, opposite);
-            if (s->count < count + 2) /* nothing is asked there */
-                add_normal(s, normals[k]);
+            int count = s->count, status = add_normal(s, normals[k]);
+            if (status == SOLVED)
+                status = add_normal(s, opposite);
+            for (int j = 0; status == SOLVED && s->count < count + 2; j++) /* nothing is asked there */
+                status = add_normal(s, s->criterion->task + 3 * (j % s->criterion->tasks));
+            if (status != SOLVED) {
+                free(proofs);
+                return -status;
+            }
             continue;
         }
         add_row(s, normals[k], search_height(s, normals[k]), INFINITY);
@@ -554,11 +594,11 @@ static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
     Sphere found;
     int extras = s->n - s->in_tree;
     int status = sphere_search(&found, &s->tree, s->extra, extras, from, margin, INFINITY,
-                               ZERO * s->size, s->interrupted);
+                               ZERO * s->size, &s->work);
     sphere_free(&s->base);
     s->base = found;
-    if (status != 0)
-        return status == -1 ? NO_MEMORY : INTERRUPTED;
+    if (status != 0 && status != SPENT)
+        return status_of(status);
     s->covered = smaller(from ? s->covered : INFINITY, found.best + margin);
     s->quality = sphere_best(&found, s->weakest);
     round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
@@ -573,16 +613,16 @@ static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
 
 /* Find the weakest normal by a criterion. */
 static int pool_from_criterion(Search *s) {
-    int status = criterion_search(s->criterion, NULL, tightest(s), INFINITY, ZERO * s->weight,
-                                  s->interrupted, &s->quality, s->weakest);
-    if (status != 0)
-        return status == -1 ? NO_MEMORY : INTERRUPTED;
+    int status = criterion_search(s->criterion, NULL, tightest(s), INFINITY, s->rounding, &s->work,
+                                  &s->quality, s->weakest);
+    if (status != 0 && status != SPENT)
+        return status_of(status);
     round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
     return begin_pool(s, s->weakest) < 0.0 ? NO_MEMORY : SOLVED;
 }
 
 /* List the facets of the base swarm, or build its tree. */
-static int start(Search *s) {
+static int list_or_build(Search *s) {
     tree_free(&s->tree);
     s->count = LIMITS;
     s->in_tree = s->n;
@@ -590,8 +630,9 @@ static int start(Search *s) {
     if (s->criterion)
         return pool_from_criterion(s);
     if (!s->is_small) {
-        if (tree_build(&s->tree, s->generators, s->n, s->sweep.load))
-            return NO_MEMORY;
+        int status = tree_build(&s->tree, s->generators, s->n, s->sweep.load, &s->work);
+        if (status != 0)
+            return status_of(status);
         return pool_from_sphere(s, NULL, s->reach);
     }
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
@@ -602,6 +643,13 @@ static int start(Search *s) {
     s->heights = s->normals + 3 * room;
     s->facets = sweep_facets(&s->sweep, s->generators, s->n, s->normals, s->heights);
     return pool_from_facets(s);
+}
+
+/* Find what the base swarm is worth, and have the work counted anew for what is asked of it. */
+static int start(Search *s) {
+    int status = list_or_build(s);
+    s->work.left = s->units;
+    return status;
 }
 
 /* Note where a newcomer may attach, and how strong it can be. */
@@ -615,13 +663,14 @@ static void take_pieces(Search *s, const double *pieces, int many) {
     s->reach = hypot(larger(s->weights[0], s->weights[1]), arm * s->weights[2]) * (1.0 + MARGIN);
     s->size = s->weight + s->reach;
     s->error = sweep_error(s->weight);
+    s->rounding = STRICT * UNASKED * s->size;
 }
 
 int search_begin(Search *s, const double *generators, int n, const double *load,
                  const Criterion *criterion, const double *weights, const double *pieces, int many,
-                 int (*interrupted)(void)) {
+                 double units, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .criterion = criterion,
-                  .interrupted = interrupted};
+                  .units = units, .work = work_of(WORK, interrupted)};
     memcpy(s->weights, weights, sizeof s->weights);
     s->weight = criterion ? criterion->weight : total_size(generators, n);
     take_pieces(s, pieces, many);
@@ -668,15 +717,19 @@ int search_join(Search *s, const double *wrench, const double *pieces, int many)
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
     s->weight += length(generator);
+    s->work.left = WORK;
     take_pieces(s, pieces, many);
-    if (s->is_small && s->n <= s->few)
+    if (s->is_small && s->n <= s->few) {
+        s->work.left = s->units;
         return join_facets(s, generator);
+    }
     if (s->is_small || s->n - s->in_tree > EXTRAS)
         return start(s);
     tree_whiten(&s->tree, generator, s->extra + 3 * (s->n - s->in_tree - 1));
     Sphere before = s->base;
     s->base = (Sphere){0};
     int status = pool_from_sphere(s, &before, INFINITY);
+    s->work.left = s->units;
     sphere_free(&before);
     return status;
 }

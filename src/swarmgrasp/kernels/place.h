@@ -25,11 +25,13 @@ typedef struct {
     double height;  /* h at the unit normal, or H where the criterion's D is 1 [N] */
     double cap;     /* what no newcomer lifts it beyond [N] */
     double inverse; /* 1 / |m[2]|, or 1 */
+    double slack;   /* by which rounding may change the height: a robot that lacks less is not cut */
 } Row;
 
 /* A convex combination of pool rows that bounds a piece. */
 typedef struct {
     double bound;
+    double slack; /* by which rounding may change the bound */
     int row[4];
     double share[4];
 } Proof;
@@ -57,10 +59,12 @@ typedef struct {
     Sphere base, open;          /* the directions on which h may be less than `covered`, and */
     double covered;             /* those that the next newcomer can matter to */
     Row *pool;
-    int count, room, most;
+    int count, room;
     int lowest;                 /* the row with the least cap */
     const Criterion *criterion; /* other than the nominal quality, or NULL */
-    int (*interrupted)(void);
+    double rounding;            /* by which H may be off [N] */
+    double units;              /* units of work */
+    Work work;                  /* for all that is asked until a robot joins */
 } Search;
 
 /* The best robot: its quality, (c, s, torque), and its piece; -1 if none betters the base. */
@@ -70,26 +74,31 @@ typedef struct {
 } Best;
 
 /* Prepare a search beside a load (3,) [N], or for a criterion, which has the robots and the load
- * itself; robots cannot join that one. Returns SOLVED, NO_MEMORY or INTERRUPTED; end it in any
- * case. */
+ * itself; robots cannot join that one. Solving and breaking ties take `units` of work at most, and as
+ * many again after each robot that joins; a quality takes WORK. Returns a status; end it in any case. */
 int search_begin(Search *search, const double *generators, int n, const double *load,
                  const Criterion *criterion, const double *weights, const double *pieces, int many,
-                 int (*interrupted)(void));
+                 double units, int (*interrupted)(void));
 void search_end(Search *search);
 
 /* Let a robot (c, s, torque) join the base swarm, and ask for the next; what is known is kept. */
 int search_join(Search *search, const double *wrench, const double *pieces, int many);
 
 /* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds
- * the best by more than `gap` of it, or `budget` normals were met on the way; writes a proof per
- * piece. Returns SOLVED, OUT_OF_BUDGET, or a fault. */
-int search_solve(Search *search, const char *chosen, double gap, int budget, Best *best,
-                 Proof *proofs);
+ * the best by more than `gap` of it, or by what rounding hides; writes a proof per piece. Returns
+ * SOLVED, OUT_OF_BUDGET, or a fault. */
+int search_solve(Search *search, const char *chosen, double gap, Best *best, Proof *proofs);
 
 /* Compute the exact quality with one more robot (c, s, torque) that the pieces allow, or a weaker
  * one, at the unit normal written. Below `enough` any upper bound will do. */
 int search_quality(Search *search, const double *wrench, double enough, double *quality,
                    double *normal);
+
+/* The same to the end, but for WORK of its own. Returns SOLVED or a fault. */
+int search_value(Search *search, const double *wrench, double *quality, double *normal);
+
+/* Note work done. Returns SOLVED, OUT_OF_BUDGET or INTERRUPTED. */
+int search_spend(Search *search, double units);
 
 /* The length of a pool row's normal: 1, but for a criterion with a task. */
 double search_length(const Search *search, int row);

@@ -31,25 +31,27 @@ void round_quality(const double *generators, int n, double size, double *quality
         *quality = 0.0;
 }
 
-int exact_quality(Sweep *sweep, const double *generators, int n, int (*interrupted)(void),
-                  double *quality, double *weakest) {
+int exact_quality(Sweep *sweep, const double *generators, int n, Work *work, double *quality,
+                  double *bound, double *weakest) {
     double size = total_size(generators, n);
     int status = 0;
     if (n <= SWEPT) {
-        *quality = sweep_all(sweep, generators, n, weakest);
+        *quality = *bound = sweep_all(sweep, generators, n, weakest);
     } else {
         Tree tree;
         Sphere sphere;
-        if (tree_build(&tree, generators, n, sweep->load))
-            return -1;
-        status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY,
-                               ZERO * size, interrupted);
+        status = tree_build(&tree, generators, n, sweep->load, work);
+        if (status != 0)
+            return status;
+        status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY, ZERO * size, work);
         *quality = sphere.best;
+        *bound = sphere.bound;
         if (*quality < INFINITY)
             sphere_best(&sphere, weakest);
         sphere_free(&sphere);
         tree_free(&tree);
     }
     round_quality(generators, n, size, quality, weakest);
+    *bound = larger(0.0, smaller(*bound, *quality));
     return status;
 }

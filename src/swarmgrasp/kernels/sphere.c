@@ -12,7 +12,7 @@
 #define TRIES 2          /* cuts made in a cell before it is split */
 #define WORTH 0.4        /* share of the gap that a cut should close for another to be tried */
 #define FUTILE 0.1       /* gap, relative to h and the edge squared, that only splitting closes */
-#define ROUNDS 256       /* cells between two looks at the keyboard */
+#define BASIC 20.0       /* units of work that a cell takes besides */
 #define CLOSE 1e-13      /* of h: how near a bound comes to the best */
 #define EVALUATION 4e-15 /* of sum |c_i|: what evaluations may differ by; */
 #define IDLE 100.0       /* times that: below the bound by more, a cut holds nothing up */
@@ -84,10 +84,11 @@ static double evaluate(Sphere *s, const Local *local, const double *m, double ro
         b = local->vectors;
         end = b + 3 * local->count;
     } else {
-        tree_gradient(s->tree, m, rounding, g);
+        charge(s->work, tree_gradient(s->tree, m, rounding, g));
         b = s->extra;
         end = b + 3 * s->extras;
     }
+    charge(s->work, (double)(end - b) / 3.0);
     for (; b < end; b += 3)
         if (dot(m, b) > 0.0)
             add(g, b);
@@ -172,7 +173,9 @@ static int sift(const Cell *cell, const double *from, int count, int most, Local
 
 /* Find what matters on a cell. Returns 0 if more than `most` generators do. */
 static int look_closer(const Sphere *s, const Cell *cell, int most, Local *local) {
-    local->count = tree_crossed(s->tree, cell->corner, most, local->vectors, local->sum);
+    int looked;
+    local->count = tree_crossed(s->tree, cell->corner, most, local->vectors, local->sum, &looked);
+    charge(s->work, looked + s->extras);
     return local->count >= 0 && sift(cell, s->extra, s->extras, most, local);
 }
 
@@ -181,6 +184,7 @@ static void list_vertices(Sphere *s, const Cell *cell, const Local *local) {
     const double *c = local->vectors;
     double ignored[3];
     int count = local->count;
+    charge(s->work, 0.5 * count * count * count);
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++) {
             double m[3];
@@ -244,31 +248,33 @@ static double enough(const Sphere *s) {
 }
 
 /* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts,
- * down to so many halvings. */
-static void finish(Sphere *s, const Cell *cell, const Local *local, double *room, int depth) {
+ * down to so many halvings. Returns 0, STOPPED or SPENT. */
+static int finish(Sphere *s, const Cell *cell, const Local *local, double *room, int depth) {
     Cell own = *cell, halves[2];
     double scaled[9];
+    int status = spend(s->work, BASIC + local->count);
     if (local->count <= LISTED) {
         list_vertices(s, cell, local);
-        return;
+        return status;
     }
     scale_corners(s->tree, cell, scaled);
     tighten(s, &own, local, scaled, s->best, tries_for(s, cell));
     if (own.bound >= enough(s) || extent(cell) <= SMALLEST || depth == 0)
-        return;
+        return status;
     halve(&own, halves, halves + 1);
     for (int k = 0; k < 2; k++) {
         scale_corners(s->tree, halves + k, scaled);
         tighten(s, halves + k, NULL, scaled, s->best, 0);
     }
     int first = halves[1].bound < halves[0].bound;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 2 && status == 0; k++) {
         const Cell *half = halves + (k ? 1 - first : first);
         Local part = {.vectors = room};
         memcpy(part.sum, local->sum, sizeof part.sum);
         if (half->bound < enough(s) && sift(half, local->vectors, local->count, LOCAL, &part))
-            finish(s, half, &part, room + 3 * part.count, depth - 1);
+            status = finish(s, half, &part, room + 3 * part.count, depth - 1);
     }
+    return status;
 }
 
 /* -- the search ---------------------------------------------------------------------------- */
@@ -315,8 +321,9 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
 
 int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
                   const Sphere *from, double margin, double below, double zero,
-                  int (*interrupted)(void)) {
+                  Work *work) {
     memset(s, 0, sizeof *s);
+    s->work = work;
     s->tree = tree;
     s->extra = extra;
     s->extras = extras;
@@ -328,20 +335,19 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
     double *room = malloc(3 * LOCAL * (DEPTH + 2) * sizeof *room);
     int status = room ? begin(s, from, margin) : -1;
     for (long round = 1; status == 0 && s->cells > 0; round++) {
+        s->bound = s->cell[0].bound;
         double scaled[9];
         Cell cell, halves[2];
         Local local = {.vectors = room};
         if (s->cell[0].bound >= enough(s) || s->best <= zero)
             break;
-        if (round % ROUNDS == 0 && interrupted()) {
-            status = -2;
+        if ((status = spend(work, BASIC)) != 0)
             break;
-        }
         pop(s, &cell);
         if (look_closer(s, &cell, round < LONG ? FEW : LOCAL, &local)) {
-            finish(s, &cell, &local, room + 3 * local.count, DEPTH);
-            if (margin > 0.0)
-                status = push(&kept, &cell);
+            status = finish(s, &cell, &local, room + 3 * local.count, DEPTH);
+            if (margin > 0.0 && push(&kept, &cell))
+                status = -1;
             continue;
         }
         scale_corners(tree, &cell, scaled);
@@ -359,8 +365,11 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
                 status = push(s, halves + k);
         }
     }
-    for (int k = 0; k < kept.cells && status == 0; k++)
-        status = push(s, kept.cell + k);
+    if (status != SPENT)
+        s->bound = s->best;
+    for (int k = 0; k < kept.cells && (status == 0 || status == SPENT); k++)
+        if (push(s, kept.cell + k))
+            status = -1;
     sphere_free(&kept);
     free(room);
     return status;

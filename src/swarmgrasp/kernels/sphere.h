@@ -3,6 +3,7 @@
 #define SWARMGRASP_SPHERE_H
 
 #include "tree.h"
+#include "work.h"
 
 #define PLANES 3 /* cuts that a cell keeps */
 
@@ -22,6 +23,8 @@ typedef struct {
     double weight;          /* sum |c_i|, with them */
     double tolerance;       /* of h near the best normal, that is rounding */
     double best, normal[3]; /* least h so far, and the normal, whitened */
+    double bound;           /* what no direction falls below, but for rounding */
+    Work *work;
     Cell *cell;             /* a heap, least bound first */
     int cells, room;
 } Sphere;
@@ -33,11 +36,11 @@ typedef struct {
  * later runs; 0 keeps none. A value of `below` or more is not wanted, and `best` is then `below`;
  * one of `zero` or less is as good as 0, and the first to be found.
  *
- * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, -2 if
- * interrupted. */
+ * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, STOPPED, or
+ * SPENT: then `bound` may be below the best. */
 int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, int extras,
                   const Sphere *from, double margin, double below, double zero,
-                  int (*interrupted)(void));
+                  Work *work);
 
 /* Return the least h found, and write its unit normal. */
 double sphere_best(const Sphere *sphere, double *normal);

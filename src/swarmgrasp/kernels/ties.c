@@ -14,6 +14,7 @@
 #define SOFTNESS 0.5     /* added to h, relative to its mean, before the power is taken */
 #define UNTURNED 1e-6    /* torque part of a proof's mean normal below which the contact is idle */
 #define CAPPED_BY 1e-9   /* how near to what no newcomer exceeds, relatively, the best counts as it */
+#define SCANNED 0.3      /* units of work to pass over a candidate */
 #define CHECKS 12        /* exact qualities of a large swarm that a grid may cost */
 
 typedef struct {
@@ -158,10 +159,14 @@ int search_break_tie(Search *s, const Proof *proofs, double target, Best *best) 
             if (c->score >= least)
                 break;
             double quality, normal[3];
-            status = search_quality(s, c->wrench, target, &quality, normal);
-            if (status != SOLVED)
+            status = search_spend(s, SCANNED * count);
+            if (status == SOLVED)
+                status = search_quality(s, c->wrench, target, &quality, normal);
+            if (status == OUT_OF_BUDGET)
+                count = checks = 0;
+            else if (status != SOLVED)
                 goto done;
-            if (quality >= target) {
+            else if (quality >= target) {
                 at = *c;
                 least = c->score;
                 best->quality = quality;

@@ -16,6 +16,8 @@
 #define FACE 60              /* and the face above them */
 #define FLATTEST 1e-16       /* of C's pivots, relative to its trace: what rounding leaves of it */
 #define EVEN 0.1             /* least share of the trace of C that is near enough to a third */
+#define PER_ITEM 20.0        /* units of work to whiten a generator */
+#define SOME 4096            /* generators between two looks at the keyboard */
 #define STEPS 8              /* towards that, at most */
 #define ALIKE 1e-15          /* difference of (u, v) that is rounding */
 #define SWOLLEN 4e-16        /* by which a rectangle is widened */
@@ -129,8 +131,10 @@ static int highest_bit(uint64_t x) {
 }
 
 /* Sort by key, 11 bits at a time; digits that all items share are passed over. */
-static void sort_items(Item **items, Item **spare, size_t n) {
+static int sort_items(Item **items, Item **spare, size_t n, Work *work) {
     for (int shift = 0; shift < 63; shift += 11) {
+        if (spend(work, (double)n) == STOPPED)
+            return STOPPED;
         size_t start[2049] = {0};
         for (size_t i = 0; i < n; i++)
             start[((*items)[i].key >> shift & 2047) + 1]++;
@@ -144,6 +148,7 @@ static void sort_items(Item **items, Item **spare, size_t n) {
         *items = *spare;
         *spare = swap;
     }
+    return 0;
 }
 
 /* Write the node of generators [first, last) and those below it; keys are in `items`. */
@@ -220,9 +225,13 @@ void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count) {
     }
 }
 
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load) {
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+               Work *work) {
+    int status = 0;
     memset(tree, 0, sizeof *tree);
     tree_whitening(tree, generators, count);
+    if (spend(work, PER_ITEM * (double)count) == STOPPED)
+        return STOPPED;
     tree_whiten(tree, load, tree->load);
     tree->weight = length(tree->load);
     size_t room = count > 0 ? (size_t)count : 1;
@@ -241,9 +250,11 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
         items[n++].index = (uint32_t)i;
     }
     if (n > 0)
-        sort_items(&items, &spare, n);
+        status = sort_items(&items, &spare, n, work);
     int size = 0;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n && status != STOPPED; i++) {
+        if (i % SOME == 0)
+            status = spend(work, SOME);
         double *c = tree->vectors + 3 * size;
         if (i + AHEAD < n) /* they lie anywhere: waiting for each would take as long as sorting */
             FETCH(generators + 3 * (ptrdiff_t)items[i + AHEAD].index);
@@ -264,19 +275,22 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
         tree->node = malloc(2 * (size_t)size * sizeof *tree->node);
         if (!tree->node)
             goto failed;
-        for (int first = 0, last = 0; first < size; first = last) {
+        for (int first = 0, last = 0; first < size && status != STOPPED; first = last) {
             while (last < size && items[last].key >> FACE == items[first].key >> FACE)
                 last++;
             grow(tree, items, first, last); /* one for each square */
+            status = spend(work, last - first);
         }
     }
-    free(items);
-    return 0;
+    if (status != STOPPED) {
+        free(items);
+        return 0;
+    }
 failed:
     free(items);
     free(spare);
     tree_free(tree);
-    return -1;
+    return status == STOPPED ? STOPPED : -1;
 }
 
 void tree_free(Tree *tree) {
@@ -302,16 +316,18 @@ static inline const Node *pass_over(const Tree *tree, const Node *node, int sign
     return tree->node + node->skip;
 }
 
-void tree_gradient(const Tree *tree, const double *m, double rounding, double *g) {
+int tree_gradient(const Tree *tree, const double *m, double rounding, double *g) {
     double sum[3] = {tree->load[0], tree->load[1], tree->load[2]};
     const Node *node = tree->node, *end = tree->node + tree->nodes;
-    while (node < end) {
+    int looked = 0;
+    for (; node < end; looked++) {
         int sign = sign_on(node, m, 0.0);
         if (sign != 0) {
             node = pass_over(tree, node, sign, sum);
             continue;
         }
         const double *c = tree->vectors + 3 * node->first;
+        looked += node->count;
         for (int i = 0; i < node->count; i++, c += 3) {
             double a = m[0] * c[0], b = m[1] * c[1], d = m[2] * c[2];
             if (a + b + d > rounding * (fabs(a) + fabs(b) + fabs(d))) {
@@ -321,9 +337,11 @@ void tree_gradient(const Tree *tree, const double *m, double rounding, double *g
         node++;
     }
     memcpy(g, sum, sizeof sum);
+    return looked;
 }
 
-int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g) {
+int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g,
+                 int *looked) {
     int found = 0;
     double sum[3] = {tree->load[0], tree->load[1], tree->load[2]}, slack[3];
     const Node *node = tree->node, *end = tree->node + tree->nodes;
@@ -331,7 +349,7 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
         const double *m = corners + 3 * j;
         slack[j] = ON_PLANE * (fabs(m[0]) + fabs(m[1]) + fabs(m[2]));
     }
-    while (node < end) {
+    for (*looked = 0; node < end; ++*looked) {
         int sign = sign_on(node, corners, slack[0]);
         for (int j = 1; j < 3 && sign != 0; j++)
             if (sign_on(node, corners + 3 * j, slack[j]) != sign)
@@ -341,6 +359,7 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
             continue;
         }
         const double *c = tree->vectors + 3 * node->first;
+        *looked += node->count;
         for (int i = 0; i < node->count; i++, c += 3) {
             double near = ON_PLANE * (fabs(c[0]) + fabs(c[1]) + fabs(c[2]));
             double a = dot(corners, c), b = dot(corners + 3, c), d = dot(corners + 6, c);

@@ -14,6 +14,8 @@
 
 #include <stddef.h>
 
+#include "work.h"
+
 #define ON_PLANE 1e-14 /* sine of the angle within which a generator counts as crossed */
 
 typedef struct {
@@ -35,9 +37,10 @@ typedef struct {
     double weight;        /* sum |c_i|, and the load's size */
 } Tree;
 
-/* Build the tree of `count` generators (count, 3) and a load (3,). Returns 0, or -1 without
- * memory. */
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load);
+/* Build the tree of `count` generators (count, 3) and a load (3,), whatever work that takes. Returns
+ * 0, -1 without memory, or STOPPED. */
+int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+               Work *work);
 void tree_free(Tree *tree);
 
 /* Find M for generators (count, 3). */
@@ -49,12 +52,14 @@ void tree_normal(const Tree *tree, const double *m, double *n);
 void tree_direction(const Tree *tree, const double *n, double *m);
 
 /* Write the gradient of h at m, the load and the sum of the c_i with m . c_i > 0, to g. Of generators in
- * crossed leaves those count as 0 that are so but for `rounding`, relative to their terms. */
-void tree_gradient(const Tree *tree, const double *m, double rounding, double *g);
+ * crossed leaves those count as 0 that are so but for `rounding`, relative to their terms. Returns how
+ * many nodes and generators were looked at. */
+int tree_gradient(const Tree *tree, const double *m, double rounding, double *g);
 
 /* List the generators that change sign over the triangle with corners (3, 3), at most `room` of
  * them, and add up in g the load and those that are positive on it. Returns how many were listed, or
- * -1 if there are more. */
-int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g);
+ * -1 if there are more, and writes how many nodes and generators were looked at. */
+int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g,
+                 int *looked);
 
 #endif

@@ -14,10 +14,9 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.weakest import MARGINAL, Weakest
 
-MOST_NORMALS = 200_000
-"""Normals met on the way after which a search stops with the bound it has; some 10 are usual."""
-
 Array = NDArray[np.float64]
+WORK = core.WORK
+"""Units of work after which a search stops with the bound it has: some seconds."""
 
 
 class Best(NamedTuple):
@@ -127,7 +126,7 @@ class Search:
         x, y, turn = weights.tolist()
         self.aim, self._unit = aim, 1.0 if aim is None else aim.unit
         criterion = None if aim is None else aim.core
-        self._core = core.Search(generators, (x, y, turn), rows, load, criterion)
+        self._core = core.Search(generators, (x, y, turn), rows, load, criterion, WORK)
         self._note(rows)
 
     def _note(self, rows: Array) -> None:
@@ -155,7 +154,7 @@ class Search:
             wanted = np.zeros(self._many, dtype=bool)
             wanted[list(chosen)] = True
             mask = wanted.tobytes()
-        solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask, MOST_NORMALS)
+        solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask)
         normals = self._core.normals()  # kept: joining robots change them
         unit = self._unit
         found = Best(best[0] / unit, *best[1:])

@@ -10,7 +10,7 @@ from swarmgrasp.quality.criterion import Criterion
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.poses import Spread, spreads_of
 from swarmgrasp.quality.task import Polytope
-from swarmgrasp.quality.weakest import MARGINAL, Weakest
+from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Robot, Swarm
 
 Array = NDArray[np.float64]
@@ -84,20 +84,10 @@ class Aim:
         With uncertain poses the value comes down, pose by pose, to one that a swarm in its worst
         poses has exactly; the bound is that of the search on all poses.
         """
-        nothing = MARGINAL * self.size
-        value, normal = self.core.least(self.gap, np.inf, nothing, None)
-        bound = value * (1.0 - self.gap)
-        better = not self.is_exact
-        while better and value > nothing:
-            known = self._core_of(self.worst_generators(normal), NO_SPREAD)
-            least, at = known.least(EXACT, value, nothing, None)
-            better = least < value * (1.0 - EXACT)
-            if better:
-                value, normal = least, at
-        if value <= nothing:
-            return Weakest(0.0, normal), 0.0
+        value, normal, is_done = self.core.least(self.gap, np.inf)
         value /= self.unit
-        return Weakest(value, normal), value if self.is_exact else min(value, bound / self.unit)
+        bound = 0.0 if not is_done else value if self.is_exact else value * (1.0 - self.gap)
+        return Weakest(value, normal), bound
 
     def values(self, normals: Array) -> Array:
         """Return H / D (m,) at normals (m, 3), in the user's unit; inf where D is 0."""

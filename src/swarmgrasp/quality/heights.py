@@ -11,8 +11,8 @@ Mask = NDArray[np.bool_]
 
 ON_FACET = 1e-9
 """Sine of the angle to a facet within which a generator counts as lying in it."""
-UNASKED = 1e-10
-"""The task's support relative to its largest, at which it asks for nothing there."""
+FARTHEST = 1e-10
+"""Distance along a normal, relative to the task's size, within which a vertex is the farthest."""
 
 
 def _zeros() -> Array:
@@ -92,7 +92,7 @@ class Heights:
         reached = self.task @ normal
         if not self.is_polytope:
             return np.asarray(steps @ (reached @ self.task) / np.linalg.norm(reached))
-        touched = reached >= reached.max() - UNASKED * np.linalg.norm(self.task, axis=1).max()
+        touched = reached >= reached.max() - FARTHEST * np.linalg.norm(self.task, axis=1).max()
         return np.asarray((steps @ self.task[touched].T).max(axis=1))
 
 

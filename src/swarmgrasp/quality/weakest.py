@@ -10,6 +10,9 @@ from swarmgrasp.quality.generators import checked_generators
 
 MARGINAL = core.MARGINAL
 """Quality relative to sum |b_i| at and below which it counts as zero."""
+UNASKED = core.UNASKED
+"""Share of a task's size at and below which it asks for nothing along a normal, and share of
+sum |b_i| by which rounding may change what robots can do there."""
 
 
 class Weakest(NamedTuple):
@@ -49,7 +52,8 @@ def weakest_of(
     >>> round(weakest_of(corners / 3**0.5).quality, 6)
     0.816497
     """
-    return Weakest(*core.weakest(np.ascontiguousarray(generators, dtype=float), load))
+    quality, normal, _ = core.weakest(np.ascontiguousarray(generators, dtype=float), load)
+    return Weakest(quality, normal)
 
 
 def qualities(generators: ArrayLike) -> NDArray[np.float64]:

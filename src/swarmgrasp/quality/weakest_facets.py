@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.quality.heights import ON_FACET, UNASKED, Array, Heights, largest
+from swarmgrasp.quality.heights import ON_FACET, Array, Heights, largest
+from swarmgrasp.quality.weakest import UNASKED
 
 TIED = 1e-12
 """Difference of two heights that is rounding, relative to what was added up."""

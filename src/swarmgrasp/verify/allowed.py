@@ -18,6 +18,9 @@ from swarmgrasp.verify.recompute import Array, covers, labels_of, sides_of
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
     from swarmgrasp.verify.claims import ProblemClaim, RobotClaim, ZoneClaim
 
+NEXT = 1e-5
+"""Relative difference of widths next to a sliver's that rounding may make."""
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -57,7 +60,7 @@ class Allowed:
                         continue
                     place = label or boundary.names[edge] or f"edge {edge}"
                     for lo, hi in sides_of(self.asked, zone, inward):
-                        yield Piece(place, start, end, lo, hi, 0.0 < b - a <= 2.0 * sliver)
+                        yield Piece(place, start, end, lo, hi, 0.0 < b - a <= sliver * (1.0 + NEXT))
 
     def spans(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array

@@ -25,10 +25,11 @@ MOST_DESCENDED = 100
 """Robots of uncertain poses up to which these are made worse and worse."""
 SPREAD = 500
 """Directions, spread evenly, in which a quality is bounded from above."""
-UNASKED = 1e-10
+UNASKED = 4e-15
 """D relative to the task's size, at and below which the task asks for nothing there."""
-SUMMED = 1e-15
-"""Share of sum |b_i| by which the rounding of a sum may change it."""
+ROUNDED = 1e-14
+"""Share of sum |b_i| by which rounding may change a sum of up to 100 robots, and by that / D their
+quality; it grows with the number of more."""
 PARALLEL = 1e-12
 """Sine of the angle between generators that have no common plane."""
 BLOCK = 200_000
@@ -82,14 +83,13 @@ class Judge:
         """Return robots by what they contribute."""
         return team_of(robots, self._boundary, self.scale, self._criterion.worst_case)
 
-    def extents(self, normals: Array) -> Array:
-        """Return D (m,) at unit normals (m, 3)."""
+    def extents(self, normals: Array, more: float = 0.0) -> Array:
+        """Return D (m,) at unit normals (m, 3), with so much more of the task's size."""
         if self._criterion.task is None:
             return np.ones(len(normals))
         along = normals @ self._rows.T
-        found = np.linalg.norm(along, axis=1)
-        if self._is_polytope:
-            found = np.maximum(along.max(axis=1), 0.0)
+        found = along.max(axis=1) if self._is_polytope else np.linalg.norm(along, axis=1)
+        found = np.maximum(found + more, 0.0)
         return np.asarray(np.where(found > UNASKED, found * self.unit, 0.0))
 
     def levels(self, team: Team, normals: Array) -> Levels:
@@ -152,7 +152,8 @@ class Judge:
             least, place = self.weakest(levels, normals, size)
             at = place if least < most else at
             most = min(most, least)
-            certainly = over(levels.height - SUMMED * size, levels.extent, 2.0 * SUMMED * size)
+            asked = self.extents(normals, 2.0 * UNASKED)
+            certainly = over(levels.height - ROUNDED * size, asked, 2.0 * ROUNDED * size)
             low = min(low, float(certainly.min()))
         return max(low, 0.0), max(most, 0.0), at
 
@@ -173,7 +174,7 @@ class Judge:
     @staticmethod
     def weakest(levels: Levels, normals: Array, size: float) -> tuple[float, Array]:
         """Return the least that H / D certainly does not exceed, and the normal of it."""
-        found = over(levels.height + SUMMED * size, levels.extent, ABSOLUTE * size)
+        found = over(levels.height + ROUNDED * size, levels.extent, ABSOLUTE * size)
         k = int(np.argmin(found))
         return float(found[k]), normals[k]
 

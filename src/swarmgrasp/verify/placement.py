@@ -20,8 +20,15 @@ from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.verify.allowed import Allowed
 from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.digest import digest_of
-from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, SUMMED, UNASKED, Judge, over
-from swarmgrasp.verify.recompute import ABSOLUTE, ANGLE, crest, distance_to, turns_into, units_of
+from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, ROUNDED, UNASKED, Judge, over
+from swarmgrasp.verify.recompute import (
+    ABSOLUTE,
+    ANGLE,
+    crest,
+    distance_to,
+    turns_into,
+    units_of,
+)
 from swarmgrasp.verify.rounding import noise_of
 from swarmgrasp.verify.team import Team
 from swarmgrasp.verify.verdict import Verdict
@@ -32,15 +39,9 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
 CERTIFIED = 1e-7
-"""The same for the worst of uncertain poses, which the search finds no nearer, and for a task,
-which may hang on directions in which it asks for next to nothing."""
-SMALL = 1e-2
-"""Worst of uncertain poses relative to sum |b_i|, below which that is relative to this."""
+"""The same for the worst of uncertain poses, which the search finds no nearer."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
-ROUNDED = 1e-14
-"""Share of sum |b_i| by which rounding changes a quality or a bound, of up to 100 robots; that of
-more grows with their number."""
 CLOSED = 0.3
 """Of the quality that counts as 0: a gap between bound and quality that is closed."""
 TOLD = 1e-6
@@ -135,7 +136,7 @@ class _Check:
         self.pieces = list(Allowed(asked, boundary, present).pieces())
         units = [units_of(proof.normals) for proof in claim.proofs]
         self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
-        self.bound = self.upper_bound()
+        self.surely, self.bound = self.upper_bounds()
         self.noise = self.least_noise([*present, claim.robot])
 
     def faults(self) -> Iterator[str]:
@@ -174,7 +175,7 @@ class _Check:
             most = 2.0 * self.zero
         if self.is_tolerant:
             most = math.inf
-        if not (self.bound < math.inf and self.bound <= most):
+        if not (self.bound < math.inf and self.surely <= most):
             yield (
                 f"the proofs show an upper bound of {self.bound:.12g}{unit} only, not "
                 f"{claim.upper_bound:.12g}{unit}"
@@ -184,7 +185,7 @@ class _Check:
         if claim.quality > claim.upper_bound + self.slack(claim.quality):
             yield f"the upper bound {claim.upper_bound:.12g}{unit} is below the quality"
         most = claim.quality * (1.0 + claim.asked_gap)
-        bound = claim.upper_bound if self.is_tolerant else self.bound
+        bound = claim.upper_bound if self.is_tolerant else self.surely
         # a search ends where rounding hides what is left; of none, as good as none
         near = max(most + max(self.slack(most), CLOSED * self.zero), 10.0 * self.zero)
         near += 0.0 if claim.improves else 2.0 * self.noise
@@ -215,9 +216,8 @@ class _Check:
 
     def slack(self, value: float) -> float:
         """Return the difference that counts as rounding at a value."""
-        if self.base.spread or self.is_tolerant:
-            return CERTIFIED * max(value, SMALL * self.zero / ABSOLUTE) + self.rounding
-        return (CERTIFIED if self.asked.criterion.task else RELATIVE) * value + self.rounding
+        is_uncertain = self.base.spread or self.is_tolerant
+        return (CERTIFIED if is_uncertain else RELATIVE) * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""
@@ -266,19 +266,22 @@ class _Check:
         asked = float(extent[np.argmin(over(height, extent, 0.0))])
         return noise / asked if asked > 0.0 else 0.0
 
-    def upper_bound(self) -> float:
-        """Bound every allowed robot's quality by the best of the proofs for each piece."""
+    def upper_bounds(self) -> tuple[float, float]:
+        """Bound every allowed robot's quality by the best of the proofs for each piece.
+
+        From below and from above: rounding may hide as much as lies between.
+        """
         pieces = [piece for piece in self.pieces if not piece.is_sliver] or self.pieces
         if not pieces:
-            return math.inf
+            return math.inf, math.inf
         origin = self.boundary.origin
         p, q = (
             np.array([end - origin for end in ends])
             for ends in zip(*((c.p, c.q) for c in pieces), strict=True)
         )
         lo, hi = np.array([c.lo for c in pieces]), np.array([c.hi for c in pieces])
-        bounds = np.full(len(pieces), math.inf)
-        rounding = self.zero * self.judge.unit * (SUMMED / ABSOLUTE)
+        surely = bounds = np.full(len(pieces), math.inf)
+        rounding = self.rounding * self.judge.unit
         for proof in self.claim.proofs:
             normals, weights = units_of(proof.normals), np.array(proof.weights)
             if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
@@ -292,5 +295,7 @@ class _Check:
             asked = asked if asked > UNASKED * self.judge.unit else 0.0
             found = over(reach, np.full(len(pieces), asked), rounding)
             found = np.maximum(found, over(height, extent, rounding).max())
-            bounds = np.minimum(bounds, np.minimum(found, over(cap, extent, rounding).min()))
-        return max(float(bounds.max()), 0.0)
+            found = np.minimum(found, over(cap, extent, rounding).min())
+            hidden = rounding / extent[extent > 0.0].min(initial=np.inf)
+            surely, bounds = np.minimum(surely, found - hidden), np.minimum(bounds, found + hidden)
+        return max(float(surely.max()), 0.0), max(float(bounds.max()), 0.0)

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.together.stands import Ground, Stands
 from swarmgrasp.products import dots
-from swarmgrasp.quality.aim import EXACT, NO_SPREAD, NO_TASK, Aim
+from swarmgrasp.quality.aim import CERTIFIED, EXACT, NO_SPREAD, NO_TASK, Aim
 from swarmgrasp.quality.task import Polytope
-from swarmgrasp.quality.weakest import MARGINAL, Weakest, weakest_of
+from swarmgrasp.quality.weakest import UNASKED, Weakest, weakest_of
 from swarmgrasp.swarm import Swarm
 
 Array = NDArray[np.float64]
@@ -20,8 +20,6 @@ MOST_PAIRED = 40
 """Generators of the swarm whose planes with each other and with the newcomers' are listed."""
 PARALLEL = 1e-9
 """Sine of the angle between generators that have no plane in common."""
-ASKED = 1e-6
-"""What a task asks along a normal, relative to its size, below which the normal is left out."""
 
 
 class Levels(NamedTuple):
@@ -118,8 +116,9 @@ class Gauge:
             heights = np.maximum(dots(rows, self.known), 0.0).sum(axis=1, keepdims=True)
             return Levels(rows, heights, np.ones(len(rows)))
         found = [aim.levels(rows) for aim in self._aims]
-        levels = Levels(rows, np.column_stack([each[:, 0] for each in found]), found[0][:, 2])
-        return levels.take(levels.extents > ASKED * self.unit)
+        heights = np.column_stack([each[:, 0] for each in found]) + UNASKED * self._aims[-1].size
+        levels = Levels(rows, heights, found[0][:, 2])
+        return levels.take(levels.extents > UNASKED * self.unit)
 
     def exact(self, stands: Stands) -> Weakest:
         """Compute the quality with newcomers, and the normal that attains it."""
@@ -140,9 +139,8 @@ class Gauge:
             both, (x, y, z), self._spread, self.losing, (fx, fy, turn),
             np.ascontiguousarray(rows), isinstance(task, Polytope),
         )  # fmt: skip
-        nothing = MARGINAL * float(np.linalg.norm(both, axis=1).sum())
-        value, normal = judge.least(EXACT if not len(self._spread) else 1e-7, np.inf, nothing, None)
-        return Weakest(value / self.unit if value > nothing else 0.0, normal)
+        value, normal, _ = judge.least(EXACT if not len(self._spread) else CERTIFIED, np.inf)
+        return Weakest(value / self.unit, normal)
 
     @property
     def _spread(self) -> Array:
