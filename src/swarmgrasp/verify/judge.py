@@ -84,12 +84,15 @@ class Judge:
         return team_of(robots, self._boundary, self.scale, self._criterion.worst_case)
 
     def extents(self, normals: Array, more: float = 0.0) -> Array:
-        """Return D (m,) at unit normals (m, 3), with so much more of the task's size."""
+        """Return D (m,) at unit normals (m, 3), with so much more of the terms it adds up."""
         if self._criterion.task is None:
             return np.ones(len(normals))
         along = normals @ self._rows.T
+        if more > 0.0:
+            along = along if self._is_polytope else np.abs(along)
+            along = along + more * (np.abs(normals) @ np.abs(self._rows).T)
         found = along.max(axis=1) if self._is_polytope else np.linalg.norm(along, axis=1)
-        found = np.maximum(found + more, 0.0)
+        found = np.maximum(found, 0.0)
         return np.asarray(np.where(found > UNASKED, found * self.unit, 0.0))
 
     def levels(self, team: Team, normals: Array) -> Levels:
