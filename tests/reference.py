@@ -470,3 +470,17 @@ def most_in_cylinder(B, size, rounds=60, close=5e-5):
         normals = np.vstack([normals, brought])
         heights = np.append(heights, support(B, brought))
     return bound
+
+
+def most_of_task(B, rows):
+    """Return the largest s at which robots of generators B make s times each row, by programs."""
+    most = math.inf
+    for row in np.asarray(rows, dtype=float):
+        size = np.linalg.norm(row)
+        unknown = np.append(np.zeros(len(B)), -1.0)  # shares of the limits, and s size
+        matrix = np.column_stack([np.asarray(B).T, -row / size])
+        bounds = [(0.0, 1.0)] * len(B) + [(0.0, None)]
+        most = min(
+            most, linprog(unknown, A_eq=matrix, b_eq=np.zeros(3), bounds=bounds).x[-1] / size
+        )
+    return most
