@@ -2,7 +2,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch])
+KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch] src/swarmgrasp/kernels/python/*.[ch])
 
 .PHONY: demo test test-long test-oldest test-newest lint docs bench paper lock clean
 

@@ -9,7 +9,7 @@
 #define TURNS 400     /* of the plane, far more than it takes */
 #define LARGE 100000  /* robots from which the keyboard is looked at in between */
 
-int crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void)) {
+Status crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void)) {
     size_t room = n > 0 ? (size_t)n : 1;
     *crew = (Crew){.n = n, .interrupted = interrupted};
     crew->units = malloc(5 * room * sizeof *crew->units);
@@ -17,7 +17,7 @@ int crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupt
     crew->meetings = malloc(room * sizeof *crew->meetings);
     if (!crew->units || !crew->where || !crew->meetings || face_room(&crew->face, n)) {
         crew_free(crew);
-        return -1;
+        return NO_MEMORY;
     }
     crew->sizes = crew->units + 3 * room;
     crew->s = crew->units + 4 * room;
@@ -39,7 +39,7 @@ int crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupt
         crew->sizes[i] = most * size;
         crew->total += crew->sizes[i];
     }
-    return 0;
+    return SOLVED;
 }
 
 void crew_free(Crew *crew) {
@@ -250,18 +250,16 @@ static double seen(const Goal *goal, const double *normal, const double *corner,
     return length(w);
 }
 
-double find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent) {
+Status find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent, double *reach) {
     ptrdiff_t in = -1, also = -1;
-    double reach = 0.0, rounding = OUTSIDE;
+    double rounding = OUTSIDE;
     for (int k = 1; k <= TURNS && also != -2; k++) {
         double corner[3], point[3], hint[3], tangent[3];
         Face *face = &crew->face;
-        if (crew->n >= LARGE && crew->interrupted()) {
-            crew->is_stopped = 1;
-            break;
-        }
+        if (crew->n >= LARGE && crew->interrupted())
+            return INTERRUPTED;
         *extent = divide(crew, normal, goal->size, in, also, corner);
-        *extent += seen(goal, normal, corner, &reach, point);
+        *extent += seen(goal, normal, corner, reach, point);
         q[0] = dot(point, face->e);
         q[1] = dot(point, face->f);
         Side side = face_side(face, q, *extent);
@@ -285,5 +283,5 @@ double find_face(Crew *crew, Goal *goal, double *normal, double *q, double *exte
             in = also = -1;
         }
     }
-    return reach;
+    return SOLVED;
 }

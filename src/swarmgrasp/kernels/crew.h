@@ -25,7 +25,6 @@ typedef struct {
     Meeting *meetings;  /* (n,) */
     Face face;          /* of those in the plane */
     int (*interrupted)(void);
-    int is_stopped; /* by it */
 } Crew;
 
 /* What is looked for: where the ray along a wrench leaves the wrench set, or the point nearest to
@@ -37,13 +36,13 @@ typedef struct {
     double least;     /* cosine between a normal and the ray below which rounding decides */
 } Goal;
 
-int crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void));
+Status crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void));
 void crew_free(Crew *crew);
 
 /* Turn the normal until the goal is on the face across it; a ray may be moved by what is rounding.
  * Leaves the crew divided by the plane across the normal. q (2,) is where the goal meets the face,
- * seen from the corner; `extent` is what its rounding is relative to. Returns how far out the goal
- * is: along the ray, or from the face to the wrench. */
-double find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent);
+ * seen from the corner; `extent` is what its rounding is relative to, and `reach` how far
+ * out the goal is: along the ray, or from the face to the wrench. */
+Status find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent, double *reach);
 
 #endif

@@ -98,19 +98,20 @@ static void clear(double *top, int losing) {
         top[k] = 0.0;
 }
 
-double criterion_height(const Criterion *aim, const double *normal, const double *extra,
-                        double *cap) {
-    double height = dot(aim->load, normal), few[8];
+Status criterion_height(const Criterion *aim, const double *normal, const double *extra,
+                        double *height, double *cap) {
+    double few[8];
     double *top = aim->losing <= 8 ? few : malloc((size_t)aim->losing * sizeof *top);
     if (!top)
-        return NAN;
+        return NO_MEMORY;
     clear(top, aim->losing);
+    *height = dot(aim->load, normal);
     for (int i = 0; i < robots_of(aim) + (extra != NULL); i++)
-        height += note_largest(top, aim->losing, larger(0.0, low(aim, extra, i, normal)));
-    *cap = aim->losing ? height + top[aim->losing - 1] : INFINITY;
+        *height += note_largest(top, aim->losing, larger(0.0, low(aim, extra, i, normal)));
+    *cap = aim->losing ? *height + top[aim->losing - 1] : INFINITY;
     if (top != few)
         free(top);
-    return height;
+    return SOLVED;
 }
 
 double criterion_total(const Criterion *aim, const double *normal) {
@@ -150,14 +151,14 @@ static double frame_row(Criterion *aim, const double *row) {
     return most;
 }
 
-int criterion_begin(Criterion *aim, int rows) {
+Status criterion_begin(Criterion *aim, int rows) {
     int u = -1;
     size_t room = (size_t)aim->points + 4 * (size_t)rows + (size_t)aim->tasks + 1;
     double most = 0.0;
     aim->frame = malloc(3 * room * sizeof *aim->frame);
     aim->first = calloc((size_t)rows + 2, sizeof *aim->first);
     if (!aim->frame || !aim->first)
-        return -1;
+        return NO_MEMORY;
     memcpy(aim->frame, aim->point, 3 * (size_t)aim->points * sizeof *aim->frame);
     aim->frames = aim->points;
     aim->weight = total_size(aim->point, aim->points) + length(aim->load);
@@ -169,7 +170,7 @@ int criterion_begin(Criterion *aim, int rows) {
             most = 0.0;
         }
         if (row[0] != (double)u)
-            return -3;
+            return UNSORTED;
         most = larger(most, frame_row(aim, row));
     }
     aim->weight += most;
@@ -179,7 +180,7 @@ int criterion_begin(Criterion *aim, int rows) {
         aim->frame[3 * aim->frames + k] = TASKS * aim->weight / aim->tasks * aim->task[k];
     aim->frames += aim->tasks;
     memcpy(aim->frame + 3 * aim->frames++, aim->load, sizeof aim->load);
-    return 0;
+    return SOLVED;
 }
 
 void criterion_end(Criterion *aim) {
@@ -426,18 +427,18 @@ static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) 
     return 1;
 }
 
-static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth);
-static int polish(Hunt *h);
+static Status explore(Hunt *h, Place *place, size_t begin, size_t end, int depth);
+static Status polish(Hunt *h);
 
 /* Search the half of a triangle in which the middle of an edge replaces a corner. */
-static int explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, int corner,
-                        const double *white, const double *normal, int depth) {
+static Status explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, int corner,
+                           const double *white, const double *normal, int depth) {
     Place half = *whole;
     size_t wanted_room = end + (end - begin);
     if (wanted_room > h->room) {
         Active *grown = realloc(h->active, 2 * wanted_room * sizeof *grown);
         if (!grown)
-            return -1;
+            return NO_MEMORY;
         h->active = grown;
         h->room = 2 * wanted_room;
     }
@@ -453,14 +454,14 @@ static int explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, i
 }
 
 /* Search a triangle for normals with less than the best. */
-static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
-    int others, losing = h->aim->losing, status;
+static Status explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
+    int others, losing = h->aim->losing;
     double height[3];
     h->triangles += 1.0;
-    status = spend(h->work, h->each * (double)(end - begin) + BASIC);
-    if (status == 0 && h->best < h->polished && h->rest-- <= 0.0)
+    Status status = spend(h->work, h->each * (double)(end - begin) + BASIC);
+    if (status == SOLVED && h->best < h->polished && h->rest-- <= 0.0)
         status = polish(h);
-    if (status != 0)
+    if (status != SOLVED)
         return status;
     end = sift(h, place, begin, end, &others);
     for (int j = 0; j < 3; j++) {
@@ -471,13 +472,13 @@ static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
         offer(h, place->normal + 3 * j, height[j], place->extent[j]);
     }
     if (h->best <= h->zero || is_held(h, place, begin, end))
-        return 0;
+        return SOLVED;
     if (others == 0 && list_vertices(h, place, begin, end))
-        return 0;
+        return SOLVED;
     double edge, white[3], normal[3], size;
     int from = longest_edge(place->white, &edge), to = (from + 1) % 3;
     if (depth == 0 || edge <= SMALLEST)
-        return 0;
+        return SOLVED;
     for (int k = 0; k < 3; k++)
         white[k] = place->white[3 * from + k] + place->white[3 * to + k];
     size = length(white);
@@ -490,21 +491,21 @@ static int explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
     int is_first = height[from] - target * place->extent[from]
                    > height[to] - target * place->extent[to];
     status = explore_half(h, place, begin, end, is_first ? from : to, white, normal, depth);
-    if (status == 0 && h->best > h->zero)
+    if (status == SOLVED && h->best > h->zero)
         status = explore_half(h, place, begin, end, is_first ? to : from, white, normal, depth);
     return status;
 }
 
 /* Look at directions spread evenly: a low value to begin with keeps the search out of valleys that
  * are not the deepest. */
-static int look_around(Hunt *h) {
+static Status look_around(Hunt *h) {
     for (int k = 0; k < AROUND && h->best > h->zero; k++) {
-        double white[3], cap, normal[3];
+        double white[3], normal[3], height, cap;
         on_spiral(k, AROUND, white);
         tree_normal(&h->white, white, normal);
-        double height = criterion_height(h->aim, normal, h->extra, &cap);
-        if (isnan(height))
-            return -1;
+        Status status = criterion_height(h->aim, normal, h->extra, &height, &cap);
+        if (status != SOLVED)
+            return status;
         offer(h, normal, height, criterion_extent(h->aim, normal));
     }
     return spend(h->work, AROUND * (h->each * robots_of(h->aim) + BASIC));
@@ -519,7 +520,7 @@ static void swap_corners(double *corners, int width) {
 }
 
 /* Search one of the eight triangles that all directions are divided into. */
-static int explore_octant(Hunt *h, int octant, int count) {
+static Status explore_octant(Hunt *h, int octant, int count) {
     const Criterion *aim = h->aim;
     Place place = {.white = {0.0}};
     memcpy(place.fixed, aim->load, sizeof place.fixed);
@@ -542,14 +543,13 @@ static int explore_octant(Hunt *h, int octant, int count) {
 }
 
 /* Search all directions for values below the best. */
-static int explore_all(Hunt *h) {
-    int count = robots_of(h->aim) + (h->extra != NULL), status = 0;
+static Status explore_all(Hunt *h) {
+    int count = robots_of(h->aim) + (h->extra != NULL);
     h->room = 2 * (size_t)count + 64;
     h->active = malloc(h->room * sizeof *h->active);
     h->top = malloc(((size_t)h->aim->losing + 1) * sizeof *h->top);
-    if (!h->active || !h->top)
-        status = -1;
-    for (int octant = 0; octant < 8 && status == 0 && h->best > h->zero; octant++)
+    Status status = h->active && h->top ? SOLVED : NO_MEMORY;
+    for (int octant = 0; octant < 8 && status == SOLVED && h->best > h->zero; octant++)
         status = explore_octant(h, octant, count);
     free(h->active);
     free(h->top);
@@ -559,12 +559,13 @@ static int explore_all(Hunt *h) {
 /* Lower the best to the least that the robots have in the poses that are worst at its normal, which
  * is exact and takes a few triangles; and again with those that are worst there. Without this a
  * search creeps down into every valley by ever smaller steps. */
-static int polish(Hunt *h) {
-    int count = robots_of(h->aim) + (h->extra != NULL), status = 0;
-    double *point = malloc(3 * (size_t)count * sizeof *point), before, cap;
+static Status polish(Hunt *h) {
+    int count = robots_of(h->aim) + (h->extra != NULL);
+    double *point = malloc(3 * (size_t)count * sizeof *point), before, height, cap;
     Criterion fixed = *h->aim;
+    Status status;
     if (!point)
-        return -1;
+        return NO_MEMORY;
     fixed.points = count;
     fixed.point = point;
     fixed.spread = 0;
@@ -582,49 +583,55 @@ static int polish(Hunt *h) {
         before = h->best;
         status = explore_all(&part);
         h->rest += part.triangles;
-        if (part.best < before) /* in poses that are worse there, even less */
-            offer(h, part.normal, criterion_height(h->aim, part.normal, h->extra, &cap),
-                  criterion_extent(h->aim, part.normal));
-    } while (status == 0 && h->best < before - EXACT * fabs(before) && h->best > h->zero);
+        if (part.best < before && !is_fault(status)) { /* in poses that are worse there, even less */
+            Status valued = criterion_height(h->aim, part.normal, h->extra, &height, &cap);
+            if (valued == SOLVED)
+                offer(h, part.normal, height, criterion_extent(h->aim, part.normal));
+            else
+                status = valued;
+        }
+    } while (status == SOLVED && h->best < before - EXACT * fabs(before) && h->best > h->zero);
     h->polished = h->best;
     free(point);
     return status;
 }
 
 /* Whiten directions by what matters: the robots, uncertain ones by their ends, task and load. */
-static int whiten(Hunt *h) {
+static Status whiten(Hunt *h) {
     const Criterion *aim = h->aim;
     size_t size = 3 * (size_t)aim->frames;
     double *frame = malloc((size + 3) * sizeof *frame);
     if (!frame)
-        return -1;
+        return NO_MEMORY;
     memcpy(frame, aim->frame, size * sizeof *frame);
     if (h->extra)
         memcpy(frame + size, h->extra, 3 * sizeof *frame);
     tree_whitening(&h->white, frame, aim->frames + (h->extra != NULL));
     free(frame);
-    return 0;
+    return SOLVED;
 }
 
-int criterion_search(const Criterion *aim, const double *extra, double gap, double below,
-                     double rounding, Work *work, double *value, double *normal) {
-    double cap;
+Status criterion_search(const Criterion *aim, const double *extra, double gap, double below,
+                        double rounding, Work *work, double *value, double *normal) {
+    double height, cap;
     int robots = robots_of(aim);
     Hunt h = {.aim = aim, .extra = extra, .gap = gap, .zero = ZERO / UNASKED * rounding, .best = below,
               .rounding = rounding, .work = work};
     h.polished = aim->spread ? below : -INFINITY;
     h.each = robots ? (aim->points + TURNED * aim->first[aim->spread]) / robots : 1.0;
-    int status = whiten(&h);
-    if (status == 0)
+    Status status = whiten(&h);
+    if (status == SOLVED)
         status = look_around(&h);
-    if (status == 0)
+    if (status == SOLVED)
         status = explore_all(&h);
     double size = length(h.normal);
     *value = below;
     for (int k = 0; k < 3; k++)
         normal[k] = size > 0.0 ? h.normal[k] / size : 0.0;
-    if (size > 0.0) {
-        double height = criterion_height(aim, normal, extra, &cap);
+    if (size > 0.0 && !is_fault(status)) {
+        Status valued = criterion_height(aim, normal, extra, &height, &cap);
+        if (valued != SOLVED)
+            return valued;
         double extent = larger(criterion_extent(aim, normal), UNASKED);
         *value = height <= rounding || height <= h.zero * extent ? 0.0 : height / extent;
     }

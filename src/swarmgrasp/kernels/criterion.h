@@ -35,16 +35,15 @@ typedef struct {
     double *frame;        /* (frames, 3) [N] */
 } Criterion;
 
-/* Complete a criterion whose arrays are set: find `first`, `weight` and `frame`. Returns 0, -1
- * without memory, or -3 if rows are not sorted by robot, 0 1 2 ... */
-int criterion_begin(Criterion *criterion, int rows);
+/* Complete a criterion whose arrays are set: find `first`, `weight` and `frame`. Returns a status;
+ * UNSORTED if rows are not sorted by robot, 0 1 2 ... End it in any case. */
+Status criterion_begin(Criterion *criterion, int rows);
 void criterion_end(Criterion *criterion);
 
-/* H at a normal of any length, with the robots and one more generator, or NULL; the H before the
- * last loss, which no newcomer exceeds, goes to `cap`: INFINITY if none is lost. Returns NAN
- * without memory. */
-double criterion_height(const Criterion *criterion, const double *normal, const double *extra,
-                        double *cap);
+/* Find H at a normal of any length, with the robots and one more generator, or NULL; the H before
+ * the last loss, which no newcomer exceeds, goes to `cap`: INFINITY if none is lost. */
+Status criterion_height(const Criterion *criterion, const double *normal, const double *extra,
+                        double *height, double *cap);
 
 /* What H would be if no robot were lost. */
 double criterion_total(const Criterion *criterion, const double *normal);
@@ -56,8 +55,8 @@ double criterion_extent(const Criterion *criterion, const double *normal);
  * less than (1 - gap) times the value, but for what `rounding` [N] may add to H. A value of `below`
  * or more is not wanted: it is then `below`, and the normal is zero. What is 0 but for rounding is 0,
  * and the first to be found; so is what a load leaves that is not held. Writes a unit normal that
- * attains it. Returns 0, -1 without memory, STOPPED, or SPENT: then some direction may have less. */
-int criterion_search(const Criterion *criterion, const double *extra, double gap, double below,
-                     double rounding, Work *work, double *value, double *normal);
+ * attains it. Returns a status; OUT_OF_BUDGET means that some direction may have less. */
+Status criterion_search(const Criterion *criterion, const double *extra, double gap, double below,
+                        double rounding, Work *work, double *value, double *normal);
 
 #endif

@@ -12,7 +12,7 @@
 #define SETTLED 4e-16  /* relative residual that is rounding */
 #define SINGULAR 1e-14 /* of a pivot: what rounding leaves of 0 */
 
-int face_room(Face *face, ptrdiff_t n) {
+Status face_room(Face *face, ptrdiff_t n) {
     size_t room = n > 0 ? (size_t)n : 1;
     *face = (Face){0};
     face->robot = malloc(room * sizeof *face->robot);
@@ -20,12 +20,12 @@ int face_room(Face *face, ptrdiff_t n) {
     face->crossings = malloc(2 * room * sizeof *face->crossings);
     if (!face->robot || !face->c || !face->crossings) {
         face_free(face);
-        return -1;
+        return NO_MEMORY;
     }
     face->size = face->c + 2 * room;
     face->share = face->c + 3 * room;
     face->along = face->c + 4 * room;
-    return 0;
+    return SOLVED;
 }
 
 void face_free(Face *face) {

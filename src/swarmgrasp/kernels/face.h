@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "status.h"
+
 #define OUTSIDE 1e-14 /* relative excess that is more than rounding */
 
 /* Something that happens at a place on a line. */
@@ -32,7 +34,7 @@ typedef struct {
     ptrdiff_t axis; /* the generator along it, of the face; -1 at the end of a segment */
 } Side;
 
-int face_room(Face *face, ptrdiff_t n);
+Status face_room(Face *face, ptrdiff_t n);
 void face_free(Face *face);
 
 /* Choose the basis of the plane across a unit normal, and find the coordinates of the generators of

@@ -8,7 +8,7 @@
 #define SUM_ERROR 1e-15 /* of sum |b_i|: the error of the running sums */
 #define COARSE 1e-12    /* of h: the error that calls for a direct sum instead */
 
-int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
+Status sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
     size_t room = n > 0 ? (size_t)n : 1;
     *sweep = (Sweep){.load = {load[0], load[1], load[2]}};
     sweep->normals = malloc(9 * room * sizeof *sweep->normals);
@@ -16,12 +16,12 @@ int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
     sweep->rank = malloc(room * sizeof *sweep->rank);
     if (!sweep->normals || !sweep->ray || !sweep->rank) {
         sweep_free(sweep);
-        return -1;
+        return NO_MEMORY;
     }
     sweep->heights = sweep->normals + 6 * room;
     sweep->angle = sweep->heights + 2 * room;
     sweep->sorted = sweep->ray + room;
-    return 0;
+    return SOLVED;
 }
 
 void sweep_free(Sweep *sweep) {

@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "status.h"
+
 /* A generator in the plane, turned to the upper half. */
 typedef struct {
     double u, v;
@@ -23,7 +25,7 @@ typedef struct {
     double *heights; /* (2 n,) h at them */
 } Sweep;
 
-int sweep_room(Sweep *sweep, ptrdiff_t n, const double *load);
+Status sweep_room(Sweep *sweep, ptrdiff_t n, const double *load);
 void sweep_free(Sweep *sweep);
 
 /* Find h at the unit normals orthogonal to `axis` and to one of the generators (n, 3) each, from

@@ -83,20 +83,20 @@ static void take_up(const Crew *crew, const double *w, double *shares, Shares *f
                            smaller(found->needed, 1.0));
 }
 
-/* Find the shares of a wrench that is in reach, or -1 if it is not; sets `needed` and the proof. */
-static int share_along(Crew *crew, const double *w, double size, double noise, double *shares,
-                      Shares *found) {
-    double *normal = found->normals[0], q[2], extent, miss[3];
+/* Find the shares of a wrench and the proof: REACHED, or REFUTED if it is out of reach; sets `needed`. */
+static Status share_along(Crew *crew, const double *w, double size, double noise, double *shares,
+                          Shares *found) {
+    double *normal = found->normals[0], q[2], extent, reach, miss[3];
     Goal goal = {1, {w[0] / size, w[1] / size, w[2] / size}, 0.0, larger(LEAST, noise / size)};
     if (!(dot(normal, goal.target) > NEAR_ENOUGH))
         memcpy(normal, goal.target, sizeof goal.target);
-    double reach = find_face(crew, &goal, normal, q, &extent);
-    if (crew->is_stopped)
-        return -1;
+    Status status = find_face(crew, &goal, normal, q, &extent, &reach);
+    if (status != SOLVED)
+        return status;
     reach += slide_in(crew, &goal, normal, q, extent);
     found->needed = reach > 0.0 ? size / reach : INFINITY;
     if (found->needed > 1.0 + SAME)
-        return -1;
+        return REFUTED;
     double more = share_out(crew, q, extent, smaller(found->needed, 1.0), shares, found);
     if (fabs(more) > OWN * reach) { /* the face is a little farther out, or nearer */
         more /= dot(normal, goal.target);
@@ -112,26 +112,26 @@ static int share_along(Crew *crew, const double *w, double size, double noise, d
         if (missed > LOST * size + NOTHING * crew->total + noise)
             found->shortfall = ldexp(missed, crew->exponent);
     }
-    return 0;
+    return REACHED;
 }
 
 /* Find the shares of a wrench that the robots in the plane make by themselves. */
-static int share_in_plane(Crew *crew, const double *wrench, double *shares, Shares *found) {
+static Status share_in_plane(Crew *crew, const double *wrench, double *shares, Shares *found) {
     const double none[3] = {0.0};
     const Face *face = &crew->face;
     Crew part = {0};
     Shares inner = {0};
     ptrdiff_t n = face->count;
     double *own = malloc((4 * (size_t)n + 1) * sizeof *own);
-    int status = own ? 0 : -1;
+    Status status = own ? SOLVED : NO_MEMORY;
     for (ptrdiff_t k = 0; k < n && own; k++)
         for (int c = 0; c < 3; c++)
             own[3 * k + c] = crew->sizes[face->robot[k]] * crew->units[3 * face->robot[k] + c];
-    if (status == 0)
+    if (status == SOLVED)
         status = crew_room(&part, own, n, crew->interrupted);
-    if (status == 0)
+    if (status == SOLVED)
         status = crew_shares(&part, wrench, none, own + 3 * n, &inner);
-    if (status == 0) {
+    if (status == SOLVED) {
         for (ptrdiff_t k = 0; k < n; k++)
             shares[face->robot[k]] = own[3 * n + k];
         memcpy(found->normals[1], inner.normals, sizeof inner.normals[0] * 2);
@@ -144,27 +144,29 @@ static int share_in_plane(Crew *crew, const double *wrench, double *shares, Shar
 }
 
 /* Find the shares of the attainable wrench that is nearest to one out of reach. */
-static int share_nearest(Crew *crew, const double *w, double size, double noise, double *shares,
-                        Shares *found) {
-    double q[2], extent, made[3], miss[3], shrink = smaller(1.0, FARTHEST * crew->total / size);
+static Status share_nearest(Crew *crew, const double *w, double size, double noise,
+                            double *shares, Shares *found) {
+    double q[2], extent, reach, made[3], miss[3];
+    double shrink = smaller(1.0, FARTHEST * crew->total / size);
     Goal goal = {0, {w[0], w[1], w[2]}, size, 0.0};
     for (int k = 0; k < 3 && crew->total > 0.0; k++)
         goal.target[k] *= shrink;
-    find_face(crew, &goal, found->normals[0], q, &extent);
-    if (crew->is_stopped)
-        return -2;
+    Status status = find_face(crew, &goal, found->normals[0], q, &extent, &reach);
+    if (status != SOLVED)
+        return status;
     share_out(crew, q, extent, 1.0, shares, found);
     double shortfall = miss_of(crew, w, shares, miss);
     if (shortfall > SAME * size + NOTHING * crew->total + noise)
         found->shortfall = ldexp(shortfall, crew->exponent);
     if (crew->face.count == 0 || memchr(crew->where, 1, (size_t)crew->n))
-        return 0;
+        return SOLVED;
     for (int k = 0; k < 3; k++) /* nobody has to give all: the face is that of no wrench, too */
         made[k] = w[k] - miss[k];
     return share_in_plane(crew, made, shares, found);
 }
 
-int crew_shares(Crew *crew, const double *wanted, const double *load, double *shares, Shares *found) {
+Status crew_shares(Crew *crew, const double *wanted, const double *load, double *shares,
+                   Shares *found) {
     double w[3], size, noise;
     for (int k = 0; k < 3; k++)
         w[k] = ldexp(wanted[k] - load[k], -crew->exponent);
@@ -176,9 +178,10 @@ int crew_shares(Crew *crew, const double *wanted, const double *load, double *sh
     memset(shares, 0, (size_t)crew->n * sizeof *shares);
     if (size <= noise) {
         memset(found->normals[0], 0, sizeof found->normals[0]);
-        return 0;
+        return SOLVED;
     }
-    if (share_along(crew, w, size, noise, shares, found) == 0)
-        return 0;
-    return crew->is_stopped ? -2 : share_nearest(crew, w, size, noise, shares, found);
+    Status status = share_along(crew, w, size, noise, shares, found);
+    if (status == REFUTED)
+        status = share_nearest(crew, w, size, noise, shares, found);
+    return status == REACHED ? SOLVED : status;
 }

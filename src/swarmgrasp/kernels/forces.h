@@ -19,8 +19,8 @@ typedef struct {
 #define SHARES 15 /* numbers in it, and whether they are proven */
 
 /* Find the shares (n,) of a wrench wanted beside a load, and what they are worth. The search starts
- * from the first normal in `found`, unless that is 0. Returns 0, -1 without memory, -2 if
- * stopped. */
-int crew_shares(Crew *crew, const double *wanted, const double *load, double *shares, Shares *found);
+ * from the first normal in `found`, unless that is 0. */
+Status crew_shares(Crew *crew, const double *wanted, const double *load, double *shares,
+                   Shares *found);
 
 #endif

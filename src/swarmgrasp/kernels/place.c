@@ -34,17 +34,11 @@ typedef struct {
     int i, j;          /* because these two demands clash elsewhere */
 } Arc;
 
-/* What a search on the sphere returned, as a status of this one. */
-static int status_of(int outcome) {
-    return outcome == 0 ? SOLVED : outcome == -1 ? NO_MEMORY
-           : outcome == SPENT ? OUT_OF_BUDGET : INTERRUPTED;
-}
-
-int search_spend(Search *s, double units) { return status_of(spend(&s->work, units)); }
+Status search_spend(Search *s, double units) { return spend(&s->work, units); }
 
 /* -- the pool ---------------------------------------------------------------------------- */
 
-static int add_row(Search *s, const double *normal, double height, double cap) {
+static Status add_row(Search *s, const double *normal, double height, double cap) {
     if (s->count == s->room) {
         int room = 2 * s->room;
         Row *grown = realloc(s->pool, (size_t)room * sizeof *grown);
@@ -70,11 +64,12 @@ static int add_row(Search *s, const double *normal, double height, double cap) {
 /* Add a normal with what a criterion says of it, at the length at which D is 1. One that the task
  * asks nothing of makes no demand, unless the load is not held there. Returns a status; SOLVED also
  * if there is nothing to add. */
-static int add_normal(Search *s, const double *normal) {
-    double cap, unit[3], height = criterion_height(s->criterion, normal, NULL, &cap);
+static Status add_normal(Search *s, const double *normal) {
+    double unit[3], height, cap;
     double extent = criterion_extent(s->criterion, normal), least = CLEARLY * UNASKED * length(normal);
-    if (isnan(height))
-        return NO_MEMORY;
+    Status status = criterion_height(s->criterion, normal, NULL, &height, &cap);
+    if (status != SOLVED)
+        return status;
     if (extent <= least) {
         if (height >= -ZERO / UNASKED * s->rounding * length(normal))
             return SOLVED;
@@ -94,17 +89,23 @@ double search_length(const Search *s, int row) {
     return length(normal);
 }
 
-/* h of the base swarm at a normal. */
-double search_height(const Search *s, const double *normal) {
-    double cap;
+double search_total(const Search *s, const double *normal) {
     if (s->criterion)
-        return criterion_height(s->criterion, normal, NULL, &cap);
+        return criterion_total(s->criterion, normal);
     if (s->is_small)
         return dot(s->sweep.load, normal) + support(s->generators, s->n, normal);
     double m[3], g[3];
     tree_direction(&s->tree, normal, m);
     tree_gradient(&s->tree, m, 0.0, g);
     return dot(g, m) + support(s->extra, s->n - s->in_tree, m);
+}
+
+Status search_height(const Search *s, const double *normal, double *height) {
+    double cap;
+    if (s->criterion)
+        return criterion_height(s->criterion, normal, NULL, height, &cap);
+    *height = search_total(s, normal);
+    return SOLVED;
 }
 
 /* -- what a level demands ------------------------------------------------------------------ */
@@ -294,8 +295,8 @@ static double least_in_pool(Search *s, const double *wrench, int *at) {
     return least;
 }
 
-int search_quality(Search *s, const double *wrench, double enough, double *quality,
-                   double *normal) {
+Status search_quality(Search *s, const double *wrench, double enough, double *quality,
+                      double *normal) {
     double generator[3];
     int at;
     *quality = least_in_pool(s, wrench, &at);
@@ -315,32 +316,32 @@ int search_quality(Search *s, const double *wrench, double enough, double *quali
     }
     if (s->criterion) {
         double weakest[3], value;
-        int status = criterion_search(s->criterion, generator, tightest(s), *quality,
-                                      s->rounding, &s->work, &value, weakest);
+        Status status = criterion_search(s->criterion, generator, tightest(s), *quality,
+                                         s->rounding, &s->work, &value, weakest);
         *quality -= s->pool[at].slack;
         if (length(weakest) > 0.0) {
             *quality = value;
             memcpy(normal, weakest, sizeof weakest);
         }
-        return status_of(status);
+        return status;
     }
     Sphere sphere;
     int extras = s->n - s->in_tree + 1;
     tree_whiten(&s->tree, generator, s->extra + 3 * (extras - 1));
-    int status = sphere_search(&sphere, &s->tree, s->extra, extras, &s->open, 0.0, *quality,
-                               ZERO * s->size, &s->work);
+    Status status = sphere_search(&sphere, &s->tree, s->extra, extras, &s->open, 0.0, *quality,
+                                  ZERO * s->size, &s->work);
     if (sphere.best < *quality)
         *quality = sphere_best(&sphere, normal);
     sphere_free(&sphere);
-    return status_of(status);
+    return status;
 }
 
-int search_value(Search *s, const double *wrench, double *quality, double *normal) {
+Status search_value(Search *s, const double *wrench, double *quality, double *normal) {
     double left = s->work.left;
     s->work.left = WORK;
-    int status = search_quality(s, wrench, -INFINITY, quality, normal);
+    Status status = search_quality(s, wrench, -INFINITY, quality, normal);
     s->work.left = left;
-    if (status == SOLVED || status == OUT_OF_BUDGET)
+    if (!is_fault(status))
         status = search_spend(s, 0.0);
     return status == OUT_OF_BUDGET ? SOLVED : status;
 }
@@ -358,7 +359,7 @@ static double tilt(const Search *s, double *normal, double height, double level,
         double c = cos(best + phi), d = sin(best + phi) / size;
         for (int k = 0; k < 3; k++)
             turned[k] = c * normal[k] - d * generator[k];
-        double h = search_height(s, turned), gain = level - h + d * size * size;
+        double h = search_total(s, turned), gain = level - h + d * size * size;
         if (h < level && gain > miss) {
             miss = gain;
             height = h;
@@ -372,7 +373,7 @@ static double tilt(const Search *s, double *normal, double height, double level,
 }
 
 /* Ask whether the robot at hand reaches a level: REACHED, SOLVED (a new cut says no), or a fault. */
-static int try_robot(Search *s, const double *wrench, double level, Best *best) {
+static Status try_robot(Search *s, const double *wrench, double level, Best *best) {
     double generator[3], normal[3], value, quality, height, slack = MISSED * s->size;
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
@@ -384,7 +385,7 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
         quality = smaller(value, least_in_pool(s, wrench, &at));
         height = value;
     } else {
-        int status = search_quality(s, wrench, -INFINITY, &quality, normal);
+        Status status = search_quality(s, wrench, -INFINITY, &quality, normal);
         if (status != SOLVED)
             return status;
         value = quality;
@@ -399,7 +400,8 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
     if (value >= level - slack)
         return REACHED;
     if (s->criterion) {
-        int count = s->count, status = add_normal(s, normal);
+        int count = s->count;
+        Status status = add_normal(s, normal);
         if (status != SOLVED)
             return status;
         if (s->count == count) /* rounding alone */
@@ -414,7 +416,7 @@ static int try_robot(Search *s, const double *wrench, double level, Best *best) 
 /* -- the search ------------------------------------------------------------------------------ */
 
 /* Decide whether a piece has a robot that reaches a level; REFUTED comes with its proof. */
-static int reach(Search *s, const double *piece, double level, Best *best, Proof *proof) {
+static Status reach(Search *s, const double *piece, double level, Best *best, Proof *proof) {
     Arc at_lo, at_hi, arc;
     int is_lo_set = 0, is_hi_set = 0;
     for (int k = 0; k < LIMITS; k++) {
@@ -424,7 +426,7 @@ static int reach(Search *s, const double *piece, double level, Best *best, Proof
     }
     double lo = piece[4], hi = piece[5];
     for (;;) {
-        int status = search_spend(s, 0.0);
+        Status status = search_spend(s, 0.0);
         if (status != SOLVED)
             return status;
         double middle = 0.5 * (lo + hi), wrench[3] = {cos(middle), sin(middle), 0.0};
@@ -479,8 +481,8 @@ static void first_proofs(Search *s, Proof *proofs) {
     }
 }
 
-int search_solve(Search *s, const char *chosen, double gap, Best *best, Proof *proofs) {
-    int status = SOLVED;
+Status search_solve(Search *s, const char *chosen, double gap, Best *best, Proof *proofs) {
+    Status status = SOLVED;
     char *progress = calloc((size_t)s->many, 1); /* OPEN */
     if (!progress)
         return NO_MEMORY;
@@ -504,9 +506,9 @@ int search_solve(Search *s, const char *chosen, double gap, Best *best, Proof *p
         int is_probe = best->piece >= 0 && best->piece != k && progress[k] == OPEN;
         double share = is_probe ? PROBE : 0.5;
         double level = before + share * (high - before);
-        int outcome = s->pool[s->lowest].cap < level
-                          ? CAPPED
-                          : reach(s, s->pieces + PIECE * k, level, best, &trial);
+        Status outcome = s->pool[s->lowest].cap < level
+                             ? CAPPED
+                             : reach(s, s->pieces + PIECE * k, level, best, &trial);
         if (best->quality > before)
             best->piece = k;
         if (outcome == CAPPED) {
@@ -532,42 +534,41 @@ int search_solve(Search *s, const char *chosen, double gap, Best *best, Proof *p
 /* -- the base swarm --------------------------------------------------------------------------- */
 
 /* Start the pool with the weakest normal, one that is little stronger also in the opposite
- * direction, and their opposites; return a quality that no newcomer exceeds, or a negative
- * status. */
-static double begin_pool(Search *s, const double *both) {
+ * direction, and their opposites; writes a quality that no newcomer exceeds. */
+static Status begin_pool(Search *s, const double *both, double *most) {
     const double *normals[2] = {s->weakest, both};
-    double most = -INFINITY;
-    Proof *proofs = malloc((size_t)s->many * sizeof *proofs);
-    if (!proofs)
-        return -NO_MEMORY;
-    for (int k = 0; k < 2; k++) {
+    Status status = SOLVED;
+    for (int k = 0; k < 2 && status == SOLVED; k++) {
+        int count = s->count;
         double opposite[3] = {-normals[k][0], -normals[k][1], -normals[k][2]};
         if (s->criterion) {
-            int count = s->count, status = add_normal(s, normals[k]);
+            status = add_normal(s, normals[k]);
             if (status == SOLVED)
                 status = add_normal(s, opposite);
             for (int j = 0; status == SOLVED && s->count < count + 2; j++) /* nothing is asked there */
                 status = add_normal(s, s->criterion->task + 3 * (j % s->criterion->tasks));
-            if (status != SOLVED) {
-                free(proofs);
-                return -status;
-            }
-            continue;
+        } else {
+            status = add_row(s, normals[k], search_total(s, normals[k]), INFINITY);
+            if (status == SOLVED)
+                status = add_row(s, opposite, search_total(s, opposite), INFINITY);
         }
-        add_row(s, normals[k], search_height(s, normals[k]), INFINITY);
-        add_row(s, opposite, search_height(s, opposite), INFINITY);
     }
+    Proof *proofs = status == SOLVED ? malloc((size_t)s->many * sizeof *proofs) : NULL;
+    if (!proofs)
+        return is_fault(status) ? status : NO_MEMORY;
     first_proofs(s, proofs);
+    *most = s->quality;
     for (int k = 0; k < s->many; k++)
-        most = larger(most, proofs[k].bound);
+        *most = larger(*most, proofs[k].bound);
+    *most += MARGIN * s->size;
     free(proofs);
-    return larger(most, s->quality) + MARGIN * s->size;
+    return SOLVED;
 }
 
 /* Find the weakest of all facets listed, and keep in the pool those that a newcomer can matter to. */
-static int pool_from_facets(Search *s) {
+static Status pool_from_facets(Search *s) {
     const double *both = s->weakest;
-    double least = INFINITY;
+    double least = INFINITY, most;
     s->quality = INFINITY;
     for (ptrdiff_t k = 0; k < s->facets; k++)
         if (s->heights[k] < s->quality) {
@@ -580,8 +581,7 @@ static int pool_from_facets(Search *s) {
             least = larger(s->heights[k], s->heights[k + 1]);
             both = s->normals + 3 * k;
         }
-    double most = begin_pool(s, both);
-    int status = most < 0.0 ? NO_MEMORY : SOLVED;
+    Status status = begin_pool(s, both, &most);
     for (ptrdiff_t k = 0; k < s->facets && status == SOLVED; k++)
         if (s->heights[k] < most)
             status = add_row(s, s->normals + 3 * k, s->heights[k], INFINITY);
@@ -590,39 +590,41 @@ static int pool_from_facets(Search *s) {
 
 /* Find the weakest normal, and the directions that a newcomer can matter to. `from` are those of
  * the swarm before its last robot joined, or NULL. */
-static int pool_from_sphere(Search *s, const Sphere *from, double margin) {
+static Status pool_from_sphere(Search *s, const Sphere *from, double margin) {
     Sphere found;
+    double most;
     int extras = s->n - s->in_tree;
-    int status = sphere_search(&found, &s->tree, s->extra, extras, from, margin, INFINITY,
-                               ZERO * s->size, &s->work);
+    Status status = sphere_search(&found, &s->tree, s->extra, extras, from, margin, INFINITY,
+                                  ZERO * s->size, &s->work);
     sphere_free(&s->base);
     s->base = found;
-    if (status != 0 && status != SPENT)
-        return status_of(status);
+    if (is_fault(status))
+        return status;
     s->covered = smaller(from ? s->covered : INFINITY, found.best + margin);
     s->quality = sphere_best(&found, s->weakest);
     round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
     s->count = LIMITS;
-    double most = begin_pool(s, s->weakest);
-    if (most < 0.0)
-        return NO_MEMORY;
+    status = begin_pool(s, s->weakest, &most);
+    if (status != SOLVED)
+        return status;
     if (most > s->covered && from)
         return pool_from_sphere(s, NULL, AHEAD * s->reach);
-    return sphere_keep(&s->open, &s->base, smaller(most, s->covered)) ? NO_MEMORY : SOLVED;
+    return sphere_keep(&s->open, &s->base, smaller(most, s->covered));
 }
 
 /* Find the weakest normal by a criterion. */
-static int pool_from_criterion(Search *s) {
-    int status = criterion_search(s->criterion, NULL, tightest(s), INFINITY, s->rounding, &s->work,
-                                  &s->quality, s->weakest);
-    if (status != 0 && status != SPENT)
-        return status_of(status);
+static Status pool_from_criterion(Search *s) {
+    double most;
+    Status status = criterion_search(s->criterion, NULL, tightest(s), INFINITY, s->rounding,
+                                     &s->work, &s->quality, s->weakest);
+    if (is_fault(status))
+        return status;
     round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
-    return begin_pool(s, s->weakest) < 0.0 ? NO_MEMORY : SOLVED;
+    return begin_pool(s, s->weakest, &most);
 }
 
 /* List the facets of the base swarm, or build its tree. */
-static int list_or_build(Search *s) {
+static Status list_or_build(Search *s) {
     tree_free(&s->tree);
     s->count = LIMITS;
     s->in_tree = s->n;
@@ -630,9 +632,9 @@ static int list_or_build(Search *s) {
     if (s->criterion)
         return pool_from_criterion(s);
     if (!s->is_small) {
-        int status = tree_build(&s->tree, s->generators, s->n, s->sweep.load, &s->work);
-        if (status != 0)
-            return status_of(status);
+        Status status = tree_build(&s->tree, s->generators, s->n, s->sweep.load, &s->work);
+        if (status != SOLVED)
+            return status;
         return pool_from_sphere(s, NULL, s->reach);
     }
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
@@ -646,8 +648,8 @@ static int list_or_build(Search *s) {
 }
 
 /* Find what the base swarm is worth, and have the work counted anew for what is asked of it. */
-static int start(Search *s) {
-    int status = list_or_build(s);
+static Status start(Search *s) {
+    Status status = list_or_build(s);
     s->work.left = s->units;
     return status;
 }
@@ -666,9 +668,9 @@ static void take_pieces(Search *s, const double *pieces, int many) {
     s->rounding = STRICT * UNASKED * s->size;
 }
 
-int search_begin(Search *s, const double *generators, int n, const double *load,
-                 const Criterion *criterion, const double *weights, const double *pieces, int many,
-                 double units, int (*interrupted)(void)) {
+Status search_begin(Search *s, const double *generators, int n, const double *load,
+                    const Criterion *criterion, const double *weights, const double *pieces,
+                    int many, double units, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .criterion = criterion,
                   .units = units, .work = work_of(WORK, interrupted)};
     memcpy(s->weights, weights, sizeof s->weights);
@@ -680,13 +682,12 @@ int search_begin(Search *s, const double *generators, int n, const double *load,
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
     if (s->pool)
         s->pool[0].cap = INFINITY;
-    if (!s->pool || sweep_room(&s->sweep, n <= s->few ? s->few : 0, load))
-        return NO_MEMORY;
-    return start(s);
+    Status status = s->pool ? sweep_room(&s->sweep, n <= s->few ? s->few : 0, load) : NO_MEMORY;
+    return status == SOLVED ? start(s) : status;
 }
 
 /* The facets of a small swarm with one robot more: the old ones, lifted, and those across it. */
-static int join_facets(Search *s, const double *generator) {
+static Status join_facets(Search *s, const double *generator) {
     int found = sweep_plane(&s->sweep, s->generators, s->n - 1, generator, 0, s->error);
     size_t room = (size_t)(s->facets + found) + 1;
     double *normals = malloc(4 * room * sizeof *normals), *heights = normals + 3 * room;
@@ -705,7 +706,7 @@ static int join_facets(Search *s, const double *generator) {
     return pool_from_facets(s);
 }
 
-int search_join(Search *s, const double *wrench, const double *pieces, int many) {
+Status search_join(Search *s, const double *wrench, const double *pieces, int many) {
     size_t size = 3 * ((size_t)s->n + 1) * sizeof *s->own;
     double *own = realloc(s->own, size), *generator;
     if (!own)
@@ -728,7 +729,7 @@ int search_join(Search *s, const double *wrench, const double *pieces, int many)
     tree_whiten(&s->tree, generator, s->extra + 3 * (s->n - s->in_tree - 1));
     Sphere before = s->base;
     s->base = (Sphere){0};
-    int status = pool_from_sphere(s, &before, INFINITY);
+    Status status = pool_from_sphere(s, &before, INFINITY);
     s->work.left = s->units;
     sphere_free(&before);
     return status;

@@ -17,8 +17,6 @@
 #define LIMITS 2    /* pool rows kept for the piece at hand */
 #define EXTRAS 32   /* robots that may join before a tree is built anew */
 
-enum { SOLVED, REACHED, REFUTED, CAPPED, OUT_OF_BUDGET, NO_MEMORY, INTERRUPTED };
-
 /* A normal and what it demands. */
 typedef struct {
     double m[3];    /* covector [N, N, N/m]; m[2] is 0 if it says nothing of the torque */
@@ -76,35 +74,38 @@ typedef struct {
 /* Prepare a search beside a load (3,) [N], or for a criterion, which has the robots and the load
  * itself; robots cannot join that one. Solving and breaking ties take `units` of work at most, and as
  * many again after each robot that joins; a quality takes WORK. Returns a status; end it in any case. */
-int search_begin(Search *search, const double *generators, int n, const double *load,
-                 const Criterion *criterion, const double *weights, const double *pieces, int many,
-                 double units, int (*interrupted)(void));
+Status search_begin(Search *search, const double *generators, int n, const double *load,
+                    const Criterion *criterion, const double *weights, const double *pieces,
+                    int many, double units, int (*interrupted)(void));
 void search_end(Search *search);
 
 /* Let a robot (c, s, torque) join the base swarm, and ask for the next; what is known is kept. */
-int search_join(Search *search, const double *wrench, const double *pieces, int many);
+Status search_join(Search *search, const double *wrench, const double *pieces, int many);
 
 /* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds
  * the best by more than `gap` of it, or by what rounding hides; writes a proof per piece. Returns
  * SOLVED, OUT_OF_BUDGET, or a fault. */
-int search_solve(Search *search, const char *chosen, double gap, Best *best, Proof *proofs);
+Status search_solve(Search *search, const char *chosen, double gap, Best *best, Proof *proofs);
 
 /* Compute the exact quality with one more robot (c, s, torque) that the pieces allow, or a weaker
  * one, at the unit normal written. Below `enough` any upper bound will do. */
-int search_quality(Search *search, const double *wrench, double enough, double *quality,
-                   double *normal);
+Status search_quality(Search *search, const double *wrench, double enough, double *quality,
+                      double *normal);
 
 /* The same to the end, but for WORK of its own. Returns SOLVED or a fault. */
-int search_value(Search *search, const double *wrench, double *quality, double *normal);
+Status search_value(Search *search, const double *wrench, double *quality, double *normal);
 
 /* Note work done. Returns SOLVED, OUT_OF_BUDGET or INTERRUPTED. */
-int search_spend(Search *search, double units);
+Status search_spend(Search *search, double units);
 
 /* The length of a pool row's normal: 1, but for a criterion with a task. */
 double search_length(const Search *search, int row);
 
-/* h of the base swarm at a normal of any length. */
-double search_height(const Search *search, const double *normal);
+/* h of the base swarm at a normal of any length; for a criterion, H without any loss. */
+double search_total(const Search *search, const double *normal);
+
+/* Find the same, for a criterion after the losses. */
+Status search_height(const Search *search, const double *normal, double *height);
 
 /* Tell whether other robots may be as good as the best one, with at least the target quality. */
 int search_is_tied(const Search *search, const Best *best, const Proof *proofs, double target);
@@ -114,6 +115,6 @@ int search_is_tied(const Search *search, const Best *best, const Proof *proofs, 
  * set of robots shares the best quality; of these the one is taken that makes the soft minimum
  * of h over directions greatest, so that the robots to come are not stuck where this one could
  * not help. */
-int search_break_tie(Search *search, const Proof *proofs, double target, Best *best);
+Status search_break_tie(Search *search, const Proof *proofs, double target, Best *best);
 
 #endif

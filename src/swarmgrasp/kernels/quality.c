@@ -31,17 +31,17 @@ void round_quality(const double *generators, int n, double size, double *quality
         *quality = 0.0;
 }
 
-int exact_quality(Sweep *sweep, const double *generators, int n, Work *work, double *quality,
-                  double *bound, double *weakest) {
+Status exact_quality(Sweep *sweep, const double *generators, int n, Work *work, double *quality,
+                     double *bound, double *weakest) {
     double size = total_size(generators, n);
-    int status = 0;
+    Status status = SOLVED;
     if (n <= SWEPT) {
         *quality = *bound = sweep_all(sweep, generators, n, weakest);
     } else {
         Tree tree;
         Sphere sphere;
         status = tree_build(&tree, generators, n, sweep->load, work);
-        if (status != 0)
+        if (status != SOLVED)
             return status;
         status = sphere_search(&sphere, &tree, NULL, 0, NULL, 0.0, INFINITY, ZERO * size, work);
         *quality = sphere.best;

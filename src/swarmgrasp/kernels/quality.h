@@ -10,10 +10,10 @@
 
 /* Find the least h over unit normals, and where, with the load of `sweep`; ZERO sum |b_i| and less
  * is 0. A set that spans no plane has a normal across it, and 0. `sweep` has room for n generators
- * if n <= SWEPT. Returns 0, -1 without memory, STOPPED, or SPENT: then some direction may have less,
- * but none less than the bound. */
-int exact_quality(Sweep *sweep, const double *generators, int n, Work *work, double *quality,
-                  double *bound, double *weakest);
+ * if n <= SWEPT. Returns a status; OUT_OF_BUDGET means that some direction may have less, but none
+ * less than the bound. */
+Status exact_quality(Sweep *sweep, const double *generators, int n, Work *work, double *quality,
+                     double *bound, double *weakest);
 
 /* Round a quality to 0 if it is next to that, for generators of this total size; for one that is
  * INFINITY, of a set that spans no plane, write a normal across it. */

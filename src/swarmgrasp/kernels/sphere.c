@@ -37,12 +37,12 @@ static double size_of(const Tree *tree, const double *m) {
 
 /* -- the heap ---------------------------------------------------------------------------- */
 
-static int push(Sphere *s, const Cell *cell) {
+static Status push(Sphere *s, const Cell *cell) {
     if (s->cells == s->room) {
         int room = s->room ? 2 * s->room : 64;
         Cell *grown = realloc(s->cell, (size_t)room * sizeof *grown);
         if (!grown)
-            return -1;
+            return NO_MEMORY;
         s->cell = grown;
         s->room = room;
     }
@@ -52,7 +52,7 @@ static int push(Sphere *s, const Cell *cell) {
         i = (i - 1) / 2;
     }
     s->cell[i] = *cell;
-    return 0;
+    return SOLVED;
 }
 
 static void pop(Sphere *s, Cell *cell) {
@@ -248,11 +248,11 @@ static double enough(const Sphere *s) {
 }
 
 /* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts,
- * down to so many halvings. Returns 0, STOPPED or SPENT. */
-static int finish(Sphere *s, const Cell *cell, const Local *local, double *room, int depth) {
+ * down to so many halvings. Returns a status. */
+static Status finish(Sphere *s, const Cell *cell, const Local *local, double *room, int depth) {
     Cell own = *cell, halves[2];
     double scaled[9];
-    int status = spend(s->work, BASIC + local->count);
+    Status status = spend(s->work, BASIC + local->count);
     if (local->count <= LISTED) {
         list_vertices(s, cell, local);
         return status;
@@ -267,7 +267,7 @@ static int finish(Sphere *s, const Cell *cell, const Local *local, double *room,
         tighten(s, halves + k, NULL, scaled, s->best, 0);
     }
     int first = halves[1].bound < halves[0].bound;
-    for (int k = 0; k < 2 && status == 0; k++) {
+    for (int k = 0; k < 2 && status == SOLVED; k++) {
         const Cell *half = halves + (k ? 1 - first : first);
         Local part = {.vectors = room};
         memcpy(part.sum, local->sum, sizeof part.sum);
@@ -285,7 +285,7 @@ static void centre_of(const Cell *cell, double *centre) {
 }
 
 /* Fill the heap with all directions, or with those of an earlier run. */
-static int begin(Sphere *s, const Sphere *from, double margin) {
+static Status begin(Sphere *s, const Sphere *from, double margin) {
     if (from) {
         for (int k = 0; k < from->cells; k++) {
             Cell cell = from->cell[k];
@@ -299,9 +299,9 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
                         add(cell.cut[i], s->extra + 3 * j);
             tighten(s, &cell, NULL, scaled, s->best, 0);
             if (cell.bound < s->best + margin && push(s, &cell))
-                return -1;
+                return NO_MEMORY;
         }
-        return 0;
+        return SOLVED;
     }
     for (int k = 0; k < 8; k++) {
         Cell cell = {.bound = 0.0, .cuts = 0};
@@ -314,12 +314,12 @@ static int begin(Sphere *s, const Sphere *from, double margin) {
         }
         memcpy(cell.corner, corner, sizeof corner);
         if (push(s, &cell))
-            return -1;
+            return NO_MEMORY;
     }
-    return 0;
+    return SOLVED;
 }
 
-int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
+Status sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
                   const Sphere *from, double margin, double below, double zero,
                   Work *work) {
     memset(s, 0, sizeof *s);
@@ -333,21 +333,21 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
     s->best = below;
     Sphere kept = {0};
     double *room = malloc(3 * LOCAL * (DEPTH + 2) * sizeof *room);
-    int status = room ? begin(s, from, margin) : -1;
-    for (long round = 1; status == 0 && s->cells > 0; round++) {
+    Status status = room ? begin(s, from, margin) : NO_MEMORY;
+    for (long round = 1; status == SOLVED && s->cells > 0; round++) {
         s->bound = s->cell[0].bound;
         double scaled[9];
         Cell cell, halves[2];
         Local local = {.vectors = room};
         if (s->cell[0].bound >= enough(s) || s->best <= zero)
             break;
-        if ((status = spend(work, BASIC)) != 0)
+        if ((status = spend(work, BASIC)) != SOLVED)
             break;
         pop(s, &cell);
         if (look_closer(s, &cell, round < LONG ? FEW : LOCAL, &local)) {
             status = finish(s, &cell, &local, room + 3 * local.count, DEPTH);
             if (margin > 0.0 && push(&kept, &cell))
-                status = -1;
+                status = NO_MEMORY;
             continue;
         }
         scale_corners(tree, &cell, scaled);
@@ -358,18 +358,18 @@ int sphere_search(Sphere *s, const Tree *tree, const double *extra, int extras,
             continue;
         }
         halve(&cell, halves, halves + 1);
-        for (int k = 0; k < 2 && status == 0; k++) {
+        for (int k = 0; k < 2 && status == SOLVED; k++) {
             scale_corners(tree, halves + k, scaled);
             tighten(s, halves + k, NULL, scaled, s->best, 0);
             if (halves[k].bound < s->best + margin)
                 status = push(s, halves + k);
         }
     }
-    if (status != SPENT)
+    if (status != OUT_OF_BUDGET)
         s->bound = s->best;
-    for (int k = 0; k < kept.cells && (status == 0 || status == SPENT); k++)
+    for (int k = 0; k < kept.cells && !is_fault(status); k++)
         if (push(s, kept.cell + k))
-            status = -1;
+            status = NO_MEMORY;
     sphere_free(&kept);
     free(room);
     return status;
@@ -383,13 +383,13 @@ double sphere_best(const Sphere *s, double *normal) {
     return s->best;
 }
 
-int sphere_keep(Sphere *kept, const Sphere *s, double most) {
+Status sphere_keep(Sphere *kept, const Sphere *s, double most) {
     sphere_free(kept);
     kept->extras = s->extras;
     for (int k = 0; k < s->cells; k++)
         if (s->cell[k].bound < most && push(kept, s->cell + k))
-            return -1;
-    return 0;
+            return NO_MEMORY;
+    return SOLVED;
 }
 
 void sphere_free(Sphere *s) {

@@ -36,17 +36,17 @@ typedef struct {
  * later runs; 0 keeps none. A value of `below` or more is not wanted, and `best` is then `below`;
  * one of `zero` or less is as good as 0, and the first to be found.
  *
- * The best is INFINITY if the generators span no plane. Returns 0, -1 without memory, STOPPED, or
- * SPENT: then `bound` may be below the best. */
-int sphere_search(Sphere *sphere, const Tree *tree, const double *extra, int extras,
+ * The best is INFINITY if the generators span no plane. Returns a status; OUT_OF_BUDGET means
+ * that `bound` may be below the best. Free the sphere in any case. */
+Status sphere_search(Sphere *sphere, const Tree *tree, const double *extra, int extras,
                   const Sphere *from, double margin, double below, double zero,
                   Work *work);
 
 /* Return the least h found, and write its unit normal. */
 double sphere_best(const Sphere *sphere, double *normal);
 
-/* Copy the cells on which h may be less than `most`. Returns 0, or -1 without memory. */
-int sphere_keep(Sphere *kept, const Sphere *sphere, double most);
+/* Copy the cells on which h may be less than `most`. */
+Status sphere_keep(Sphere *kept, const Sphere *sphere, double most);
 
 void sphere_free(Sphere *sphere);
 

@@ -53,7 +53,7 @@ static void fill_field(const Search *s, Field *field) {
     for (int k = 0; k < DIRECTIONS; k++) {
         double n[3];
         on_spiral(k, DIRECTIONS, n);
-        field->height[k] = s->criterion ? criterion_total(s->criterion, n) : search_height(s, n);
+        field->height[k] = search_total(s, n);
         mean += field->height[k] / DIRECTIONS;
         for (int c = 0; c < 3; c++)
             field->m[c][k] = n[c] * s->weights[c];
@@ -134,9 +134,10 @@ static int lay_finer(const Search *s, const Field *field, const Candidate *at, d
     return found;
 }
 
-int search_break_tie(Search *s, const Proof *proofs, double target, Best *best) {
+Status search_break_tie(Search *s, const Proof *proofs, double target, Best *best) {
     Field field;
-    int rivals_count = 0, status = SOLVED;
+    int rivals_count = 0;
+    Status status = SOLVED;
     int *rivals = malloc((size_t)s->many * sizeof *rivals);
     Candidate *grid = malloc(((size_t)s->many + 2 * CANDIDATES) * sizeof *grid), at = {0};
     if (!rivals || !grid) {

@@ -131,10 +131,10 @@ static int highest_bit(uint64_t x) {
 }
 
 /* Sort by key, 11 bits at a time; digits that all items share are passed over. */
-static int sort_items(Item **items, Item **spare, size_t n, Work *work) {
+static Status sort_items(Item **items, Item **spare, size_t n, Work *work) {
     for (int shift = 0; shift < 63; shift += 11) {
-        if (spend(work, (double)n) == STOPPED)
-            return STOPPED;
+        if (spend(work, (double)n) == INTERRUPTED)
+            return INTERRUPTED;
         size_t start[2049] = {0};
         for (size_t i = 0; i < n; i++)
             start[((*items)[i].key >> shift & 2047) + 1]++;
@@ -148,7 +148,7 @@ static int sort_items(Item **items, Item **spare, size_t n, Work *work) {
         *items = *spare;
         *spare = swap;
     }
-    return 0;
+    return SOLVED;
 }
 
 /* Write the node of generators [first, last) and those below it; keys are in `items`. */
@@ -225,20 +225,20 @@ void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count) {
     }
 }
 
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
-               Work *work) {
-    int status = 0;
+Status tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+                  Work *work) {
+    Status status = NO_MEMORY;
     memset(tree, 0, sizeof *tree);
     tree_whitening(tree, generators, count);
-    if (spend(work, PER_ITEM * (double)count) == STOPPED)
-        return STOPPED;
+    if (spend(work, PER_ITEM * (double)count) == INTERRUPTED)
+        return INTERRUPTED;
     tree_whiten(tree, load, tree->load);
     tree->weight = length(tree->load);
     size_t room = count > 0 ? (size_t)count : 1;
     Item *items = malloc(room * sizeof *items), *spare = malloc(room * sizeof *spare);
     tree->vectors = malloc(3 * room * sizeof *tree->vectors);
     if (!items || !spare || !tree->vectors)
-        goto failed;
+        goto done;
     size_t n = 0;
     for (ptrdiff_t i = 0; i < count; i++) {
         double c[3];
@@ -249,10 +249,9 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
         items[n].key = key_of(c);
         items[n++].index = (uint32_t)i;
     }
-    if (n > 0)
-        status = sort_items(&items, &spare, n, work);
+    status = n > 0 ? sort_items(&items, &spare, n, work) : SOLVED;
     int size = 0;
-    for (size_t i = 0; i < n && status != STOPPED; i++) {
+    for (size_t i = 0; i < n && status != INTERRUPTED; i++) {
         if (i % SOME == 0)
             status = spend(work, SOME);
         double *c = tree->vectors + 3 * size;
@@ -271,26 +270,22 @@ int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const doub
     tree->size = size;
     free(spare);
     spare = NULL;
-    if (size > 0) {
+    if (size > 0 && status != INTERRUPTED) {
         tree->node = malloc(2 * (size_t)size * sizeof *tree->node);
-        if (!tree->node)
-            goto failed;
-        for (int first = 0, last = 0; first < size && status != STOPPED; first = last) {
+        status = tree->node ? SOLVED : NO_MEMORY;
+        for (int first = 0, last = 0; first < size && !is_fault(status); first = last) {
             while (last < size && items[last].key >> FACE == items[first].key >> FACE)
                 last++;
             grow(tree, items, first, last); /* one for each square */
             status = spend(work, last - first);
         }
     }
-    if (status != STOPPED) {
-        free(items);
-        return 0;
-    }
-failed:
+done:
     free(items);
     free(spare);
-    tree_free(tree);
-    return status == STOPPED ? STOPPED : -1;
+    if (is_fault(status))
+        tree_free(tree);
+    return is_fault(status) ? status : SOLVED;
 }
 
 void tree_free(Tree *tree) {

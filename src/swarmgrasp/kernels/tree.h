@@ -37,10 +37,10 @@ typedef struct {
     double weight;        /* sum |c_i|, and the load's size */
 } Tree;
 
-/* Build the tree of `count` generators (count, 3) and a load (3,), whatever work that takes. Returns
- * 0, -1 without memory, or STOPPED. */
-int tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
-               Work *work);
+/* Build the tree of `count` generators (count, 3) and a load (3,), whatever work that takes; after a
+ * fault there is none. */
+Status tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+                  Work *work);
 void tree_free(Tree *tree);
 
 /* Find M for generators (count, 3). */

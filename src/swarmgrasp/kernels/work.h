@@ -5,12 +5,11 @@
 #ifndef SWARMGRASP_WORK_H
 #define SWARMGRASP_WORK_H
 
+#include "status.h"
+
 #define WORK 1e9  /* units that a search may take unless told otherwise: some seconds */
 #define LOOK 3e5    /* units between two looks at the keyboard: a millisecond */
 #define TURNED 25.0 /* units that valuing a robot of uncertain pose takes, per row */
-
-/* Besides these, searches return 0 when they are done and -1 without memory. */
-enum { STOPPED = -2, SPENT = -3 };
 
 typedef struct {
     double left;  /* units */
@@ -28,15 +27,15 @@ static inline void charge(Work *work, double units) {
     work->until -= units;
 }
 
-/* Note work done. Returns 0, STOPPED by the keyboard, or SPENT if there was less left. */
-static inline int spend(Work *work, double units) {
+/* Note work done. Returns SOLVED, INTERRUPTED, or OUT_OF_BUDGET if there was less left. */
+static inline Status spend(Work *work, double units) {
     charge(work, units);
     if (work->until <= 0.0) {
         work->until = LOOK;
         if (work->interrupted())
-            return STOPPED;
+            return INTERRUPTED;
     }
-    return work->left < 0.0 ? SPENT : 0;
+    return work->left < 0.0 ? OUT_OF_BUDGET : SOLVED;
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* The kernels as a Python module: arrays in, numbers and bytes out. */
+#include "../place.h"
+#include "../quality.h"
+#include "../sector.h"
 #include "binding.h"
-#include "place.h"
-#include "quality.h"
-#include "sector.h"
 
 /* -- qualities --------------------------------------------------------------------------------- */
 
@@ -16,8 +16,8 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
         || !are_finite(load) || get_doubles(object, &view, 3))
         return NULL;
     int count = rows_of(&view, 3);
-    int status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
-    if (status == 0) {
+    Status status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
+    if (status == SOLVED) {
         Work work = work_of(units, interrupted);
         leave(count > SWEPT);
         status = exact_quality(&sweep, view.buf, count, &work, &quality, &bound, n);
@@ -25,8 +25,8 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
     }
     sweep_free(&sweep);
     PyBuffer_Release(&view);
-    if (status == -1 || status == STOPPED)
-        return status == -1 ? PyErr_NoMemory() : NULL;
+    if (is_raised(status))
+        return NULL;
     return Py_BuildValue("d(ddd)d", quality, n[0], n[1], n[2], bound);
 }
 
@@ -35,7 +35,7 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
     Py_buffer view;
     Sweep sweep = {0};
     const double load[3] = {0.0};
-    int n, status = 0;
+    int n;
     (void)module;
     if (!PyArg_ParseTuple(args, "Oi:qualities", &object, &n))
         return NULL;
@@ -47,28 +47,24 @@ static PyObject *core_qualities(PyObject *module, PyObject *args) {
         return NULL;
     int count = rows_of(&view, 3 * n);
     result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
-    if (result && sweep_room(&sweep, n <= SWEPT ? n : 0, load) == 0) {
+    Status status = result ? sweep_room(&sweep, n <= SWEPT ? n : 0, load) : NO_MEMORY;
+    if (status == SOLVED) {
         double *values = (double *)PyBytes_AsString(result), bound, weakest[3];
         Work work = work_of(INFINITY, interrupted);
         const double *generators = view.buf;
         leave(count > 1);
-        for (int k = 0; k < count && status == 0; k++) {
+        for (int k = 0; k < count && status == SOLVED; k++) {
             status = exact_quality(&sweep, generators + (Py_ssize_t)3 * n * k, n, &work,
                                    values + k, &bound, weakest);
-            if (status == 0)
-                status = spend(&work, n * n);
+            if (status == SOLVED)
+                status = spend(&work, (double)n * n);
         }
         come_back();
-    } else {
-        status = -1;
     }
     sweep_free(&sweep);
     PyBuffer_Release(&view);
-    if (status != 0) {
+    if (is_raised(status))
         Py_CLEAR(result);
-        if (status == -1)
-            PyErr_NoMemory();
-    }
     return result;
 }
 
@@ -101,13 +97,6 @@ static Search *take(PyObject *object) {
 static void give_back(PyObject *object) {
     come_back();
     ((SearchObject *)object)->state = NULL;
-}
-
-/* Turn a status into an exception; OUT_OF_BUDGET is none. */
-static int is_fault(int status) {
-    if (status == NO_MEMORY)
-        PyErr_NoMemory();
-    return status == NO_MEMORY || status == INTERRUPTED;
 }
 
 /* Get rows of pieces, one at least. */
@@ -166,10 +155,10 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
     }
     int count = rows_of(&self->generators, 3);
     leave(count > SWEPT || criterion);
-    int status = search_begin(&self->search, self->generators.buf, count, load, criterion, weights,
-                              self->pieces.buf, many, units, interrupted);
+    Status status = search_begin(&self->search, self->generators.buf, count, load, criterion,
+                                 weights, self->pieces.buf, many, units, interrupted);
     come_back();
-    if (is_fault(status))
+    if (is_raised(status))
         goto failed;
     return (PyObject *)self;
 failed:
@@ -198,9 +187,9 @@ static PyObject *search_solve_method(PyObject *object, PyObject *args) {
     Search *s = take(object);
     if (!s)
         return NULL;
-    int status = search_solve(s, chosen, gap, &best, self->proofs);
+    Status status = search_solve(s, chosen, gap, &best, self->proofs);
     give_back(object);
-    if (is_fault(status))
+    if (is_raised(status))
         return NULL;
     PyObject *bounds = PyBytes_FromStringAndSize(NULL, s->many * (Py_ssize_t)sizeof(double));
     PyObject *rows = PyBytes_FromStringAndSize(NULL, 4 * s->many * (Py_ssize_t)sizeof(int));
@@ -243,11 +232,11 @@ static PyObject *search_break_tie_method(PyObject *object, PyObject *args) {
     Search *s = take(object);
     if (!s)
         return NULL;
-    int status = SOLVED;
+    Status status = SOLVED;
     if (search_is_tied(s, &best, self->proofs, target))
         status = search_break_tie(s, self->proofs, target, &best);
     give_back(object);
-    return is_fault(status) ? NULL : best_tuple(&best);
+    return is_raised(status) ? NULL : best_tuple(&best);
 }
 
 /* join(c, s, torque, pieces): the robot belongs to the swarm from now on */
@@ -271,11 +260,11 @@ static PyObject *search_join_method(PyObject *object, PyObject *args) {
     before = self->pieces;
     self->proofs = proofs;
     self->pieces = view;
-    int status = search_join(s, wrench, view.buf, many);
+    Status status = search_join(s, wrench, view.buf, many);
     give_back(object);
     PyMem_Free(old);
     PyBuffer_Release(&before);
-    if (is_fault(status)) {
+    if (is_raised(status)) {
         self->state = BROKEN;
         return NULL;
     }
@@ -291,9 +280,9 @@ static PyObject *search_quality_method(PyObject *object, PyObject *args) {
     Search *s = take(object);
     if (!s)
         return NULL;
-    int status = search_value(s, wrench, &quality, n);
+    Status status = search_value(s, wrench, &quality, n);
     give_back(object);
-    if (is_fault(status))
+    if (is_raised(status))
         return NULL;
     return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
 }
@@ -303,7 +292,8 @@ static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
     Py_buffer view;
     if (get_doubles(robots, &view, 3))
         return NULL;
-    int count = rows_of(&view, 3), status = SOLVED;
+    int count = rows_of(&view, 3);
+    Status status = SOLVED;
     PyObject *result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
     double *values = result ? (double *)PyBytes_AsString(result) : NULL, normal[3];
     Search *s = result ? take(object) : NULL;
@@ -314,7 +304,7 @@ static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
         give_back(object);
     }
     PyBuffer_Release(&view);
-    if (!s || is_fault(status))
+    if (!s || is_raised(status))
         Py_CLEAR(result);
     return result;
 }
@@ -327,9 +317,10 @@ static PyObject *search_height_method(PyObject *object, PyObject *args) {
     const Search *s = take(object);
     if (!s)
         return NULL;
-    double height = search_height(s, n);
+    double height;
+    Status status = search_height(s, n, &height);
     give_back(object);
-    return PyFloat_FromDouble(height);
+    return is_raised(status) ? NULL : PyFloat_FromDouble(height);
 }
 
 /* normals() -> bytes: the pool's unit normals */

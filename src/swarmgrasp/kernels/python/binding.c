@@ -22,6 +22,24 @@ int interrupted(void) {
     return status;
 }
 
+int is_raised(Status status) {
+    switch (status) {
+    case SOLVED:
+    case OUT_OF_BUDGET:
+    case REACHED:
+    case REFUTED:
+    case CAPPED:
+    case INTERRUPTED: /* what was pressed is set already */
+        break;
+    case NO_MEMORY:
+        PyErr_NoMemory();
+        break;
+    case UNSORTED:
+        PyErr_SetString(PyExc_ValueError, "rows should be sorted by robot: 0, 1, 2, ...");
+    }
+    return is_fault(status);
+}
+
 int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width) {
     if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT))
         return -1;

@@ -1,20 +1,20 @@
 /* The least shares as a Python module. */
+#include "../forces.h"
+#include "../proven.h"
 #include "binding.h"
-#include "forces.h"
-#include "proven.h"
 
 #define ENOUGH 100000 /* robots times wrenches between two looks at the keyboard */
 
 /* Write a row of shares and what they are worth for each wrench, the first search starting from a
- * normal, or 0. Returns 0, -1 without memory, -2 if
- * stopped. */
-static int fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const double *load,
-                     const double *start, double *row) {
+ * normal, or 0. */
+static Status fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const double *load,
+                        const double *start, double *row) {
     Shares found = {.normals = {{start[0], start[1], start[2]}}};
     Py_ssize_t work = 0; /* since the keyboard was looked at */
-    int status = 0;
-    for (Py_ssize_t k = 0; k < many && status == 0; k++, row += crew->n + SHARES) {
-        status = crew_shares(crew, wrenches + 3 * k, load, row, &found);
+    for (Py_ssize_t k = 0; k < many; k++, row += crew->n + SHARES) {
+        Status status = crew_shares(crew, wrenches + 3 * k, load, row, &found);
+        if (status != SOLVED)
+            return status;
         double *worth = row + crew->n;
         *worth++ = found.needed;
         *worth++ = found.shortfall;
@@ -24,12 +24,13 @@ static int fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const 
             *worth++ = found.price[c];
         *worth = shares_are_proven(crew, wrenches + 3 * k, load, row, &found);
         work += crew->n + 16;
-        if (status == 0 && work > ENOUGH) {
+        if (work > ENOUGH) {
             work = 0;
-            status = interrupted() ? -2 : 0;
+            if (interrupted())
+                return INTERRUPTED;
         }
     }
-    return status;
+    return SOLVED;
 }
 
 /* least_shares(generators, wrenches, load, start) -> bytes */
@@ -48,12 +49,10 @@ static PyObject *least_shares(PyObject *module, PyObject *args) {
     }
     Py_ssize_t n = rows_of(&robots, 3), many = rows_of(&wanted, 3);
     Crew crew = {0};
-    int status = 0;
-    if (many > PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + SHARES))
-        PyErr_NoMemory();
-    else
+    Status status = NO_MEMORY;
+    if (many <= PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + SHARES))
         result = PyBytes_FromStringAndSize(NULL, many * (n + SHARES) * (Py_ssize_t)sizeof(double));
-    if (result && (status = crew_room(&crew, robots.buf, n, interrupted)) == 0) {
+    if (result && (status = crew_room(&crew, robots.buf, n, interrupted)) == SOLVED) {
         leave(n * many > 4096);
         status = fill_rows(&crew, wanted.buf, many, load, start,
                            (double *)PyBytes_AsString(result));
@@ -62,9 +61,7 @@ static PyObject *least_shares(PyObject *module, PyObject *args) {
     crew_free(&crew);
     PyBuffer_Release(&robots);
     PyBuffer_Release(&wanted);
-    if (status == -1)
-        PyErr_NoMemory();
-    if (status)
+    if (is_raised(status))
         Py_CLEAR(result);
     return result;
 }

@@ -1,5 +1,4 @@
 #include "binding.h"
-#include "vectors.h"
 
 typedef struct {
     PyObject_HEAD
@@ -54,17 +53,13 @@ static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwa
     criterion->rows = self->rows.buf;
     criterion->task = self->task.buf;
     criterion->tasks = rows_of(&self->task, 3);
-    int status = criterion_begin(criterion, rows_of(&self->rows, SPREAD));
+    Status status = criterion_begin(criterion, rows_of(&self->rows, SPREAD));
     /* more than all are as good as all */
     int robots = criterion->points + criterion->spread;
     if (criterion->losing > robots + 1)
         criterion->losing = robots + 1;
-    if (status == 0)
+    if (!is_raised(status))
         return (PyObject *)self;
-    if (status == -1)
-        PyErr_NoMemory();
-    else
-        PyErr_SetString(PyExc_ValueError, "rows should be sorted by robot: 0, 1, 2, ...");
     Py_DECREF(self);
     return NULL;
 }
@@ -77,12 +72,12 @@ static PyObject *criterion_least(PyObject *object, PyObject *args) {
         return NULL;
     Work work = work_of(units, interrupted);
     leave(1);
-    int status = criterion_search(criterion, NULL, gap, below, UNASKED * criterion->weight, &work,
-                                  &value, n);
+    Status status = criterion_search(criterion, NULL, gap, below, UNASKED * criterion->weight,
+                                     &work, &value, n);
     come_back();
-    if (status == -1 || status == STOPPED)
-        return status == -1 ? PyErr_NoMemory() : NULL;
-    return Py_BuildValue("d(ddd)O", value, n[0], n[1], n[2], status == 0 ? Py_True : Py_False);
+    if (is_raised(status))
+        return NULL;
+    return Py_BuildValue("d(ddd)O", value, n[0], n[1], n[2], status == SOLVED ? Py_True : Py_False);
 }
 
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */
@@ -91,20 +86,18 @@ static PyObject *criterion_heights(PyObject *object, PyObject *normals) {
     Py_buffer view;
     if (get_doubles(normals, &view, 3))
         return NULL;
-    int count = rows_of(&view, 3), is_full = 0;
+    int count = rows_of(&view, 3);
     PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
     double *out = result ? (double *)PyBytes_AsString(result) : NULL;
-    for (int k = 0; out && k < count; k++) {
+    Status status = out ? SOLVED : NO_MEMORY;
+    for (int k = 0; k < count && status == SOLVED; k++) {
         const double *n = (const double *)view.buf + 3 * (Py_ssize_t)k;
-        out[3 * k] = criterion_height(criterion, n, NULL, out + 3 * k + 1);
+        status = criterion_height(criterion, n, NULL, out + 3 * k, out + 3 * k + 1);
         out[3 * k + 2] = criterion_extent(criterion, n);
-        is_full |= isnan(out[3 * k]);
     }
     PyBuffer_Release(&view);
-    if (is_full) {
+    if (is_raised(status))
         Py_CLEAR(result);
-        return PyErr_NoMemory();
-    }
     return result;
 }
 

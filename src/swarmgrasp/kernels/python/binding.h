@@ -7,11 +7,14 @@
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
 
-#include "criterion.h"
+#include "../criterion.h"
 
 /* What takes long lets other threads run until it comes back. */
 void leave(int is_long);
 void come_back(void);
+
+/* Raise what a status means: tells whether it is a fault, and then an exception is set. */
+int is_raised(Status status);
 
 /* Look at the keyboard: 1 if there is an exception. */
 int interrupted(void);
