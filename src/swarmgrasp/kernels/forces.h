@@ -2,7 +2,7 @@
 #ifndef SWARMGRASP_FORCES_H
 #define SWARMGRASP_FORCES_H
 
-#include "crew.h"
+#include "turning.h"
 
 /* What the shares are worth, and the proof. Vectors are in the metric's coordinates.
  *
@@ -20,7 +20,7 @@ typedef struct {
 
 /* Find the shares (n,) of a wrench wanted beside a load, and what they are worth. The search starts
  * from the first normal in `found`, unless that is 0. */
-Status crew_shares(Crew *crew, const double *wanted, const double *load, double *shares,
+Status least_shares(Turning *turning, const double *wanted, const double *load, double *shares,
                    Shares *found);
 
 #endif

@@ -9,9 +9,9 @@
 #define BLURRED 5e-15  /* relative error of a product of a price and a generator */
 #define FLAT 1e-12     /* cosine within which a generator may be at right angles to a normal */
 
-/* The proof and what is made, in the crew's unit. */
+/* The proof and what is made, in the robots' unit. */
 typedef struct {
-    const Crew *crew;
+    const Turning *turning;
     const double *shares;
     const Shares *found;
     double top;                       /* the largest share */
@@ -21,8 +21,8 @@ typedef struct {
 
 static double height(const Audit *a, const double *normal) {
     double sum = 0.0;
-    for (ptrdiff_t i = 0; i < a->crew->n; i++)
-        sum += a->crew->sizes[i] * larger(0.0, dot(normal, a->crew->units + 3 * i));
+    for (ptrdiff_t i = 0; i < a->turning->n; i++)
+        sum += a->turning->sizes[i] * larger(0.0, dot(normal, a->turning->units + 3 * i));
     return sum;
 }
 
@@ -35,7 +35,7 @@ static int is_needed(const Audit *a) {
 /* Tell whether no wrench is nearer: all are behind the plane through the one made. */
 static int is_nearest(const Audit *a) {
     const double *normal = a->found->normals[0];
-    double slack = a->slack + RELATIVE * a->crew->total, along = dot(normal, a->miss), off[3];
+    double slack = a->slack + RELATIVE * a->turning->total, along = dot(normal, a->miss), off[3];
     for (int k = 0; k < 3; k++)
         off[k] = a->miss[k] - along * normal[k];
     return height(a, normal) - dot(normal, a->made) <= slack && length(off) <= slack;
@@ -44,8 +44,8 @@ static int is_nearest(const Audit *a) {
 /* Tell whether a robot gives what the first normal that its generator is not across says, or what
  * the price says of one that is across all. */
 static int is_shared(const Audit *a, ptrdiff_t i) {
-    const double *unit = a->crew->units + 3 * i, *price = a->found->price;
-    double size = a->crew->sizes[i], share = a->shares[i];
+    const double *unit = a->turning->units + 3 * i, *price = a->found->price;
+    double size = a->turning->sizes[i], share = a->shares[i];
     for (int k = 0; k < 3; k++) {
         const double *normal = a->found->normals[k];
         double along = dot(normal, unit);
@@ -54,39 +54,39 @@ static int is_shared(const Audit *a, ptrdiff_t i) {
         if (fabs(along) > FLAT)
             return 0;
     }
-    size = ldexp(size, a->crew->exponent);
+    size = ldexp(size, a->turning->exponent);
     double fair = smaller(larger(size * dot(price, unit), 0.0), a->top);
-    double most = RELATIVE + BLURRED * size * length(price) + OWN * a->crew->total / a->crew->sizes[i];
+    double most = RELATIVE + BLURRED * size * length(price) + OWN * a->turning->total / a->turning->sizes[i];
     return size == 0.0 || fabs(share - fair) <= most;
 }
 
-int shares_are_proven(const Crew *crew, const double *wanted, const double *load,
+int shares_are_proven(const Turning *turning, const double *wanted, const double *load,
                      const double *shares, const Shares *found) {
-    Audit a = {.crew = crew, .shares = shares, .found = found};
+    Audit a = {.turning = turning, .shares = shares, .found = found};
     double given = 0.0, distance;
-    for (ptrdiff_t i = 0; i < crew->n; i++) {
+    for (ptrdiff_t i = 0; i < turning->n; i++) {
         if (!(shares[i] >= 0.0 && shares[i] <= 1.0))
             return 0;
         a.top = larger(a.top, shares[i]);
-        given += shares[i] * crew->sizes[i];
+        given += shares[i] * turning->sizes[i];
         for (int k = 0; k < 3; k++)
-            a.made[k] += shares[i] * crew->sizes[i] * crew->units[3 * i + k];
+            a.made[k] += shares[i] * turning->sizes[i] * turning->units[3 * i + k];
     }
     for (int k = 0; k < 3; k++) {
-        a.wanted[k] = ldexp(wanted[k] - load[k], -crew->exponent);
+        a.wanted[k] = ldexp(wanted[k] - load[k], -turning->exponent);
         a.miss[k] = a.wanted[k] - a.made[k];
     }
-    a.slack = RELATIVE * (given + length(a.wanted)) + OWN * crew->total;
+    a.slack = RELATIVE * (given + length(a.wanted)) + OWN * turning->total;
     distance = length(a.miss);
     if (!isfinite(a.slack)) /* a wrench so large that its square is none */
         return 1;
-    if (!(fabs(distance - ldexp(found->shortfall, -crew->exponent)) <= a.slack))
+    if (!(fabs(distance - ldexp(found->shortfall, -turning->exponent)) <= a.slack))
         return 0;
     if (length(found->normals[0]) == 0.0)
         return a.top == 0.0;
     if (!(found->shortfall == 0.0 ? is_needed(&a) : is_nearest(&a)))
         return 0;
-    for (ptrdiff_t i = 0; i < crew->n; i++)
+    for (ptrdiff_t i = 0; i < turning->n; i++)
         if (!is_shared(&a, i))
             return 0;
     return 1;

@@ -6,7 +6,7 @@
 
 /* Tell whether the shares (n,) of a wrench wanted beside a load are what is said of them. The check
  * of answers asks the same, and allows twice as much for rounding. */
-int shares_are_proven(const Crew *crew, const double *wanted, const double *load,
+int shares_are_proven(const Turning *turning, const double *wanted, const double *load,
                      const double *shares, const Shares *found);
 
 #endif

@@ -7,23 +7,23 @@
 
 /* Write a row of shares and what they are worth for each wrench, the first search starting from a
  * normal, or 0. */
-static Status fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, const double *load,
+static Status fill_rows(Turning *turning, const double *wrenches, Py_ssize_t many, const double *load,
                         const double *start, double *row) {
     Shares found = {.normals = {{start[0], start[1], start[2]}}};
     Py_ssize_t work = 0; /* since the keyboard was looked at */
-    for (Py_ssize_t k = 0; k < many; k++, row += crew->n + SHARES) {
-        Status status = crew_shares(crew, wrenches + 3 * k, load, row, &found);
+    for (Py_ssize_t k = 0; k < many; k++, row += turning->n + SHARES) {
+        Status status = least_shares(turning, wrenches + 3 * k, load, row, &found);
         if (status != SOLVED)
             return status;
-        double *worth = row + crew->n;
+        double *worth = row + turning->n;
         *worth++ = found.needed;
         *worth++ = found.shortfall;
         for (int c = 0; c < 9; c++)
             *worth++ = found.normals[c / 3][c % 3];
         for (int c = 0; c < 3; c++)
             *worth++ = found.price[c];
-        *worth = shares_are_proven(crew, wrenches + 3 * k, load, row, &found);
-        work += crew->n + 16;
+        *worth = shares_are_proven(turning, wrenches + 3 * k, load, row, &found);
+        work += turning->n + 16;
         if (work > ENOUGH) {
             work = 0;
             if (interrupted())
@@ -34,7 +34,7 @@ static Status fill_rows(Crew *crew, const double *wrenches, Py_ssize_t many, con
 }
 
 /* least_shares(generators, wrenches, load, start) -> bytes */
-static PyObject *least_shares(PyObject *module, PyObject *args) {
+static PyObject *shares_least(PyObject *module, PyObject *args) {
     PyObject *generators, *wrenches, *result = NULL;
     Py_buffer robots, wanted;
     double load[3], start[3] = {0.0};
@@ -48,17 +48,17 @@ static PyObject *least_shares(PyObject *module, PyObject *args) {
         return NULL;
     }
     Py_ssize_t n = rows_of(&robots, 3), many = rows_of(&wanted, 3);
-    Crew crew = {0};
+    Turning turning = {0};
     Status status = NO_MEMORY;
     if (many <= PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + SHARES))
         result = PyBytes_FromStringAndSize(NULL, many * (n + SHARES) * (Py_ssize_t)sizeof(double));
-    if (result && (status = crew_room(&crew, robots.buf, n, interrupted)) == SOLVED) {
+    if (result && (status = turning_room(&turning, robots.buf, n, interrupted)) == SOLVED) {
         leave(n * many > 4096);
-        status = fill_rows(&crew, wanted.buf, many, load, start,
+        status = fill_rows(&turning, wanted.buf, many, load, start,
                            (double *)PyBytes_AsString(result));
         come_back();
     }
-    crew_free(&crew);
+    turning_free(&turning);
     PyBuffer_Release(&robots);
     PyBuffer_Release(&wanted);
     if (is_raised(status))
@@ -67,7 +67,7 @@ static PyObject *least_shares(PyObject *module, PyObject *args) {
 }
 
 static PyMethodDef methods[] = {
-    {"least_shares", least_shares, METH_VARARGS, NULL},
+    {"least_shares", shares_least, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };
 

@@ -1,6 +1,6 @@
 /* Robots, and the face of their wrench set that a ray leaves by or that is nearest to a wrench. */
-#ifndef SWARMGRASP_CREW_H
-#define SWARMGRASP_CREW_H
+#ifndef SWARMGRASP_TURNING_H
+#define SWARMGRASP_TURNING_H
 
 #include "face.h"
 
@@ -25,7 +25,7 @@ typedef struct {
     Meeting *meetings;  /* (n,) */
     Face face;          /* of those in the plane */
     int (*interrupted)(void);
-} Crew;
+} Turning;
 
 /* What is looked for: where the ray along a wrench leaves the wrench set, or the point nearest to
  * the wrench. */
@@ -36,13 +36,13 @@ typedef struct {
     double least;     /* cosine between a normal and the ray below which rounding decides */
 } Goal;
 
-Status crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void));
-void crew_free(Crew *crew);
+Status turning_room(Turning *turning, const double *generators, ptrdiff_t n, int (*interrupted)(void));
+void turning_free(Turning *turning);
 
 /* Turn the normal until the goal is on the face across it; a ray may be moved by what is rounding.
- * Leaves the crew divided by the plane across the normal. q (2,) is where the goal meets the face,
+ * Leaves the robots divided by the plane across the normal. q (2,) is where the goal meets the face,
  * seen from the corner; `extent` is what its rounding is relative to, and `reach` how far
  * out the goal is: along the ray, or from the face to the wrench. */
-Status find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent, double *reach);
+Status find_face(Turning *turning, Goal *goal, double *normal, double *q, double *extent, double *reach);
 
 #endif

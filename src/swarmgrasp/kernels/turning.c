@@ -1,7 +1,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crew.h"
+#include "turning.h"
 #include "vectors.h"
 
 #define FLAT 1e-12    /* cosine, or share of the height, within which a generator is in the plane */
@@ -9,26 +9,26 @@
 #define TURNS 400     /* of the plane, far more than it takes */
 #define LARGE 100000  /* robots from which the keyboard is looked at in between */
 
-Status crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interrupted)(void)) {
+Status turning_room(Turning *t, const double *generators, ptrdiff_t n, int (*interrupted)(void)) {
     size_t room = n > 0 ? (size_t)n : 1;
-    *crew = (Crew){.n = n, .interrupted = interrupted};
-    crew->units = malloc(5 * room * sizeof *crew->units);
-    crew->where = malloc(room * sizeof *crew->where);
-    crew->meetings = malloc(room * sizeof *crew->meetings);
-    if (!crew->units || !crew->where || !crew->meetings || face_room(&crew->face, n)) {
-        crew_free(crew);
+    *t = (Turning){.n = n, .interrupted = interrupted};
+    t->units = malloc(5 * room * sizeof *t->units);
+    t->where = malloc(room * sizeof *t->where);
+    t->meetings = malloc(room * sizeof *t->meetings);
+    if (!t->units || !t->where || !t->meetings || face_room(&t->face, n)) {
+        turning_free(t);
         return NO_MEMORY;
     }
-    crew->sizes = crew->units + 3 * room;
-    crew->s = crew->units + 4 * room;
+    t->sizes = t->units + 3 * room;
+    t->s = t->units + 4 * room;
     double largest = 0.0;
     for (ptrdiff_t k = 0; k < 3 * n; k++)
         largest = larger(largest, fabs(generators[k]));
-    frexp(largest, &crew->exponent);
+    frexp(largest, &t->exponent);
     for (ptrdiff_t i = 0; i < n; i++) {
-        double *unit = crew->units + 3 * i, most = 0.0;
+        double *unit = t->units + 3 * i, most = 0.0;
         for (int k = 0; k < 3; k++) {
-            unit[k] = ldexp(generators[3 * i + k], -crew->exponent);
+            unit[k] = ldexp(generators[3 * i + k], -t->exponent);
             most = larger(most, fabs(unit[k]));
         }
         for (int k = 0; k < 3 && most > 0.0; k++)
@@ -36,18 +36,18 @@ Status crew_room(Crew *crew, const double *generators, ptrdiff_t n, int (*interr
         double size = length(unit);
         for (int k = 0; k < 3 && most > 0.0; k++)
             unit[k] /= size;
-        crew->sizes[i] = most * size;
-        crew->total += crew->sizes[i];
+        t->sizes[i] = most * size;
+        t->total += t->sizes[i];
     }
     return SOLVED;
 }
 
-void crew_free(Crew *crew) {
-    free(crew->units);
-    free(crew->where);
-    free(crew->meetings);
-    face_free(&crew->face);
-    *crew = (Crew){0};
+void turning_free(Turning *t) {
+    free(t->units);
+    free(t->where);
+    free(t->meetings);
+    face_free(&t->face);
+    *t = (Turning){0};
 }
 
 /* -- the plane across a normal ----------------------------------------------------------------- */
@@ -55,31 +55,31 @@ void crew_free(Crew *crew) {
 /* Tell who is in front of the plane across a unit normal, in it, or behind; two are known to be in
  * it. `height` is what heights are compared with, beside that of the plane. Returns the corner in
  * front, the sum of those there, and its size. */
-static double divide(Crew *crew, const double *normal, double height, ptrdiff_t in, ptrdiff_t also,
+static double divide(Turning *t, const double *normal, double height, ptrdiff_t in, ptrdiff_t also,
                      double *corner) {
     double size = 0.0;
-    for (ptrdiff_t i = 0; i < crew->n; i++) {
-        crew->s[i] = dot(normal, crew->units + 3 * i);
-        height += larger(0.0, crew->s[i]) * crew->sizes[i];
+    for (ptrdiff_t i = 0; i < t->n; i++) {
+        t->s[i] = dot(normal, t->units + 3 * i);
+        height += larger(0.0, t->s[i]) * t->sizes[i];
     }
     corner[0] = corner[1] = corner[2] = 0.0;
-    crew->face.count = 0;
-    for (ptrdiff_t i = 0; i < crew->n; i++) {
+    t->face.count = 0;
+    for (ptrdiff_t i = 0; i < t->n; i++) {
         /* of a giant among dwarfs even a small part is high; of dwarfs no part is */
-        double share = crew->sizes[i] > height ? FLAT * height / crew->sizes[i] : FLAT;
-        if (i == in || i == also || fabs(crew->s[i]) <= larger(share, ROUNDED)) {
-            crew->where[i] = 0;
-            crew->face.robot[crew->face.count++] = i;
-        } else if (crew->s[i] > 0.0) {
-            crew->where[i] = 1;
-            size += crew->sizes[i];
+        double share = t->sizes[i] > height ? FLAT * height / t->sizes[i] : FLAT;
+        if (i == in || i == also || fabs(t->s[i]) <= larger(share, ROUNDED)) {
+            t->where[i] = 0;
+            t->face.robot[t->face.count++] = i;
+        } else if (t->s[i] > 0.0) {
+            t->where[i] = 1;
+            size += t->sizes[i];
             for (int k = 0; k < 3; k++)
-                corner[k] += crew->sizes[i] * crew->units[3 * i + k];
+                corner[k] += t->sizes[i] * t->units[3 * i + k];
         } else {
-            crew->where[i] = -1;
+            t->where[i] = -1;
         }
     }
-    face_lay(&crew->face, normal, crew->units, crew->sizes);
+    face_lay(&t->face, normal, t->units, t->sizes);
     return size;
 }
 
@@ -182,36 +182,36 @@ static const Meeting *best_meeting(const Goal *goal, Flat *at, Meeting *low, Mee
 }
 
 /* List where the plane meets generators as the normal turns to a tangent, and further. */
-static ptrdiff_t list_meetings(Crew *crew, const Goal *goal, const double *tangent, Flat *at) {
+static ptrdiff_t list_meetings(Turning *t, const Goal *goal, const double *tangent, Flat *at) {
     const double *w = at->target;
     ptrdiff_t count = 0;
-    for (ptrdiff_t i = 0; i < crew->n; i++) {
-        double size = crew->sizes[i], s = crew->s[i], g = dot(tangent, crew->units + 3 * i);
-        if (crew->where[i] == 0) {
+    for (ptrdiff_t i = 0; i < t->n; i++) {
+        double size = t->sizes[i], s = t->s[i], g = dot(tangent, t->units + 3 * i);
+        if (t->where[i] == 0) {
             if (g > FLAT)
                 at->corner[1] += g * size;
             continue;
         }
-        if (crew->where[i] > 0) {
+        if (t->where[i] > 0) {
             at->corner[0] += s * size;
             at->corner[1] += g * size;
         }
         double cot = -g / s;
         if (!goal->is_ray || cot * w[0] + w[1] > ROUNDED * sqrt(cot * cot + 1.0))
-            crew->meetings[count++] =
-                (Meeting){cot, -fabs(s) * size, -crew->where[i] * g * size, i};
+            t->meetings[count++] =
+                (Meeting){cot, -fabs(s) * size, -t->where[i] * g * size, i};
     }
     return count;
 }
 
 /* Turn a unit normal towards a tangent, about an axis at right angles to both or none, to the best
  * normal on the way. Returns the robot it ends across, -1 if it is none, -2 if it cannot turn. */
-static ptrdiff_t turn(Crew *crew, const Goal *goal, double *normal, const double *tangent,
+static ptrdiff_t turn(Turning *t, const Goal *goal, double *normal, const double *tangent,
                       const double *axis) {
     Flat at = {{dot(normal, goal->target), dot(tangent, goal->target)}, {0.0, 0.0}};
-    ptrdiff_t count = list_meetings(crew, goal, tangent, &at);
+    ptrdiff_t count = list_meetings(t, goal, tangent, &at);
     const Meeting *last, *met;
-    met = best_meeting(goal, &at, crew->meetings, crew->meetings + count, &last);
+    met = best_meeting(goal, &at, t->meetings, t->meetings + count, &last);
     double across[2], hint[3];
     if (goal->is_ray) {
         met = met ? met : last;
@@ -225,10 +225,10 @@ static ptrdiff_t turn(Crew *crew, const Goal *goal, double *normal, const double
     for (int k = 0; k < 3; k++)
         hint[k] = across[0] * normal[k] + across[1] * tangent[k];
     if (met && axis) {
-        normal_across(axis, crew->units + 3 * met->robot, hint, normal);
+        normal_across(axis, t->units + 3 * met->robot, hint, normal);
     } else {
         memcpy(normal, hint, sizeof hint);
-        square_off(normal, met ? crew->units + 3 * met->robot : axis);
+        square_off(normal, met ? t->units + 3 * met->robot : axis);
     }
     return met ? met->robot : -1;
 }
@@ -250,15 +250,15 @@ static double seen(const Goal *goal, const double *normal, const double *corner,
     return length(w);
 }
 
-Status find_face(Crew *crew, Goal *goal, double *normal, double *q, double *extent, double *reach) {
+Status find_face(Turning *t, Goal *goal, double *normal, double *q, double *extent, double *reach) {
     ptrdiff_t in = -1, also = -1;
     double rounding = OUTSIDE;
     for (int k = 1; k <= TURNS && also != -2; k++) {
         double corner[3], point[3], hint[3], tangent[3];
-        Face *face = &crew->face;
-        if (crew->n >= LARGE && crew->interrupted())
+        Face *face = &t->face;
+        if (t->n >= LARGE && t->interrupted())
             return INTERRUPTED;
-        *extent = divide(crew, normal, goal->size, in, also, corner);
+        *extent = divide(t, normal, goal->size, in, also, corner);
         *extent += seen(goal, normal, corner, reach, point);
         q[0] = dot(point, face->e);
         q[1] = dot(point, face->f);
@@ -268,14 +268,14 @@ Status find_face(Crew *crew, Goal *goal, double *normal, double *q, double *exte
         if (k % PATIENCE == 0)
             rounding *= 2.0;
         in = side.axis >= 0 ? face->robot[side.axis] : -1;
-        const double *axis = in >= 0 ? crew->units + 3 * in : NULL;
+        const double *axis = in >= 0 ? t->units + 3 * in : NULL;
         for (int c = 0; c < 3; c++)
             tangent[c] = hint[c] = side.m[0] * face->e[c] + side.m[1] * face->f[c];
         if (axis)
             normal_across(axis, normal, hint, tangent);
         else
             square_off(tangent, normal);
-        also = turn(crew, goal, normal, tangent, axis);
+        also = turn(t, goal, normal, tangent, axis);
         if (goal->is_ray && also >= 0 && dot(normal, goal->target) <= goal->least) {
             /* what the ray has along the normal is rounding, and more than so flat a set allows */
             square_off(goal->target, normal);
