@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "binding.h"
 
 /* The thread's state while what it does leaves the interpreter to others, or NULL. */

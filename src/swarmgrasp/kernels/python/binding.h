@@ -7,7 +7,7 @@
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
 
-#include "../criterion.h"
+#include "../status.h"
 
 /* What takes long lets other threads run until it comes back. */
 void leave(int is_long);
@@ -25,9 +25,5 @@ int rows_of(const Py_buffer *view, int width);
 
 /* Tell whether three numbers are finite; if not, set an exception. */
 int are_finite(const double *v);
-
-/* Make the type of criteria; return the criterion of one, or NULL with an exception. */
-PyObject *make_criterion_type(void);
-const Criterion *criterion_of(PyObject *object);
 
 #endif

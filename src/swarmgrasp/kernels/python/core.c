@@ -2,7 +2,12 @@
 #include "../place.h"
 #include "../quality.h"
 #include "../sector.h"
-#include "binding.h"
+#include "criterion_object.h"
+
+/* What each copy of the module has for itself. */
+typedef struct {
+    PyObject *criterion_type;
+} State;
 
 /* -- qualities --------------------------------------------------------------------------------- */
 
@@ -138,7 +143,8 @@ static PyObject *search_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
                           weights + 2, &pieces, load, load + 1, load + 2, &aim, &units)
         || !are_finite(weights) || !are_finite(load))
         return NULL;
-    if (aim != Py_None && !(criterion = criterion_of(aim)))
+    const State *state = PyType_GetModuleState(type);
+    if (aim != Py_None && !(criterion = criterion_of(state->criterion_type, aim)))
         return NULL;
     allocfunc make = (allocfunc)PyType_GetSlot(type, Py_tp_alloc);
     SearchObject *self = (SearchObject *)make(type, 0);
@@ -400,29 +406,41 @@ static PyMethodDef methods[] = {
     {NULL, NULL, 0, NULL},
 };
 
-static int add_number(PyObject *module, const char *name, double value) {
-    PyObject *number = PyFloat_FromDouble(value);
-    int status = number ? PyModule_AddObjectRef(module, name, number) : -1;
-    Py_XDECREF(number);
-    return status;
+/* Put an object that was just made, or NULL with an exception, into a module, which takes it. */
+static int put(PyObject *module, const char *name, PyObject *object) {
+    int outcome = PyModule_AddObjectRef(module, name, object);
+    Py_XDECREF(object);
+    return outcome;
 }
 
 static int fill(PyObject *module) {
-    PyObject *types[] = {PyType_FromSpec(&search_spec), make_criterion_type()};
-    const char *names[] = {"Search", "Criterion"};
-    int status = 0;
-    for (int k = 0; k < 2; k++) {
-        status |= types[k] ? PyModule_AddObjectRef(module, names[k], types[k]) : -1;
-        Py_XDECREF(types[k]);
-    }
-    return status || add_number(module, "MARGINAL", ZERO) || add_number(module, "FLOOR", FLOOR)
-           || add_number(module, "UNASKED", UNASKED) || add_number(module, "WORK", WORK);
+    State *state = PyModule_GetState(module);
+    state->criterion_type = make_criterion_type(module);
+    return put(module, "Criterion", Py_XNewRef(state->criterion_type))
+           || put(module, "Search", PyType_FromModuleAndSpec(module, &search_spec, NULL))
+           || put(module, "MARGINAL", PyFloat_FromDouble(ZERO))
+           || put(module, "FLOOR", PyFloat_FromDouble(FLOOR))
+           || put(module, "UNASKED", PyFloat_FromDouble(UNASKED))
+           || put(module, "WORK", PyFloat_FromDouble(WORK)) ? -1 : 0;
 }
+
+static int visit_state(PyObject *module, visitproc visit, void *arg) {
+    Py_VISIT(((State *)PyModule_GetState(module))->criterion_type);
+    return 0;
+}
+
+static int clear_state(PyObject *module) {
+    Py_CLEAR(((State *)PyModule_GetState(module))->criterion_type);
+    return 0;
+}
+
+static void free_state(void *module) { clear_state(module); }
 
 static PyModuleDef_Slot slots[] = {{Py_mod_exec, fill}, {0, NULL}};
 
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, .m_name = "core", .m_slots = slots, .m_methods = methods,
+    PyModuleDef_HEAD_INIT, .m_name = "core", .m_size = sizeof(State), .m_slots = slots,
+    .m_methods = methods, .m_traverse = visit_state, .m_clear = clear_state, .m_free = free_state,
 };
 
 PyMODINIT_FUNC PyInit_core(void) { return PyModuleDef_Init(&definition); }

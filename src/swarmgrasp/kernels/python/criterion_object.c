@@ -1,12 +1,10 @@
-#include "binding.h"
+#include "criterion_object.h"
 
 typedef struct {
     PyObject_HEAD
     Criterion criterion;
     Py_buffer points, rows, task;
 } CriterionObject;
-
-static PyTypeObject *criterion_type;
 
 static void criterion_dealloc(PyObject *object) {
     CriterionObject *self = (CriterionObject *)object;
@@ -121,14 +119,12 @@ static PyType_Spec type_spec = {
     .slots = type_slots,
 };
 
-PyObject *make_criterion_type(void) {
-    PyObject *type = PyType_FromSpec(&type_spec);
-    criterion_type = (PyTypeObject *)type;
-    return type;
+PyObject *make_criterion_type(PyObject *module) {
+    return PyType_FromModuleAndSpec(module, &type_spec, NULL);
 }
 
-const Criterion *criterion_of(PyObject *object) {
-    if (Py_TYPE(object) == criterion_type)
+const Criterion *criterion_of(PyObject *type, PyObject *object) {
+    if (Py_TYPE(object) == (PyTypeObject *)type)
         return &((CriterionObject *)object)->criterion;
     PyErr_SetString(PyExc_TypeError, "a Criterion or None is wanted");
     return NULL;
