@@ -324,6 +324,39 @@ def test_a_flat_set_keeps_its_own_wrenches():
     assert found.verify()
 
 
+def test_a_flat_set_is_seen_from_across_to_the_last_digit():
+    """The second wrench starts from the first one's normal, which is good to fewer digits.
+
+    Its nearest is in the plane of x and the torque, where the shares are those found alone.
+    """
+    box = Outline([(-0.8, -2.5), (0.8, -2.5), (0.8, 2.5), (-0.8, 2.5)])
+    contacts = [(0.8, 1.1), (0.8, 0.77), (0.8, -2.4), (-0.8, 1.2)]
+    swarm = Swarm.from_arrays(box, contacts, [0.0, 0.0, 0.0, math.pi])
+    wanted = [(1.05, 0.0, -2.55), (-4e-7, 3e-6, 4.1e-6)]
+    found = forces_along(swarm, wanted)
+    assert found.verify()
+    np.testing.assert_allclose(found.shares[1], forces(swarm, wanted[1]).shares, rtol=1e-9)
+    flat = np.array([1.0, 0.0, 1.0])
+    truth = reference.least_largest_share(
+        swarm.scaled_generators * flat, found.wanted[1] * swarm.scale * flat
+    )
+    assert found.largest_shares[1] == pytest.approx(truth, rel=1e-9)
+
+
+def test_what_a_giant_misses_of_little_is_told():
+    """One number says what rounding of 2 MN is, to what is told and to what is confirmed."""
+    barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    places = [(20, -10), (-40, -10)]
+    giant = Swarm.from_arrays(
+        barge, places, [0.5 * math.pi] * 2, [300.0, 2e6], characteristic_length=1.0,
+        force_weights=(2.0, 0.5),
+    )  # fmt: skip
+    for push in np.linspace(1e-7, 2e-6, 20):
+        found = forces(giant, (0.0, push, 40.0 * push))
+        assert found.needed == math.inf
+        assert found.verify()
+
+
 def test_a_single_robot_gives_its_part():
     """The nearest wrench on a segment: its middle, its end, its beginning."""
     swarm = Swarm(SQUARE, [AHEAD], 1.0)

@@ -7,7 +7,6 @@
 #define OWN 1e-15       /* relative rounding of a wrench */
 #define SAME 1e-12      /* relative distance from a wrench that is none */
 #define LOST 1e-10      /* relative distance that is told, of a wrench in reach */
-#define NOTHING 1e-14   /* shortfall relative to the total that is none */
 #define SLIGHT 1e-14    /* relative height that is rounding */
 #define LEAST 1e-12     /* cosine between a normal and a ray that is rounding */
 #define NEAR_ENOUGH 0.1 /* cosine from which a normal is worth starting from */

@@ -4,6 +4,8 @@
 
 #include "turning.h"
 
+#define NOTHING 5e-15 /* of the robots' total wrench: what counts as rounding of any wrench */
+
 /* What the shares are worth, and the proof. Vectors are in the metric's coordinates.
  *
  * The first of `normals` that is not at right angles to a robot's generator decides: in front of

@@ -5,7 +5,6 @@
 #include "vectors.h"
 
 #define RELATIVE 5e-10 /* difference that counts as rounding */
-#define OWN 5e-15      /* of the robots' total wrench: what counts as rounding of any wrench */
 #define BLURRED 5e-15  /* relative error of a product of a price and a generator */
 #define FLAT 1e-12     /* cosine within which a generator may be at right angles to a normal */
 
@@ -19,26 +18,37 @@ typedef struct {
     double slack;                     /* difference of wrenches that counts as rounding */
 } Audit;
 
-static double height(const Audit *a, const double *normal) {
+/* The height along a normal; of the robots in a plane across another one only, if there is one. */
+static double height(const Audit *a, const double *normal, const double *across) {
     double sum = 0.0;
-    for (ptrdiff_t i = 0; i < a->turning->n; i++)
-        sum += a->turning->sizes[i] * larger(0.0, dot(normal, a->turning->units + 3 * i));
+    for (ptrdiff_t i = 0; i < a->turning->n; i++) {
+        const double *unit = a->turning->units + 3 * i;
+        if (!across || fabs(dot(across, unit)) <= FLAT)
+            sum += a->turning->sizes[i] * larger(0.0, dot(normal, unit));
+    }
     return sum;
 }
 
 /* Tell whether no smaller largest share makes the wrench: n . w <= t h(n) for all that do. */
 static int is_needed(const Audit *a) {
     const double *normal = a->found->normals[0];
-    return a->top * height(a, normal) <= dot(normal, a->wanted) + a->slack;
+    return a->top * height(a, normal, NULL) <= dot(normal, a->wanted) + a->slack;
 }
 
-/* Tell whether no wrench is nearer: all are behind the plane through the one made. */
+/* Tell whether no wrench is nearer: all are behind the plane through the one made. Where nobody has
+ * to give all, those in the plane make it with no smaller largest share. */
 static int is_nearest(const Audit *a) {
-    const double *normal = a->found->normals[0];
+    const double *normal = a->found->normals[0], *next = a->found->normals[1];
     double slack = a->slack + RELATIVE * a->turning->total, along = dot(normal, a->miss), off[3];
     for (int k = 0; k < 3; k++)
         off[k] = a->miss[k] - along * normal[k];
-    return height(a, normal) - dot(normal, a->made) <= slack && length(off) <= slack;
+    if (!(height(a, normal, NULL) - dot(normal, a->made) <= slack && length(off) <= slack))
+        return 0;
+    for (ptrdiff_t i = 0; i < a->turning->n; i++)
+        if (dot(normal, a->turning->units + 3 * i) > FLAT)
+            return 1;
+    return length(next) == 0.0
+           || a->top * height(a, next, normal) <= dot(next, a->made) + a->slack;
 }
 
 /* Tell whether a robot gives what the first normal that its generator is not across says, or what
@@ -56,7 +66,8 @@ static int is_shared(const Audit *a, ptrdiff_t i) {
     }
     size = ldexp(size, a->turning->exponent);
     double fair = smaller(larger(size * dot(price, unit), 0.0), a->top);
-    double most = RELATIVE + BLURRED * size * length(price) + OWN * a->turning->total / a->turning->sizes[i];
+    double most = RELATIVE + BLURRED * size * length(price)
+                  + NOTHING * a->turning->total / a->turning->sizes[i]; /* so little may be any */
     return size == 0.0 || fabs(share - fair) <= most;
 }
 
@@ -76,7 +87,7 @@ int shares_are_proven(const Turning *turning, const double *wanted, const double
         a.wanted[k] = ldexp(wanted[k] - load[k], -turning->exponent);
         a.miss[k] = a.wanted[k] - a.made[k];
     }
-    a.slack = RELATIVE * (given + length(a.wanted)) + OWN * turning->total;
+    a.slack = RELATIVE * (given + length(a.wanted)) + NOTHING * turning->total;
     distance = length(a.miss);
     if (!isfinite(a.slack)) /* a wrench so large that its square is none */
         return 1;

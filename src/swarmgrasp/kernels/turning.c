@@ -6,6 +6,7 @@
 
 #define FLAT 1e-12    /* cosine, or share of the height, within which a generator is in the plane */
 #define ROUNDED 2e-15 /* cosine that is rounding */
+#define EVEN 0.01     /* sine between two directions that say well what plane they are in */
 #define TURNS 400     /* of the plane, far more than it takes */
 #define LARGE 100000  /* robots from which the keyboard is looked at in between */
 
@@ -250,9 +251,32 @@ static double seen(const Goal *goal, const double *normal, const double *corner,
     return length(w);
 }
 
+/* Turn a normal by its rounding, to be across two of those in the plane; a normal across a
+ * difference of wrenches has more of it than the height of a flat set allows. Returns 0 if that
+ * changes nothing. */
+static int straighten(const Turning *t, double *normal) {
+    const Face *face = &t->face;
+    ptrdiff_t wide = 0;
+    double across[3], turned = 0.0;
+    for (ptrdiff_t i = 1; i < face->count; i++)
+        if (fabs(face->c[2 * i + 1]) > fabs(face->c[2 * wide + 1]))
+            wide = i;
+    if (face->count < 2 || fabs(face->c[2 * wide + 1]) < EVEN * face->size[wide])
+        return 0;
+    normal_across(t->units + 3 * face->robot[face->largest],
+                  t->units + 3 * face->robot[wide], normal, across);
+    for (int k = 0; k < 3; k++)
+        turned = larger(turned, fabs(across[k] - normal[k]));
+    if (turned <= 0.5 * ROUNDED)
+        return 0;
+    memcpy(normal, across, sizeof across);
+    return 1;
+}
+
 Status find_face(Turning *t, Goal *goal, double *normal, double *q, double *extent, double *reach) {
     ptrdiff_t in = -1, also = -1;
     double rounding = OUTSIDE;
+    int is_straight = 0;
     for (int k = 1; k <= TURNS && also != -2; k++) {
         double corner[3], point[3], hint[3], tangent[3];
         Face *face = &t->face;
@@ -263,8 +287,13 @@ Status find_face(Turning *t, Goal *goal, double *normal, double *q, double *exte
         q[0] = dot(point, face->e);
         q[1] = dot(point, face->f);
         Side side = face_side(face, q, *extent);
-        if (side.excess <= rounding || k == TURNS)
-            break;
+        if (side.excess <= rounding || k == TURNS) {
+            if (is_straight || k == TURNS || !straighten(t, normal))
+                break;
+            is_straight = 1;
+            in = also = -1;
+            continue;
+        }
         if (k % PATIENCE == 0)
             rounding *= 2.0;
         in = side.axis >= 0 ? face->robot[side.axis] : -1;
