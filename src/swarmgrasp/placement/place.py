@@ -307,7 +307,7 @@ class _Aiming(_Placing):
 
     def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
-        self.aiming = TolerantSearch(self.problem, self.pieces, found)
+        self.aiming = TolerantSearch(self.problem, self.pieces, found, self.search.zero)
         best = self.aiming.solve(self.gap)
         return (*self.aimed(best, name), best.upper_bound)
 

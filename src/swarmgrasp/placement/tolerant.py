@@ -15,11 +15,15 @@ from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Tolerance
 
 Array = NDArray[np.float64]
-MOST_CELLS = 60_000
-"""Cells of places looked at after which a search stops with the bound it has."""
+WORK = 2e6
+"""Cells of places times normals looked at, after which a search stops with the bound it has."""
+BESIDES = 50
+"""Normals that a cell takes as long as, besides those looked at."""
+SMALLEST = 1e-12
+"""Width of a cell [rad], or relative to the lap, that only rounding could split."""
 BATCH = 96
 """Cells split at a time."""
-CHECKS = 3
+CHECKS = 8
 """Places whose quality is computed for each batch."""
 
 
@@ -78,13 +82,16 @@ class TolerantSearch:
     pieces : Pieces
     found : Optimum
         The place of a newcomer that would hit it exactly: no tolerant one does better.
+    zero : float [N]
+        A quality that counts as 0.
     """
 
-    def __init__(self, problem: Problem, pieces: Pieces, found: Optimum) -> None:
+    def __init__(self, problem: Problem, pieces: Pieces, found: Optimum, zero: float) -> None:
         self.problem, self.pieces, self.found = problem, pieces, found
         tolerance = problem.newcomer.tolerance or Tolerance()
         self.offsets, self.turns = tolerance.offsets, tolerance.turns
         self.aim = Aim(problem.swarm, problem.criterion)
+        self.zero = zero
         self.weights = problem.swarm.scale * problem.certain_limit
         outline = problem.swarm.outline
         lap = outline.perimeter
@@ -108,27 +115,34 @@ class TolerantSearch:
     def solve(self, gap: float, chosen: set[int] | None = None) -> Found:
         """Find the best place, on all pieces or on the chosen ones, to a relative gap."""
         cells = self._all(chosen)
-        bounds = self.bounds(cells)
+        bounds = np.minimum(self.bounds(cells), self.found.bounds[cells.piece.astype(int)])
         best = self._first(chosen)
-        seen = len(bounds)
+        work = 0
         while True:
-            wanted = best.after.quality * (1.0 + gap)
+            wanted = best.after.quality * (1.0 + gap) + self.zero
             open_ = bounds > wanted
-            if not open_.any() or seen > MOST_CELLS:
+            if not open_.any() or work > WORK:
                 break
             cells, bounds = cells.take(np.flatnonzero(open_)), bounds[open_]
             order = np.argsort(-bounds)
             top, rest = order[:BATCH], order[BATCH:]
+            if self._is_point(cells, top[0]):
+                break
             halves, limits = self._halves(cells.take(top), bounds[top])
             below = np.minimum(self.bounds(halves), limits)
             best = self._look(halves, below, best)
             cells = Cells(*map(np.concatenate, zip(cells.take(rest), halves, strict=True)))
             bounds = np.concatenate([bounds[rest], below])
-            seen += len(below)
+            work += len(below) * (len(self._normals) + BESIDES)
         upper = max(float(bounds.max(initial=0.0)), best.after.quality)
         if chosen is None:
             upper = min(upper, max(self.found.upper_bound, best.after.quality))
         return best._replace(upper_bound=upper, solved=upper <= wanted)
+
+    def _is_point(self, cells: Cells, row: int) -> bool:
+        """Tell whether a cell is as small as rounding."""
+        along, across = cells.end - cells.start, cells.hi - cells.lo
+        return bool(along[row] <= SMALLEST * self._lap and across[row] <= SMALLEST)
 
     def quality_at(self, contact: tuple[float, float], direction: float) -> Weakest:
         """Compute the quality with the newcomer aiming at a place."""

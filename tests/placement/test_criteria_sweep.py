@@ -1,0 +1,86 @@
+"""Ten thousand placements by every mix of criteria, random and degenerate, with few robots."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from strategies import FAMILIES, swarm_of
+from swarmgrasp import Ellipsoid, Newcomer, Polytope, Stretch, Swarm, Tolerance, Zone, place
+from swarmgrasp.errors import NowhereToAttach
+
+
+def terms_of(rng, swarm):
+    """Return a mix of criteria for a swarm."""
+    force = float(np.median(swarm.limits)) if len(swarm) else 1.0
+    sizes = force * np.array([1.0, 1.0, swarm.outline.radius])
+    terms = {"worst_case": bool(rng.random() < 0.5)}
+    if rng.random() < 0.3:
+        terms["losing"] = int(rng.integers(1, 3))
+    if rng.random() < 0.4:
+        load = rng.normal(size=3) * sizes * 10.0 ** rng.integers(-3, 1)
+        terms["load"] = tuple((load * (1, *rng.integers(0, 2, 2))).tolist())
+    if rng.random() < 0.6:
+        rows = rng.normal(size=(rng.integers(1, 4), 3)) * sizes * 10.0 ** rng.integers(-2, 3)
+        rows[-1] *= rng.choice([1.0, 10.0 ** -rng.integers(1, 10)])
+        terms["task"] = (Ellipsoid if rng.random() < 0.3 else Polytope)(rows)
+    return terms
+
+
+def tolerance_of(rng, lap, limit):
+    """Return what is not certain of a robot."""
+    contact = 0.01 * lap * rng.random() * rng.integers(2)
+    direction = 0.3 * rng.random() * rng.integers(2)
+    least = limit * 0.7 if rng.random() < 0.3 else None
+    return Tolerance(contact, direction, least, bool(rng.random() < 0.1))
+
+
+def question_of(seed):
+    """Return a swarm of up to six robots, a newcomer, and what is asked."""
+    rng = np.random.default_rng([seed, 10])
+    swarm = swarm_of(FAMILIES[seed % len(FAMILIES)], seed, int(rng.integers(0, 7)))
+    lap, terms = swarm.outline.perimeter, terms_of(rng, swarm)
+    if terms["worst_case"]:
+        robots = [
+            replace(
+                robot, tolerance=tolerance_of(rng, lap, robot.limit) if rng.random() < 0.7 else None
+            )
+            for robot in swarm.robots
+        ]
+        swarm = Swarm(swarm.outline, robots, swarm.characteristic_length, swarm.force_weights)
+    attachment = str(rng.choice(["push", "pull", "free"]))
+    half_angle = None if attachment == "free" else rng.choice([None, 0.0, 0.4])
+    spread = None
+    if terms["worst_case"] and rng.random() < 0.1:
+        spread = Tolerance(0.01 * lap * rng.random(), 0.1 * rng.random())
+    newcomer = Newcomer(10.0 ** rng.integers(-1, 2), attachment, half_angle, tolerance=spread)
+    where = {"spacing": float(rng.choice([0.0, 0.02 * lap]))}
+    if rng.random() < 0.3:
+        start, end = rng.uniform(0.0, lap, 2).tolist()
+        where["zones"] = [Zone(Stretch(start, end)), Zone(Stretch(start, start))]
+    return swarm, newcomer, where | terms
+
+
+def faults_of(seeds):
+    """Answer questions; yield what is wrong with an answer, and its question."""
+    for seed in seeds:
+        swarm, newcomer, terms = question_of(seed)
+        try:
+            answer = place(swarm, newcomer, **terms)
+        except NowhereToAttach:
+            continue
+        if newcomer.tolerance is None and not answer._found.solved:
+            yield f"{seed}: the work was not enough"
+        for fault in answer.verify().faults:
+            yield f"{seed}: {fault}"
+
+
+def test_a_few_hundred():
+    """The first of the long sweep."""
+    assert list(faults_of(range(240))) == []
+
+
+@pytest.mark.long
+def test_ten_thousand():
+    """None is refused by its check, and none takes all the work it may."""
+    assert list(faults_of(range(240, 10_240))) == []
