@@ -69,18 +69,18 @@ def faults_of(seeds):
             answer = place(swarm, newcomer, **terms)
         except NowhereToAttach:
             continue
-        if newcomer.tolerance is None and not answer._found.solved:
-            yield f"{seed}: the work was not enough"
+        if not (answer._found.solved or answer.stopped_early):
+            yield f"{seed}: the work was not enough, and that is not told"
         for fault in answer.verify().faults:
             yield f"{seed}: {fault}"
 
 
 def test_a_few_hundred():
     """The first of the long sweep."""
-    assert list(faults_of(range(240))) == []
+    assert list(faults_of(range(120))) == []
 
 
 @pytest.mark.long
 def test_ten_thousand():
-    """None is refused by its check, and none takes all the work it may."""
-    assert list(faults_of(range(240, 10_240))) == []
+    """None is refused by its check, and each says whether the work was enough."""
+    assert list(faults_of(range(120, 10_120))) == []

@@ -7,7 +7,7 @@
 
 #include "status.h"
 
-#define WORK 1e9  /* units that a search may take unless told otherwise: some seconds */
+#define WORK 5e8  /* units that a search may take unless told otherwise: some seconds */
 #define LOOK 3e5    /* units between two looks at the keyboard: a millisecond */
 #define TURNED 25.0 /* units that valuing a robot of uncertain pose takes, per row */
 
