@@ -337,14 +337,14 @@ int tree_gradient(const Tree *tree, const double *m, double rounding, double *g)
 
 int tree_crossed(const Tree *tree, const double *corners, int room, double *listed, double *g,
                  int *looked) {
-    int found = 0;
+    int found = 0, seen = 0;
     double sum[3] = {tree->load[0], tree->load[1], tree->load[2]}, slack[3];
     const Node *node = tree->node, *end = tree->node + tree->nodes;
     for (int j = 0; j < 3; j++) {
         const double *m = corners + 3 * j;
         slack[j] = ON_PLANE * (fabs(m[0]) + fabs(m[1]) + fabs(m[2]));
     }
-    for (*looked = 0; node < end; ++*looked) {
+    for (; node < end; seen++) {
         int sign = sign_on(node, corners, slack[0]);
         for (int j = 1; j < 3 && sign != 0; j++)
             if (sign_on(node, corners + 3 * j, slack[j]) != sign)
@@ -354,20 +354,23 @@ int tree_crossed(const Tree *tree, const double *corners, int room, double *list
             continue;
         }
         const double *c = tree->vectors + 3 * node->first;
-        *looked += node->count;
+        seen += node->count;
         for (int i = 0; i < node->count; i++, c += 3) {
             double near = ON_PLANE * (fabs(c[0]) + fabs(c[1]) + fabs(c[2]));
             double a = dot(corners, c), b = dot(corners + 3, c), d = dot(corners + 6, c);
             if (a > near && b > near && d > near) {
                 add(sum, c);
             } else if (!(a < -near && b < -near && d < -near)) {
-                if (found == room)
+                if (found == room) {
+                    *looked = seen;
                     return -1;
+                }
                 memcpy(listed + 3 * found++, c, 3 * sizeof *c);
             }
         }
         node++;
     }
     memcpy(g, sum, sizeof sum);
+    *looked = seen;
     return found;
 }
