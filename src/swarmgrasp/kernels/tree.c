@@ -15,7 +15,7 @@
 #define GRID 1073741823.0    /* (u, v) as 30 bits each, */
 #define FACE 60              /* and the face above them */
 #define FLATTEST 1e-16       /* of C's pivots, relative to its trace: what rounding leaves of it */
-#define EVEN 0.1             /* least share of the trace of C that is near enough to a third */
+#define EVEN 0.01            /* least determinant of C, in cubes of its trace, that is near 1/27 */
 #define PER_ITEM 20.0        /* units of work to whiten a generator */
 #define SOME 4096            /* generators between two looks at the keyboard */
 #define STEPS 8              /* towards that, at most */
@@ -55,9 +55,9 @@ void tree_direction(const Tree *tree, const double *n, double *m) {
  * that are not 0. Tells whether M was good before. */
 static int improve_whitening(double *w, const Tree *tree, const double *generators,
                              ptrdiff_t count) {
-    double c[6] = {0.0}, d[3] = {0.0};
-    for (ptrdiff_t i = 0; i < count; i++) {
-        const double *b = generators + 3 * i;
+    double c[6] = {0.0}, d[6] = {0.0}; /* C, and the same of the whitened ones: lower triangles */
+    for (ptrdiff_t k = 0; k < count; k++) {
+        const double *b = generators + 3 * k;
         double white[3], size;
         tree_whiten(tree, b, white);
         size = length(white);
@@ -69,12 +69,15 @@ static int improve_whitening(double *w, const Tree *tree, const double *generato
             c[3] += z * b[0];
             c[4] += z * b[1];
             c[5] += z * b[2];
-            for (int k = 0; k < 3; k++)
-                d[k] += white[k] / size * white[k];
+            for (int i = 0, at = 0; i < 3; i++)
+                for (int j = 0; j <= i; j++)
+                    d[at++] += white[i] / size * white[j];
         }
     }
-    double trace = d[0] + d[1] + d[2];
-    if (smaller(d[0], smaller(d[1], d[2])) >= EVEN * trace)
+    double trace = d[0] + d[2] + d[5];
+    double volume = d[0] * (d[2] * d[5] - d[4] * d[4]) - d[1] * (d[1] * d[5] - d[4] * d[3])
+                    + d[3] * (d[1] * d[4] - d[2] * d[3]);
+    if (volume >= EVEN * trace * trace * trace)
         return 1;
     double least = FLATTEST * (c[0] + c[2] + c[5]);
     double l0 = sqrt(larger(c[0], least));
