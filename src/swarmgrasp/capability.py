@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from swarmgrasp.environment import Environment
 from swarmgrasp.environment.limits import BEARING
 from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality import Polytope, quality
 from swarmgrasp.ranges import WEAKEST
 from swarmgrasp.swarm import Swarm
@@ -25,7 +26,7 @@ STEP = math.radians(5.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Capability:
+class Capability(Answer):
     """The largest winds that a swarm holds, intact and after its worst loss.
 
     Attributes
@@ -61,6 +62,16 @@ class Capability:
     holds_current_after_loss: NDArray[np.bool_]
     worst_losses: tuple[tuple[int, ...], ...]
     directions: NDArray[np.float64]
+
+    kind = "capability"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data; the losses by the names of the robots."""
+        told = picked(
+            self, "swarm", "environment", "losing", "worst_case", "bearings", "intact",
+            "after_loss", "holds_current", "holds_current_after_loss", "directions",
+        )  # fmt: skip
+        return {**told, "worst_losses": [list(self.lost_names(i)) for i in range(len(self.intact))]}
 
     def lost_names(self, index: int) -> tuple[str, ...]:
         """Return the names of the robots whose loss is worst at a bearing.

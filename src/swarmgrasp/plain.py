@@ -32,13 +32,17 @@ LARGEST = 1e300
 """Of any number that is read."""
 
 
-class Plain:
-    """What has a plain form: mappings, lists, numbers, text, true, false and null."""
+class Told:
+    """What can be told as plain data: mappings, lists, numbers, text, true, false and null."""
 
     def to_data(self) -> dict[str, Any]:
         """Return the object as plain data, in SI units and radians."""
         cls: Any = type(self)
         return picked(self, *_parts(cls))
+
+
+class Plain(Told):
+    """What can be told as plain data and made of them again."""
 
     @classmethod
     def from_data(cls, data: object) -> Self:
@@ -56,21 +60,17 @@ class Plain:
             all faults at once, each with the path of its key.
         """
         faults: list[str] = []
-        found: Self = _value(data, cls, (), faults)
+        found: Self = read(data, cls, (), faults)
         if faults:
             raise DataInvalid(faults)
         return found
 
 
-class Answer:
-    """What an answer file may hold: an answer together with its question."""
+class Answer(Told):
+    """What an answer file may hold: an answer, told together with its question."""
 
     kind: ClassVar[str]
     """What the answer is, in the file's `format`."""
-
-    def to_data(self) -> dict[str, Any]:
-        """Return question and answer as plain data, in SI units and radians."""
-        raise NotImplementedError
 
 
 def picked(holder: object, *names: str) -> dict[str, Any]:
@@ -86,7 +86,7 @@ def plain(value: Any) -> Any:
     >>> plain((1, np.float64(0.5), np.array([math.nan, 2.0]), None))
     [1, 0.5, [None, 2.0], None]
     """
-    if isinstance(value, Plain | Answer):
+    if isinstance(value, Told):
         return value.to_data()
     if isinstance(value, np.ndarray | np.generic):
         is_plain = value.dtype.kind != "f" or np.isfinite(value).all()
@@ -148,8 +148,20 @@ def _is_plain(kind: Any) -> bool:
     return isinstance(kind, type) and issubclass(kind, Plain)
 
 
-def _value(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
-    """Return the value that plain data stand for; note what is wrong with them."""
+def read(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
+    """Return the value that plain data stand for; note what is wrong with them.
+
+    Parameters
+    ----------
+    data : object
+        As JSON has it.
+    kind : type
+        As annotations have it.
+    path : tuple of str and int
+        Keys that lead to the data, for messages.
+    faults : list of str
+        Faults are added to it; if there are any, what is returned is of no use.
+    """
     branches = _branches(kind)
     fitting = [branch for branch in branches if type(data) in branch.written]
     if not fitting:
@@ -173,7 +185,7 @@ def _object(data: dict[str, Any], cls: type, path: _Path, faults: list[str]) -> 
     faults += (_told(f"the key {shown(key)} is unknown", path) for key in data if key not in parts)
     faults += (_told("is missing", (*path, key)) for key in parts if key not in data)
     given = {
-        key: _value(data[key], kind, (*path, key), faults)
+        key: read(data[key], kind, (*path, key), faults)
         for key, kind in parts.items()
         if key in data
     }
@@ -196,7 +208,7 @@ def _list(data: list[Any], kind: Any, path: _Path, faults: list[str]) -> Any:
     if len(data) != len(kinds):
         return _note(f"a list of {len(kinds)}", data, path, faults)
     rows = zip(data, kinds, strict=True)
-    return tuple(_value(item, one, (*path, i), faults) for i, (item, one) in enumerate(rows))
+    return tuple(read(item, one, (*path, i), faults) for i, (item, one) in enumerate(rows))
 
 
 def _is_number(value: object) -> bool:

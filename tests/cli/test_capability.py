@@ -58,8 +58,8 @@ def test_a_current_of_ones_own(run, windy):
         status, said, _ = run("capability", file, "--current", knots, "--json", "-")
         found = json.loads(said)
         assert status == 0
-        assert found["current_speed"] == pytest.approx(knots * KNOT)
-        winds.append(found["bearings"][0]["intact"])
+        assert found["environment"]["current"]["speed"] == pytest.approx(knots * KNOT)
+        winds.append(found["intact"][0])
     assert winds[0] > winds[1] > winds[2] > 0.0
 
 
@@ -71,10 +71,11 @@ def test_json_holds_every_bearing(run, windy, tmp_path):
     found = json.loads(target.read_text())
     assert status == 0
     assert said.endswith(f"wrote {target}\n")
-    assert [row["bearing"] for row in found["bearings"]] == [math.radians(45 * k) for k in range(8)]
-    assert (found["losing"], found["current_bearing"]) == (1, 3.0)
-    assert all(row["holds_current"] for row in found["bearings"])
-    assert not any(row["holds_current_after_loss"] for row in found["bearings"])
+    assert found["bearings"] == [math.radians(45 * k) for k in range(8)]
+    assert (found["losing"], found["environment"]["current"]["bearing"]) == (1, 3.0)
+    assert found["worst_losses"] == [["E"]] * 8
+    assert all(found["holds_current"])
+    assert not any(found["holds_current_after_loss"])
     assert "Without one robot  no wind from any bearing, not even the current alone" in said
     assert "losing E is enough" in said
 
@@ -89,8 +90,8 @@ def test_the_worst_case_is_the_scenarios_or_asked_for(run, windy):
     file.write_text(file.read_text().replace("limit: 1000}", weak))
     weaker = json.loads(run("capability", file, "--worst-case", "--json", "-")[1])
     assert weaker["worst_case"]
-    strong = json.loads(said)["bearings"][0]["intact"]
-    assert weaker["bearings"][0]["intact"] == pytest.approx(strong / math.sqrt(2.0))
+    strong = json.loads(said)["intact"][0]
+    assert weaker["intact"][0] == pytest.approx(strong / math.sqrt(2.0))
     assert "Poses" in run("capability", file, "--worst-case")[1]
 
 

@@ -15,7 +15,7 @@ def test_tells_the_fewest_and_where_they_go(run, tmp_path):
     found = json.loads(target.read_text())
     assert (found["count"], found["at_least"], found["is_proven"]) == (2, 2, True)
     assert found["quality"] >= 600e3
-    assert len(found["robots"]) == 2
+    assert len(found["answer"]["robots"]) == 2
     assert said.endswith(f"wrote {target}\n")
 
 
@@ -43,7 +43,7 @@ def test_none_is_needed(run):
     """What is there already needs no table."""
     _, said, _ = run("count", "deck-barge", "--quality", "1000", "--json", "-")
     found = json.loads(said)
-    assert (found["count"], found["robots"], found["upper_bound"]) == (0, [], None)
+    assert (found["count"], found["answer"]) == (0, None)
     assert "1.0000 kN is there" in run("count", "deck-barge", "--quality", "1000")[1]
 
 

@@ -17,9 +17,9 @@ def test_tells_who_had_better_be_elsewhere(run, tmp_path):
     assert [row.split()[0] for row in rows] == ["Castor", "Boreas", "Electra", "Dione", "Ajax"]
     found = json.loads(target.read_text())
     assert found["improves"]
-    assert found["moves"][0]["robot"] == "Castor"
-    assert found["moves"][0]["quality"] == pytest.approx(330.69e3, rel=1e-4)
-    assert found["moves"][0]["quality_without"] == 0.0
+    assert found["ranked"][0]["robot"] == "Castor"
+    assert found["ranked"][0]["quality"] == pytest.approx(330.69e3, rel=1e-4)
+    assert found["ranked"][0]["quality_without"] == 0.0
     assert said.endswith(f"wrote {target}\n")
 
 
@@ -37,9 +37,9 @@ def test_by_a_criterion(run):
     """The scenario's, or that of the options; JSON alone on standard output."""
     _, said, _ = run("move", "rectangle-15", "--losing", "1", "--json", "-")
     found = json.loads(said)
-    assert found["criterion"]["losing"] == 1
+    assert found["problem"]["criterion"]["losing"] == 1
     assert found["quality_before"] == pytest.approx(1.2638, rel=1e-4)
-    assert found["moves"][0]["quality"] > found["quality_before"]
+    assert found["ranked"][0]["quality"] > found["quality_before"]
 
 
 def test_nobody_can_move(run):

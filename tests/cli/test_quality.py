@@ -50,9 +50,9 @@ def test_json_holds_the_numbers(run, tmp_path):
     assert status == 0
     assert said.endswith(f"wrote {target}\n")
     limits = 8 * 200e3 + 4 * 799e3
-    assert found["efficiency"] == pytest.approx(found["quality"] * 3.141592653589793 / limits)
-    assert found["quality"] == pytest.approx(748420, rel=1e-5)
-    assert found["metric"]["characteristic_length"] == pytest.approx(38.1)
+    assert found["efficiency"] == pytest.approx(found["value"] * 3.141592653589793 / limits)
+    assert found["value"] == pytest.approx(748420, rel=1e-5)
+    assert found["swarm"]["characteristic_length"] == pytest.approx(38.1)
 
 
 def test_reads_standard_input(run, pontoon, monkeypatch):
@@ -76,7 +76,8 @@ def test_losing_robots(run, tmp_path):
     found = json.loads(target.read_text())
     assert found["criterion"]["losing"] == 1
     assert found["lost"] == ["R4"]
-    assert found["losses"][0] == {"robot": "R4", "quality": pytest.approx(found["quality"])}
+    worst = found["losses"][0]
+    assert (worst["name"], worst["quality"]) == ("R4", pytest.approx(found["value"]))
     assert len(found["worst_robots"]) == 14
 
 

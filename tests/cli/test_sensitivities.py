@@ -4,7 +4,7 @@ import numpy as np
 
 from swarmgrasp import sensitivities
 from swarmgrasp.cli.report import Forces, Report
-from swarmgrasp.cli.sensitivities import sensitivities_data, show_sensitivities
+from swarmgrasp.cli.sensitivities import show_sensitivities
 from swarmgrasp.scenario import load_example
 
 
@@ -25,14 +25,14 @@ def test_a_ridge_is_told_and_thrusters_do_not_move(capsys):
     found = sensitivities(load_example("supply-vessel").swarm)
     show_sensitivities(Report(), found, Forces.for_size(found.quality.value))
     assert "8 facets are equally weak" in capsys.readouterr().out
-    assert all(row["per_metre"] is None for row in sensitivities_data(found))
+    assert all(slopes["contact"] == [None, None] for slopes in found.to_data().values())
 
 
 def test_data_are_in_si_units():
     """Per metre, radian and newton."""
     found = sensitivities(load_example("deck-barge").swarm)
-    rows = sensitivities_data(found)
-    assert [row["robot"] for row in rows] == [robot.name for robot in found.swarm.robots]
-    np.testing.assert_array_equal([row["per_metre"] for row in rows], found.contact)
-    np.testing.assert_array_equal([row["per_radian"] for row in rows], found.direction)
-    np.testing.assert_array_equal([row["per_newton"] for row in rows], found.limit)
+    data = found.to_data()
+    assert list(data) == [robot.name for robot in found.swarm.robots]
+    for name in ("contact", "direction", "limit"):
+        told = [slopes[name] for slopes in data.values()]
+        np.testing.assert_array_equal(told, getattr(found, name))

@@ -9,19 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of
-from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
+    asked_before,
     json_faults,
-    json_text,
     output_faults,
-    print_json,
-    put_json,
     read_scenario,
     source_of,
 )
-from swarmgrasp.cli.report import told_written
 
 if TYPE_CHECKING:
     from swarmgrasp.capability import Capability
@@ -33,6 +31,8 @@ FASTEST_CURRENT = 100.0
 """That may be asked for [kn]."""
 MOST_SHOWN = 100.0
 """Winds above this [kn] are told as such: capability plots end here."""
+STEP = 5.0
+"""Degrees between the bearings unless told otherwise."""
 ROWS = 12
 """Of the table: more bearings than this are told every 30 degrees, and where the least is held."""
 
@@ -43,7 +43,7 @@ def capability(
     *,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
-    step: float = 5.0,
+    step: float | None = None,
     current: Annotated[float | None, Parameter(metavar="KNOTS")] = None,
     plot: Path | None = None,
     json: Dashed | None = None,
@@ -60,13 +60,14 @@ def capability(
     ----------
     file
         Scenario in YAML, "-" for standard input, or a built-in example such as
-        supply-vessel. Its newcomer is left out.
+        supply-vessel. Its newcomer is left out. Or an answer of this command, whose options hold
+        unless given anew.
     losing
         How many robots are lost, the worst ones at each bearing; at least 1, the default.
     worst_case
         In the worst poses that the robots' tolerances allow.
     step
-        Degrees between the bearings, 1 to 90.
+        Degrees between the bearings, 1 to 90; 5 unless given.
     current
         Speed of the current in knots, instead of the scenario's.
     plot
@@ -82,33 +83,34 @@ def capability(
     criterion = criterion_of(scenario, file, losing, worst_case)
     import numpy as np
 
+    from swarmgrasp.answer_file import document_of
     from swarmgrasp.capability import capability as capability_of
 
-    bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step))
+    bearings = asked_before(scenario, "capability").get("bearings") if step is None else None
+    if bearings is None:
+        bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
     found = capability_of(
         scenario.swarm, environment, bearings, criterion.losing or 1, criterion.worst_case
     )
-    data = data_of(scenario, found)
-    written: list[str | Path] = []  # before the report, whose reader may leave
-    if plot is not None:
+
+    def draw() -> list[Path]:
+        if plot is None:
+            return []
         from swarmgrasp.plot import capability_diagram, save
 
-        written.append(save(capability_diagram(found, scenario.name), plot))
-    written += put_json(json, data)
-    if json == DASH:
-        print_json(json_text(data))
-    else:
-        show(scenario.name, found)
-    told_written(written, aside=json == DASH)
+        return [save(capability_diagram(found, scenario.name), plot)]
+
+    document = document_of(found, scenario.name)
+    deliver(json, document, lambda: show(scenario.name, found), draw)
 
 
-def _number_faults(losing: str | None, step: float, current: float | None) -> list[str]:
+def _number_faults(losing: str | None, step: float | None, current: float | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = []
     # int() would also take 1_0, and cyclopts 1.5 and 0x2
     if losing is not None and not re.fullmatch(r"0*[1-9][0-9]{0,5}", losing):
         faults.append(f"--losing is {losing}; it should be a whole number, at least 1")
-    if not 1.0 <= step <= 90.0:
+    if step is not None and not 1.0 <= step <= 90.0:
         faults.append(f"--step is {step:g}; it should be from 1 to 90 degrees")
     if current is not None and not 0.0 <= current <= FASTEST_CURRENT:
         faults.append(f"--current is {current:g}; it should be from 0 to {FASTEST_CURRENT:g} knots")
@@ -140,39 +142,6 @@ def _environment(scenario: "Scenario", source: str, current: float | None) -> "E
     from swarmgrasp.environment import KNOT
 
     return replace(environment, current=replace(environment.current, speed=current * KNOT))
-
-
-def data_of(scenario: "Scenario", found: "Capability") -> dict[str, Any]:
-    """Return a capability as plain data, in SI units."""
-    environment = found.environment
-    current = environment.current
-    rows = zip(
-        found.bearings.tolist(),
-        found.intact.tolist(),
-        found.after_loss.tolist(),
-        found.holds_current.tolist(),
-        found.holds_current_after_loss.tolist(),
-        strict=True,
-    )
-    return {
-        "name": scenario.name,
-        "losing": found.losing,
-        "worst_case": found.worst_case,
-        "current_speed": 0.0 if current is None else current.speed,
-        "current_bearing": None if current is None else current.bearing,
-        "dynamic_factor": environment.dynamic_factor,
-        "bearings": [
-            {
-                "bearing": bearing,
-                "intact": intact,
-                "after_loss": after_loss,
-                "holds_current": held,
-                "holds_current_after_loss": held_after_loss,
-                "worst_loss": list(found.lost_names(i)),
-            }
-            for i, (bearing, intact, after_loss, held, held_after_loss) in enumerate(rows)
-        ],
-    }
 
 
 def show(name: str, found: "Capability") -> None:

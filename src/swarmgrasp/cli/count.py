@@ -1,25 +1,26 @@
 """`swarmgrasp count`: how many robots a required quality takes."""
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from swarmgrasp.cli.criteria import criterion_data, criterion_of, losing_faults, unit_for
-from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.criteria import criterion_of, losing_faults, unit_for
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     UsageFault,
+    asked_before,
     json_faults,
-    json_text,
-    print_json,
-    put_json,
     read_scenario,
     source_of,
     whole_faults,
 )
-from swarmgrasp.cli.report import told_written
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.ranges import MOST_PLACED
+
+MOST = 20
+"""Robots tried unless told otherwise."""
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import HowMany
@@ -29,8 +30,8 @@ def count(
     file: Dashed,
     /,
     *,
-    quality: float,
-    most: Annotated[str, Parameter(metavar="INT")] = "20",
+    quality: float | None = None,
+    most: Annotated[str | None, Parameter(metavar="INT")] = None,
     effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
@@ -46,11 +47,12 @@ def count(
     Parameters
     ----------
     file
-        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge; or an
+        answer of this command, whose options hold unless given anew.
     quality
         The quality required, in newtons; with a task, a factor.
     most
-        The most robots to try, 1 to 1000.
+        The most robots to try, 1 to 1000; 20 unless given.
     effort
         Steps of the search, 5000 unless given: about 2 ms each for a dozen robots. The same
         steps give the same answer on every machine.
@@ -64,7 +66,11 @@ def count(
     """
     faults = _number_faults(quality, most, effort) + losing_faults(losing) + json_faults(json)
     scenario = read_scenario(file, faults)
-    criterion = criterion_of(scenario, file, losing, worst_case, int(most))
+    before = asked_before(scenario, "count")
+    if quality is None and not before:
+        raise UsageFault("--quality is missing; give the quality required, such as 600e3")
+    tried = before.get("most", MOST) if most is None else int(most)
+    criterion = criterion_of(scenario, file, losing, worst_case, tried)
     if scenario.newcomer is None:
         raise UsageFault(
             f"{source_of(file)}:1:1: there is no newcomer to count; add one, such as "
@@ -73,53 +79,29 @@ def count(
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 
-    steps = EFFORT if effort is None else int(effort)
-
+    required = before["required"] if quality is None else quality
+    steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     try:
         problem = scenario.problem(criterion)
-        found = how_many(problem, quality, most=int(most), effort=steps)
+        found = how_many(problem, required, most=tried, effort=steps)
     except SwarmGraspError as error:
         source = source_of(file)
         raise UsageFault(f"{source}:1:1: {fault}" for fault in error.faults) from error
-    data = data_of(scenario.name, found)
-    if json == DASH:
-        print_json(json_text(data))
-        return
-    written = put_json(json, data)  # before the report, whose reader may leave
-    show(scenario.name, found)
-    told_written(written)
+    from swarmgrasp.answer_file import document_of
+
+    deliver(json, document_of(found, scenario.name), lambda: show(scenario.name, found))
 
 
-def _number_faults(quality: float, most: str, effort: str | None) -> list[str]:
+def _number_faults(quality: float | None, most: str | None, effort: str | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = []
-    if not 0.0 < quality < math.inf:
+    if quality is not None and not 0.0 < quality < math.inf:
         faults.append(f"--quality is {quality:g}; it should be greater than 0 [N]")
     return [
         *faults,
         *whole_faults("--most", most, 1, MOST_PLACED),
         *whole_faults("--effort", effort),
     ]
-
-
-def data_of(name: str, found: "HowMany") -> dict[str, Any]:
-    """Return an answer as plain data, in SI units."""
-    from swarmgrasp.cli.gains import robots_data
-
-    answer = found.answer
-    return {
-        "name": name,
-        "criterion": criterion_data(found.problem.criterion),
-        "required": found.required,
-        "count": found.count,
-        "at_least": found.at_least,
-        "is_proven": found.is_proven,
-        "quality_before": found.quality_before,
-        "quality": found.quality,
-        "upper_bound": None if answer is None else answer.upper_bound,
-        "reason": found.reason,
-        "robots": [] if answer is None else robots_data(answer),
-    }
 
 
 def show(name: str, found: "HowMany") -> None:

@@ -1,6 +1,6 @@
 """What a command is asked about the swarm, by its options and by the scenario."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from swarmgrasp.cli.inputs import UsageFault, source_of, whole_faults
 from swarmgrasp.cli.report import Forces
@@ -58,17 +58,3 @@ def criterion_of(
 def unit_for(criterion: "Criterion", *sizes: float) -> Forces:
     """Return the unit to show qualities in."""
     return Forces.for_size(*sizes) if criterion.task is None else Forces(1.0, "times the task")
-
-
-def criterion_data(criterion: "Criterion") -> dict[str, Any]:
-    """Return a criterion as plain data, in SI units."""
-    from swarmgrasp.quality import Polytope
-
-    task = criterion.task
-    kind = "polytope" if isinstance(task, Polytope) else "ellipsoid"
-    return {
-        "losing": criterion.losing,
-        "worst_case": criterion.worst_case,
-        "load": list(criterion.load),
-        "task": None if task is None else {kind: task.generators.tolist()},
-    }

@@ -1,22 +1,23 @@
 """`swarmgrasp forces`: how hard each robot pushes to make a wrench."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
+    UsageFault,
+    asked_before,
     json_faults,
-    json_text,
     output_faults,
-    print_json,
-    put_json,
     read_scenario,
 )
-from swarmgrasp.cli.pushes import Triple, data_of, load_of, number_faults, show
-from swarmgrasp.cli.report import told_written
+from swarmgrasp.cli.pushes import Triple, load_of, number_faults, show
+from swarmgrasp.errors import SwarmGraspError
 
 ThreeNumbers = Annotated[Triple | None, Parameter(metavar="FX FY TZ", negative="")]
 
@@ -44,7 +45,8 @@ def forces(
     ----------
     file
         Scenario in YAML, "-" for standard input, or a built-in example such as
-        deck-barge. Its newcomer is left out.
+        deck-barge. Its newcomer is left out. Or an answer of this command, whose wrenches hold
+        unless given anew.
     wrench
         What the object is to receive: force along x and along y [N], and torque [N m] about
         the outline's origin.
@@ -64,27 +66,40 @@ def forces(
     """
     faults = _option_faults(wrench, wrenches, load, plot, csv, json)
     faults += json_faults(json) + output_faults(csv, (".csv",)) + output_faults(plot, PICTURES)
+    table: tuple[Sequence[int], Sequence[Triple]] | None = None
     if wrenches is not None:
+        from swarmgrasp.cli.trajectory import read_wrenches
+
+        try:
+            table = read_wrenches(wrenches)
+        except SwarmGraspError as error:
+            faults += error.faults
+    scenario = read_scenario(file, faults)
+    if wrench is None and table is None:
+        wrench = asked_before(scenario, "forces").get("wanted")
+        rows = asked_before(scenario, "forces along").get("wanted")
+        table = None if rows is None else (range(2, 2 + len(rows)), rows)
+    if table is not None:
         from swarmgrasp.cli.trajectory import tell_trajectory
 
-        tell_trajectory(file, wrenches, load, csv=csv, json=json, faults=faults)
+        tell_trajectory(scenario, *table, load, csv=csv, json=json)
         return
-    scenario = read_scenario(file, faults)
+    if wrench is None:
+        raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
+    from swarmgrasp.answer_file import document_of
     from swarmgrasp.forces import forces as forces_of
 
-    wanted = wrench or (0.0, 0.0, 0.0)  # given, or there was a fault
-    found = forces_of(scenario.swarm, wanted, load=load_of(scenario, load))
-    data = {"name": scenario.name} | data_of(found)
-    written: list[str | Path] = list(put_json(json, data))  # before the report
-    if plot is not None:
+    found = forces_of(scenario.swarm, wrench, load=load_of(scenario, load))
+
+    def draw() -> list[Path]:
+        if plot is None:
+            return []
         from swarmgrasp.plot import forces_plan, save
 
-        written.append(save(forces_plan(found), plot))
-    if json == DASH:
-        print_json(json_text(data))
-    else:
-        show(scenario.name, found)
-    told_written(written, aside=json == DASH)
+        return [save(forces_plan(found), plot)]
+
+    document = document_of(found, scenario.name)
+    deliver(json, document, lambda: show(scenario.name, found), draw)
 
 
 def _option_faults(
@@ -97,8 +112,6 @@ def _option_faults(
 ) -> list[str]:
     """Return what is wrong with the numbers, and with options that do not go together."""
     faults = []
-    if wrench is None and wrenches is None:
-        faults.append("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
     if wrench is not None and wrenches is not None:
         faults.append("--wrench and --wrenches do not go together; give one of them")
     if wrench is not None and csv is not None:

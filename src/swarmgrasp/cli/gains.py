@@ -1,7 +1,5 @@
 """What a change of quality is called, and where robots are, in the reports of several commands."""
 
-from typing import Any
-
 from swarmgrasp.cli.report import Column, Forces, Lengths, Report, percent
 from swarmgrasp.cli.words import degrees, stance
 from swarmgrasp.outline import Outline
@@ -56,17 +54,3 @@ def show_robots(report: Report, found: Together) -> None:
     ]
     report.blank()
     report.table(columns, rows)
-
-
-def robots_data(found: Together) -> list[dict[str, Any]]:
-    """Return robots that are placed together as plain data."""
-    return [
-        {
-            "name": robot.name,
-            "place": place,
-            "contact": list(robot.contact),
-            "direction": robot.direction,
-            "limit": robot.limit,
-        }
-        for robot, place in zip(found.robots, found.places, strict=True)
-    ]

@@ -4,7 +4,7 @@ import io
 import os
 import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,7 @@ class UsageFault(SwarmGraspError):
 
 
 def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
-    """Read a scenario, and tell its faults together with those found before.
+    """Read a scenario, or the question of an answer; tell its faults with those found before.
 
     Parameters
     ----------
@@ -48,9 +48,9 @@ def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
 
 
 def _scenario(file: str) -> "Scenario":
+    from swarmgrasp.answer_file import LARGEST_FILE
     from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
     from swarmgrasp.scenario.faults import nearest_name
-    from swarmgrasp.scenario.reading import LARGEST_FILE
 
     if file == DASH:
         return parse_scenario(read_stdin(LARGEST_FILE), STDIN)
@@ -63,6 +63,14 @@ def _scenario(file: str) -> "Scenario":
             f"{nearest_name(file, known)}"
         )
     return load_scenario(file)
+
+
+def asked_before(scenario: "Scenario", *kinds: str) -> Mapping[str, Any]:
+    """Return the answer that a scenario was read from if it is of such a kind, else nothing."""
+    from swarmgrasp.answer_file import format_of
+
+    answer = scenario.answer or {}
+    return answer if answer.get("format") in [format_of(kind) for kind in kinds] else {}
 
 
 def source_of(file: str) -> str:
@@ -115,23 +123,6 @@ def print_json(text: str) -> None:
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(encoding="utf-8", errors="strict")
     sys.stdout.write(text)
-
-
-def json_text(data: dict[str, Any]) -> str:
-    """Return data as the text of a JSON file."""
-    import json
-
-    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
-
-
-def put_json(path: str | None, data: dict[str, Any]) -> list[str]:
-    """Write data as JSON to a file; return the files written, none for "-" or None."""
-    if path in (None, DASH):
-        return []
-    from swarmgrasp.files import write_whole
-
-    write_whole(str(path), json_text(data).encode())
-    return [str(path)]
 
 
 def json_faults(path: str | Path | None) -> list[str]:

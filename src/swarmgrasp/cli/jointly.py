@@ -1,11 +1,11 @@
 """`swarmgrasp place --together`: several newcomers at the same time."""
 
 from pathlib import Path
-from typing import Any
 
-from swarmgrasp.cli.criteria import criterion_data, unit_for
-from swarmgrasp.cli.gains import change, proven, robots_data, show_robots
+from swarmgrasp.cli.criteria import unit_for
+from swarmgrasp.cli.gains import change, proven, show_robots
 from swarmgrasp.cli.inputs import UsageFault, source_of
+from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.report import ALONG, NOTES, Mood, Report
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.placement import Together, place_together
@@ -27,21 +27,6 @@ def solve(
         return place_together(scenario.problem(criterion), robots, gap=gap, effort=effort)
     except SwarmGraspError as error:
         raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
-
-
-def data_of(name: str, found: Together) -> dict[str, Any]:
-    """Return an answer as plain data, in SI units."""
-    return {
-        "name": name,
-        "criterion": criterion_data(found.problem.criterion),
-        "quality_before": found.quality_before,
-        "quality": found.quality,
-        "upper_bound": found.upper_bound,
-        "sequential": found.sequential if found.sequential >= 0.0 else None,
-        "stopped_early": found.stopped_early,
-        "reason": found.reason,
-        "robots": robots_data(found),
-    }
 
 
 def show(name: str, found: Together) -> None:
@@ -72,14 +57,14 @@ def show(name: str, found: Together) -> None:
         report.note(note)
 
 
-def draw(found: Together, plan_path: Path, wrenches_path: Path) -> list[Path]:
+def draw(found: Together, paths: dict[Picture, Path]) -> list[Path]:
     """Write the plan and the wrenches."""
     from swarmgrasp.plot import plan, save, wrench_sets
 
     criterion = found.problem.criterion
     after = found.swarm_after
     drawn = {
-        plan_path: plan(after, quality=quality(after, **criterion.terms)),
-        wrenches_path: wrench_sets(found.problem.swarm, after, criterion=criterion),
+        paths["plan"]: plan(after, quality=quality(after, **criterion.terms)),
+        paths["wrenches"]: wrench_sets(found.problem.swarm, after, criterion=criterion),
     }
     return [save(figure, path) for path, figure in drawn.items()]

@@ -1,21 +1,18 @@
 """`swarmgrasp move`: which one robot should attach elsewhere."""
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
-from swarmgrasp.cli.criteria import criterion_data, criterion_of, losing_faults, unit_for
-from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.criteria import criterion_of, losing_faults, unit_for
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     UsageFault,
     json_faults,
-    json_text,
-    print_json,
-    put_json,
     read_scenario,
     source_of,
 )
-from swarmgrasp.cli.report import told_written
 from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
@@ -62,42 +59,9 @@ def move(
     except SwarmGraspError as error:
         source = source_of(file)
         raise UsageFault(f"{source}:1:1: {fault}" for fault in error.faults) from error
-    data = data_of(scenario.name, found)
-    if json == DASH:
-        print_json(json_text(data))
-        return
-    written = put_json(json, data)  # before the report, whose reader may leave
-    show(scenario.name, found)
-    told_written(written)
+    from swarmgrasp.answer_file import document_of
 
-
-def data_of(name: str, found: "Move") -> dict[str, Any]:
-    """Return moves as plain data, in SI units, the best first."""
-    return {
-        "name": name,
-        "criterion": criterion_data(found.problem.criterion),
-        "quality_before": found.quality_before,
-        "improves": found.improves,
-        "upper_bound": found.upper_bound,
-        "reason": found.reason,
-        "moves": [
-            {
-                "robot": found.problem.swarm.robot_label(each.robot),
-                "from": _pose(each.old),
-                "to": _pose(each.new),
-                "place": each.place,
-                "quality": each.quality,
-                "quality_without": each.quality_without,
-                "upper_bound": each.upper_bound,
-            }
-            for each in found.ranked
-        ],
-    }
-
-
-def _pose(robot: "Robot") -> dict[str, Any]:
-    """Return where a robot is."""
-    return {"contact": list(robot.contact), "direction": robot.direction}
+    deliver(json, document_of(found, scenario.name), lambda: show(scenario.name, found))
 
 
 def show(name: str, found: "Move") -> None:

@@ -6,21 +6,19 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
-from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
+    asked_before,
     json_faults,
-    json_text,
     output_faults,
-    print_json,
-    put_json,
     read_scenario,
     source_of,
     whole_faults,
 )
 from swarmgrasp.cli.pictures import Picture
-from swarmgrasp.cli.report import told_written
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.ranges import MOST_PLACED
 
@@ -29,12 +27,17 @@ if TYPE_CHECKING:
     from swarmgrasp.quality import Criterion
     from swarmgrasp.scenario import Scenario
 
+FINE, ROUGH = 1e-6, 1e-3
+"""Gaps unless told otherwise, of robots one by one and of robots together."""
+SHARE = 0.9
+"""Of the best quality, from which on other places are told unless told otherwise."""
+
 
 def place(
     file: Dashed,
     /,
     *,
-    robots: Annotated[str, Parameter(metavar="INT")] = "1",
+    robots: Annotated[str | None, Parameter(metavar="INT")] = None,
     together: Annotated[bool, Parameter(negative="")] = False,
     effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
@@ -54,10 +57,11 @@ def place(
     Parameters
     ----------
     file
-        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge; or an
+        answer of this command, whose options hold unless given anew.
     robots
         How many robots like the newcomer to place, one after the other, 1 to 1000: each
-        is best given those before it.
+        is best given those before it; 1 unless given.
     together
         Place them all at once instead, which is often better; the bound is then for all of
         them. Takes --robots 2 or more.
@@ -84,60 +88,44 @@ def place(
         checks; "-" prints it and nothing else. SI units and radians. Robots placed
         together have no such proof.
     """
-    gap = (1e-3 if together else 1e-6) if gap is None else gap
-    share = 0.9 if runners_up is None else runners_up
-    faults = _number_faults(robots, gap, share)
+    faults = _number_faults(robots, gap, runners_up)
     faults += _together_faults(robots, together, effort, runners_up)
     faults += losing_faults(losing) + json_faults(json) + output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
-    criterion = criterion_of(scenario, file, losing, worst_case, int(robots))
+    before = asked_before(scenario, "placements", "together")
+    together |= robots is None and "robots" in before
+    count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
+    criterion = criterion_of(scenario, file, losing, worst_case, count)
+    check_newcomer(scenario, file, count)
+    from swarmgrasp.answer_file import document_of
+
     if together:
-        _together(scenario, file, int(robots), gap, effort, criterion, plot, json)
+        from swarmgrasp.cli import jointly
+        from swarmgrasp.placement.together.effort import EFFORT
+
+        steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
+        near = before.get("asked_gap", ROUGH) if gap is None else gap
+        joint = jointly.solve(scenario, file, count, near, steps, criterion)
+        deliver(
+            json,
+            document_of(joint, scenario.name),
+            lambda: jointly.show(scenario.name, joint),
+            lambda: jointly.draw(joint, _beside(plot)) if plot else [],
+        )
         return
-    answers = solve(scenario, file, int(robots), gap, share, criterion)
-    # files first: whoever reads the report may leave before its end
-    written: list[str | Path] = []
-    if json not in (None, DASH):
-        from swarmgrasp.answer_file import write_answer
+    first = (before.get("placements") or [{}])[0]
+    near = first.get("asked_gap", FINE) if gap is None else gap
+    share = first.get("asked_runners_up", SHARE) if runners_up is None else runners_up
+    answers = solve(scenario, file, count, near, share, criterion)
+    from swarmgrasp.cli.pictures import pictures
+    from swarmgrasp.cli.placed import show
 
-        write_answer(str(json), answers, scenario.name)
-        written.append(str(json))
-    if plot is not None:
-        from swarmgrasp.cli.pictures import pictures
-
-        written += pictures(_beside(plot), scenario.swarm, answers, criterion)
-    if json == DASH:
-        from swarmgrasp.answer_file import document_of, document_text
-
-        print_json(document_text(document_of(answers, scenario.name)))
-    else:
-        from swarmgrasp.cli.placed import show
-
-        show(scenario.name, answers)
-    told_written(written, aside=json == DASH)
-
-
-def _together(
-    scenario: "Scenario", file: str, robots: int, gap: float, effort: str | None,
-    criterion: "Criterion", plot: Path | None, json: str | None,
-) -> None:  # fmt: skip
-    """Place the newcomers all at once."""
-    from swarmgrasp.cli import jointly
-    from swarmgrasp.placement.together.effort import EFFORT
-
-    check_newcomer(scenario, file, robots)
-    steps = EFFORT if effort is None else int(effort)
-    found = jointly.solve(scenario, file, robots, gap, steps, criterion)
-    data = jointly.data_of(scenario.name, found)
-    if json == DASH:
-        print_json(json_text(data))
-    written: list[str | Path] = [*put_json(json, data)]
-    if plot is not None:
-        paths = _beside(plot)
-        written += jointly.draw(found, paths["plan"], paths["wrenches"])
-    if json != DASH:
-        jointly.show(scenario.name, found)
-    told_written(written, aside=json == DASH)
+    deliver(
+        json,
+        document_of(answers, scenario.name),
+        lambda: show(scenario.name, answers),
+        lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
+    )
 
 
 def solve(
@@ -197,18 +185,18 @@ def check_newcomer(scenario: "Scenario", file: str, robots: int) -> None:
         )
 
 
-def _number_faults(robots: str, gap: float, runners_up: float) -> list[str]:
+def _number_faults(robots: str | None, gap: float | None, runners_up: float | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = whole_faults("--robots", robots, 1, MOST_PLACED)
-    if not 0.0 < gap < 1.0:
+    if gap is not None and not 0.0 < gap < 1.0:
         faults.append(f"--gap is {gap:g}; it should be between 0 and 1, both excluded")
-    if not 0.0 <= runners_up <= 1.0:
+    if runners_up is not None and not 0.0 <= runners_up <= 1.0:
         faults.append(f"--runners-up is {runners_up:g}; it should be from 0 to 1")
     return faults
 
 
 def _together_faults(
-    robots: str, together: bool, effort: str | None, runners_up: float | None
+    robots: str | None, together: bool, effort: str | None, runners_up: float | None
 ) -> list[str]:
     """Return what is wrong with options that go with --together, or not."""
     faults = whole_faults("--effort", effort)
@@ -216,7 +204,7 @@ def _together_faults(
         faults.append("--effort is for robots placed together: add --together")
     if not together:
         return faults
-    if robots.lstrip("0") == "1":
+    if (robots or "1").lstrip("0") == "1":
         faults.append("--together places several robots: add --robots 2 or more")
     if runners_up is not None:
         faults.append("--runners-up is for robots placed one after the other: leave out --together")

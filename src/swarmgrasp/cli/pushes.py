@@ -43,37 +43,6 @@ def load_of(scenario: "Scenario", load: Triple | None) -> Triple:
     return scenario.criterion.load if load is None else load
 
 
-def data_of(found: "Forces") -> dict[str, Any]:
-    """Return the forces for one wrench as plain data, in SI units."""
-    swarm = found.swarm
-    return {
-        "wanted": found.wanted.tolist(),
-        "load": found.load.tolist(),
-        "wrench": found.wrench.tolist(),
-        "is_degraded": found.is_degraded,
-        "shortfall": found.shortfall,
-        "missing": found.missing.tolist(),
-        "largest_share": found.largest_share,
-        "needed": found.needed if math.isfinite(found.needed) else None,
-        "normal": found.normal.tolist(),
-        "robots": [
-            {"name": swarm.robot_label(i), "share": part, "force": force}
-            for i, (part, force) in enumerate(
-                zip(found.shares.tolist(), found.forces.tolist(), strict=True)
-            )
-        ],
-        "metric": metric_data(swarm),
-    }
-
-
-def metric_data(swarm: "Swarm") -> dict[str, Any]:
-    """Return a metric as plain data."""
-    return {
-        "force_weights": list(swarm.force_weights),
-        "characteristic_length": swarm.characteristic_length,
-    }
-
-
 def show(name: str, found: "Forces") -> None:
     """Write the forces for one wrench for people."""
     from swarmgrasp.cli.report import NOTES, Forces, Report

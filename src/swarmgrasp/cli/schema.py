@@ -9,7 +9,8 @@ def schema() -> None:
     Then write this on the first line of a scenario, for editors with a YAML language
     server, and it completes and checks: # yaml-language-server: $schema=scenario.schema.json
     """
-    from swarmgrasp.cli.inputs import json_text, print_json
+    from swarmgrasp.answer_file import document_text
+    from swarmgrasp.cli.inputs import print_json
     from swarmgrasp.scenario import scenario_schema
 
-    print_json(json_text(scenario_schema()))
+    print_json(document_text(scenario_schema()))

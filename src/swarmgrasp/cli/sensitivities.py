@@ -1,7 +1,5 @@
 """The sensitivities of a quality: for `swarmgrasp quality --sensitivities`."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -44,19 +42,6 @@ def show_sensitivities(report: Report, found: Sensitivities, unit: Forces) -> No
             f"{len(found.weakest)} facets are equally weak: it may fall whichever way a robot goes."
         )
     report.note("Along and to: - clockwise, + counter-clockwise; limit: - weaker, + stronger.")
-
-
-def sensitivities_data(found: Sensitivities) -> list[dict[str, Any]]:
-    """Return sensitivities as plain data, in SI units: per robot, the one way and the other."""
-    return [
-        {
-            "robot": found.swarm.robot_label(i),
-            "per_metre": None if found.swarm.mounted[i] else found.contact[i].tolist(),
-            "per_radian": found.direction[i].tolist(),
-            "per_newton": found.limit[i].tolist(),
-        }
-        for i in range(len(found.swarm))
-    ]
 
 
 def _columns(slopes: NDArray[np.float64]) -> list[list[str]]:

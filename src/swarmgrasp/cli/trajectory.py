@@ -2,36 +2,28 @@
 
 import csv as tables
 import io
-import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from swarmgrasp.cli.dash import DASH
-from swarmgrasp.cli.inputs import (
-    UsageFault,
-    json_text,
-    print_json,
-    put_json,
-    read_scenario,
-)
+from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.inputs import UsageFault, print_json
 from swarmgrasp.cli.pushes import (
     IDLE,
     Triple,
     load_of,
-    metric_data,
     number_faults,
     share,
     size_of,
     wrench_text,
 )
-from swarmgrasp.cli.report import told_written
-from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
     from swarmgrasp.cli.report import Forces as Unit
     from swarmgrasp.cli.report import Report
     from swarmgrasp.forces import ForcesAlong
+    from swarmgrasp.scenario import Scenario
 
 COLUMNS = ("fx", "fy", "tz")
 MOST_TOLD = 20
@@ -41,59 +33,45 @@ LARGEST_FILE = 100_000_000
 
 
 def tell_trajectory(
-    file: str,
-    wrenches: Path,
+    scenario: "Scenario",
+    lines: Sequence[int],
+    rows: Sequence[Triple],
     load: Triple | None,
     *,
     csv: str | None,
     json: str | None,
-    faults: Sequence[str],
 ) -> None:
     """Find and tell the forces for the wrenches of a table.
 
     Parameters
     ----------
-    file : str
-        The scenario.
-    wrenches : Path
+    scenario : Scenario
+    lines : sequence of int
+        Of the table, one for each wrench.
+    rows : sequence of tuple of float [N, N, N m]
     load : tuple of float [N, N, N m] or None
     csv, json : str or None
         Where to write the forces.
-    faults : sequence of str
-        Found before.
-
-    Raises
-    ------
-    UsageFault
-        If there is any fault, in the options, the table or the scenario.
     """
-    found_faults = list(faults)
-    lines: list[int] = []
-    rows: list[Triple] = []
-    try:
-        lines, rows = read_wrenches(wrenches)
-    except SwarmGraspError as error:
-        found_faults += error.faults
-    scenario = read_scenario(file, found_faults)
+    from swarmgrasp.answer_file import document_of
+    from swarmgrasp.files import write_whole
     from swarmgrasp.forces import forces_along
 
     found = forces_along(scenario.swarm, rows, load=load_of(scenario, load))
-    written = []  # before the report, whose reader may leave
-    if csv is not None and csv != DASH:
-        from swarmgrasp.files import write_whole
 
-        write_whole(csv, table_text(found).encode())
-        written.append(csv)
-    data = {"name": scenario.name} | data_of(found)
-    written += put_json(json, data)
-    aside = DASH in (csv, json)
-    if csv == DASH:
-        print_json(table_text(found))
-    elif json == DASH:
-        print_json(json_text(data))
-    else:
-        show(scenario.name, found, lines)
-    told_written(written, aside=aside)
+    def draw() -> list[str]:
+        if csv in (None, DASH):
+            return []
+        write_whole(str(csv), table_text(found).encode())
+        return [str(csv)]
+
+    def tell() -> None:
+        if csv == DASH:
+            print_json(table_text(found))
+        else:
+            show(scenario.name, found, lines)
+
+    deliver(json, document_of(found, scenario.name), tell, draw, aside=csv == DASH)
 
 
 def read_wrenches(path: Path) -> tuple[list[int], list[Triple]]:
@@ -189,33 +167,6 @@ def table_text(found: "ForcesAlong") -> str:
     for wanted, largest, needed, shortfall, forces in columns:
         writer.writerow([*wanted, largest, needed, shortfall, *forces])
     return out.getvalue()
-
-
-def data_of(found: "ForcesAlong") -> dict[str, Any]:
-    """Return the forces for many wrenches as plain data, in SI units."""
-    swarm = found.swarm
-    rows = zip(
-        found.wanted.tolist(), found.wrenches.tolist(), found.largest_shares.tolist(),
-        found.needed.tolist(), found.shortfalls.tolist(), found.shares.tolist(), strict=True,
-    )  # fmt: skip
-    return {
-        "load": found.load.tolist(),
-        "robots": [swarm.robot_label(i) for i in range(len(swarm))],
-        "limits": swarm.limits.tolist(),
-        "wrenches": [
-            {
-                "wanted": wanted,
-                "wrench": wrench,
-                "is_degraded": shortfall > 0.0,
-                "shortfall": shortfall,
-                "largest_share": largest,
-                "needed": needed if math.isfinite(needed) else None,
-                "shares": shares,
-            }
-            for wanted, wrench, largest, needed, shortfall, shares in rows
-        ],
-        "metric": metric_data(swarm),
-    }
 
 
 def show(name: str, found: "ForcesAlong", lines: Sequence[int]) -> None:

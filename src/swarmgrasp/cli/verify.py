@@ -6,16 +6,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     STDIN,
     json_faults,
-    json_text,
-    print_json,
-    put_json,
     read_stdin,
     source_of,
 )
-from swarmgrasp.cli.report import Forces, Report, percent, told_written
+from swarmgrasp.cli.report import Forces, Report, percent
 from swarmgrasp.cli.words import degrees
 from swarmgrasp.errors import AnswerInvalid, SwarmGraspError
 
@@ -52,6 +50,7 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
         raise AnswerInvalid([*faults, *error.faults]) from None
     if faults:
         raise AnswerInvalid(faults)
+    from swarmgrasp.answer_file import sealed
     from swarmgrasp.verify import verify_document
 
     name = source_of(answer)
@@ -59,13 +58,10 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
         verdict = verify_document(document)
     except AnswerInvalid as error:
         raise AnswerInvalid(f"{name}: {fault}" for fault in error.faults) from None
-    data = data_of(document, verdict)
-    if json == DASH:
-        print_json(json_text(data))
-    else:
-        written = put_json(json, data)  # before the report, whose reader may leave
-        show(name, document, verdict)
-        told_written(written)
+    told = {**verdict.to_data(), "gap": largest_gap(document, verdict)}
+    deliver(
+        json, sealed("verdict", told, str(document["name"])), lambda: show(name, document, verdict)
+    )
     return 0 if verdict else REFUSED
 
 
@@ -94,20 +90,11 @@ def _read(answer: str) -> dict[str, Any]:
     return document
 
 
-def data_of(document: dict[str, Any], verdict: "Verdict") -> dict[str, Any]:
-    """Return a verdict as plain data; what is infinite, as null.
-
-    The gap is the largest of all placements, relative to the answer.
-    """
+def largest_gap(document: dict[str, Any], verdict: "Verdict") -> float | None:
+    """Return the largest gap of all placements, relative to the answer; None if it is infinite."""
     pairs = zip(document["placements"], verdict.upper_bounds, strict=True)
     gap = max(gap_of(claim["quality"], bound) for claim, bound in pairs)
-    return {
-        "verified": bool(verdict),
-        "faults": list(verdict.faults),
-        "upper_bounds": [b if math.isfinite(b) else None for b in verdict.upper_bounds],
-        "unchecked": list(verdict.unchecked),
-        "gap": gap if math.isfinite(gap) else None,
-    }
+    return gap if math.isfinite(gap) else None
 
 
 def gap_of(quality: float, bound: float) -> float:

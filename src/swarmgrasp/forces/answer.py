@@ -3,11 +3,13 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.forces.certificate import ForcesCertificate
+from swarmgrasp.plain import Answer, picked
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.verify import Verdict
 from swarmgrasp.verify.forces import Claim, faults_of
@@ -16,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Forces:
+class Forces(Answer):
     """How hard each robot pushes to make a wrench, or the nearest there is.
 
     Attributes
@@ -46,6 +48,15 @@ class Forces:
     needed: float
     shortfall: float
     certificate: ForcesCertificate
+
+    kind = "forces"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data; shares and forces in the robots' order."""
+        return picked(
+            self, "swarm", "wanted", "load", "shares", "forces", "wrench", "missing", "shortfall",
+            "largest_share", "needed", "is_degraded", "certificate",
+        )  # fmt: skip
 
     @cached_property
     def forces(self) -> Array:
@@ -103,7 +114,7 @@ class Forces:
 
 
 @dataclass(frozen=True, eq=False)
-class ForcesAlong:
+class ForcesAlong(Answer):
     """How hard each robot pushes for each of many wrenches; an item is the `Forces` of one.
 
     Attributes
@@ -128,6 +139,15 @@ class ForcesAlong:
     shortfalls: Array
     normals: Array
     prices: Array
+
+    kind = "forces along"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return questions and answers as plain data; shares and forces in the robots' order."""
+        return picked(
+            self, "swarm", "load", "wanted", "shares", "forces", "wrenches", "shortfalls",
+            "largest_shares", "needed", "is_degraded", "normals", "prices",
+        )  # fmt: skip
 
     def __len__(self) -> int:
         """Return the number of wrenches."""

@@ -1,8 +1,9 @@
 """What becomes of a swarm that loses a robot, for each of them (T15)."""
 
 from dataclasses import dataclass
-from typing import Unpack
+from typing import Any, Unpack
 
+from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
 from swarmgrasp.quality.words import wrench_words
@@ -11,7 +12,7 @@ from swarmgrasp.swarm.swarm import check_swarm
 
 
 @dataclass(frozen=True, eq=False)
-class Loss:
+class Loss(Told):
     """What the loss of one robot leaves.
 
     Attributes
@@ -30,6 +31,10 @@ class Loss:
     name: str
     quality_before: float
     after: Quality
+
+    def to_data(self) -> dict[str, Any]:
+        """Return what the loss leaves as plain data."""
+        return picked(self, "name", "quality", "is_vital", "direction_words")
 
     @property
     def quality(self) -> float:

@@ -4,11 +4,12 @@ import math
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.plain import Answer, picked, plain
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
@@ -29,7 +30,7 @@ class ForceClosure(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Quality:
+class Quality(Answer):
     """The quality of a swarm by a criterion, and what limits it.
 
     Attributes
@@ -49,6 +50,8 @@ class Quality:
     direction: NDArray[np.float64]
     criterion: Criterion
     _swarm: Swarm = field(repr=False)
+
+    kind = "quality"
 
     @property
     def weakest_wrench(self) -> NDArray[np.float64]:
@@ -124,6 +127,20 @@ class Quality:
     def metric(self) -> str:
         """The metric in words."""
         return self._swarm.metric_sentence
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the swarm, the criterion and what limits the quality as plain data."""
+        swarm = self._swarm
+        return {
+            "swarm": swarm.to_data(),
+            **picked(
+                self, "criterion", "value", "bound", "noise", "force_closure", "direction",
+                "weakest_wrench", "ceiling", "efficiency", "explanation",
+            ),
+            "facet_robots": [swarm.robot_label(i) for i in self.facet_robots],
+            "lost": [swarm.robot_label(i) for i in self.lost],
+            "worst_robots": plain(self.worst_swarm.robots),
+        }  # fmt: skip
 
     @property
     def _normal(self) -> tuple[float, float, float]:

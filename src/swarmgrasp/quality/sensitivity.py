@@ -1,12 +1,13 @@
 """How the quality changes when one robot moves, turns, or is made stronger (T19)."""
 
 from dataclasses import dataclass, field
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.heights import Array, Heights
 from swarmgrasp.quality.max_transfer import Quality, quality
@@ -25,7 +26,7 @@ KINDS = ("contact", "direction", "limit")
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivities:
+class Sensitivities(Told):
     """How fast the quality rises when one robot changes and the others stay.
 
     Each array has two columns, for the one way and for the other: both say what is gained by
@@ -61,6 +62,15 @@ class Sensitivities:
         """Make the arrays read-only."""
         for array in (self.contact, self.direction, self.limit, self.kinks, self.weakest):
             array.setflags(write=False)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the slopes as plain data, those of each robot by its name."""
+        slopes = picked(self, "contact", "direction", "limit", "kinks")
+        rows = zip(*slopes.values(), strict=True)
+        return {
+            self.swarm.robot_label(i): dict(zip(slopes, row, strict=True))
+            for i, row in enumerate(rows)
+        }
 
     @property
     def direction_per_degree(self) -> Array:

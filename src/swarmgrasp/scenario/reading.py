@@ -1,9 +1,11 @@
-"""Read a scenario: from a file, or from text."""
+"""Read a scenario: from a file, or from text; or the question of an answer."""
 
 from codecs import BOM_UTF8
 from pathlib import Path
 
+from swarmgrasp.answer_file import LARGEST_FILE as LARGEST_ANSWER
 from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.scenario.asking import answer_in, scenario_of
 from swarmgrasp.scenario.build import build
 from swarmgrasp.scenario.document import read_document
 from swarmgrasp.scenario.faults import Faults
@@ -11,16 +13,16 @@ from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.validate import check
 
 LARGEST_FILE = 1_000_000
-"""Bytes; a larger file is refused before it is read."""
+"""Bytes, of a scenario in YAML."""
 
 
 def load_scenario(path: str | Path) -> Scenario:
-    """Read a scenario file.
+    """Read a scenario file, or the question of an answer file.
 
     Parameters
     ----------
     path : str or Path
-        A YAML 1.2 file in UTF-8.
+        A YAML 1.2 file in UTF-8, or an answer as `write_answer` writes it.
 
     Returns
     -------
@@ -34,11 +36,10 @@ def load_scenario(path: str | Path) -> Scenario:
     """
     source = str(path)
     try:
-        size = Path(path).stat().st_size
-        if size > LARGEST_FILE:
-            raise _too_large(source, "bytes", size)
-        with Path(path).open("rb") as file:  # a pipe has no size: read no more than allowed
+        with Path(path).open("rb") as file:
             raw = file.read(LARGEST_FILE + 1)
+            if len(raw) > LARGEST_FILE and raw.lstrip().startswith(b"{"):
+                raw += file.read(LARGEST_ANSWER - LARGEST_FILE)
     except FileNotFoundError:
         raise ScenarioInvalid(f"{source}: there is no such file") from None
     except IsADirectoryError:
@@ -53,12 +54,12 @@ def load_scenario(path: str | Path) -> Scenario:
 
 
 def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
-    r"""Read a scenario from text.
+    r"""Read a scenario from text, or the question of an answer.
 
     Parameters
     ----------
     text : str or bytes
-        YAML 1.2; bytes in UTF-8.
+        YAML 1.2, or an answer in JSON; bytes in UTF-8.
     source : str
         What messages call the text; a file's name, as a rule.
 
@@ -80,8 +81,14 @@ def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
     Traceback (most recent call last):
     swarmgrasp.errors.ScenarioInvalid: a.yaml:2:15: robots.0.at: ...
     """
+    answer = answer_in(text) if len(text) <= LARGEST_ANSWER else None
+    if answer is not None:
+        return scenario_of(answer, source)
     if len(text) > LARGEST_FILE:
-        raise _too_large(source, "characters" if isinstance(text, str) else "bytes")
+        unit = "characters" if isinstance(text, str) else "bytes"
+        raise ScenarioInvalid(
+            f"{source}:1:1: is too large; it should have at most {LARGEST_FILE} {unit}"
+        )
     faults = Faults(source)
     if isinstance(text, bytes):
         text = _decoded(text, faults)
@@ -99,9 +106,3 @@ def _decoded(raw: bytes, faults: Faults) -> str:
         byte = raw[start + error.start]
         faults.add(mark, (), f"not UTF-8 (byte 0x{byte:02x}); save it as UTF-8")
         raise faults.error() from None
-
-
-def _too_large(source: str, unit: str, size: int | None = None) -> ScenarioInvalid:
-    """Return the error for a file past the limit, its size told where it is known."""
-    has = "is too large" if size is None else f"has {size} {unit}"
-    return ScenarioInvalid(f"{source}:1:1: {has}; it should have at most {LARGEST_FILE} {unit}")

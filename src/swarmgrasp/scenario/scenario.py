@@ -1,6 +1,8 @@
 """What a scenario file comes down to, in SI units."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Stretch
@@ -33,6 +35,8 @@ class Scenario:
         Wind and current.
     criterion : Criterion
         What quality means; nominal when the file does not say.
+    answer : dict or None
+        The answer file that asks all this, as plain data, if it was read from one.
     """
 
     name: str
@@ -44,6 +48,7 @@ class Scenario:
     spacing: float
     environment: Environment | None = None
     criterion: Criterion = NOMINAL
+    answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
 
     def problem(self, criterion: Criterion | None = None) -> Problem:
         """Return the question where the newcomer goes; one that may go anywhere if there is none.

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swarmgrasp.plain import Told
 from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.support_bounds import SupportBounds
@@ -19,7 +20,7 @@ MOST_MOVES = 40
 
 
 @dataclass(frozen=True, eq=False)
-class Bounds:
+class Bounds(Told):
     """What is certain about the quality of a swarm of which only a summary is known.
 
     Attributes

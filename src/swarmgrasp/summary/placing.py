@@ -8,6 +8,7 @@ import numpy as np
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.optimum import Search
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.plain import Told
 from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible
 from swarmgrasp.summary.cells import Array
@@ -19,7 +20,7 @@ GAP = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class PlacementBounds:
+class PlacementBounds(Told):
     """Where the newcomer goes, and what is certain about it.
 
     Attributes

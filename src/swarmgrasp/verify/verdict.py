@@ -1,6 +1,8 @@
 """The outcome of a check."""
 
+import math
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -24,3 +26,12 @@ class Verdict:
 
     def __bool__(self) -> bool:
         return not self.faults
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the outcome as plain data; a bound that is infinite, as null."""
+        return {
+            "verified": bool(self),
+            "faults": list(self.faults),
+            "upper_bounds": [b if math.isfinite(b) else None for b in self.upper_bounds],
+            "unchecked": list(self.unchecked),
+        }

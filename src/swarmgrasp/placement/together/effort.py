@@ -3,7 +3,7 @@
 The same steps are taken on every machine, so that the same question has the same answer.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from swarmgrasp.ranges import is_whole, shown
 
@@ -28,9 +28,16 @@ class Budget:
     ----------
     left : int
         Below 0 if it was overdrawn by what must be done in any case.
+    asked : int
+        How many there were at first.
     """
 
     left: int
+    asked: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Keep how many there are."""
+        self.asked = self.left
 
     @property
     def is_spent(self) -> bool:

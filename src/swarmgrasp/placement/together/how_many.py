@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.placement.place import place_sequence
@@ -15,6 +16,7 @@ from swarmgrasp.placement.together.place import (
     problem_faults,
     start,
 )
+from swarmgrasp.plain import Answer, picked
 from swarmgrasp.ranges import count_faults
 from swarmgrasp.swarm import Swarm
 
@@ -27,7 +29,7 @@ MET = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class HowMany:
+class HowMany(Answer):
     """How many robots a required quality takes.
 
     Attributes
@@ -41,6 +43,8 @@ class HowMany:
         No fewer robots reach it, wherever they attach.
     most : int
         The largest number looked at.
+    asked_effort : int
+        The steps that the search was allowed.
     answer : Together or None
         Where they go; None if there are none, or none are needed.
     quality_before : float [N]
@@ -52,8 +56,20 @@ class HowMany:
     count: int | None
     at_least: int
     most: int
+    asked_effort: int
     answer: Together | None
     quality_before: float
+
+    kind = "count"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data."""
+        told = picked(
+            self, "problem", "required", "count", "at_least", "most", "asked_effort", "is_proven",
+            "quality_before", "quality", "reason",
+        )  # fmt: skip
+        found = ("robots", "places", "upper_bound")
+        return {**told, "answer": None if self.answer is None else picked(self.answer, *found)}
 
     @property
     def is_proven(self) -> bool:
@@ -173,7 +189,16 @@ class _Count:
 
     def told(self, count: int | None, least: int, answer: Together | None) -> HowMany:
         """Return an answer."""
-        return HowMany(self.problem, self.required, count, least, self.most, answer, self.before)
+        return HowMany(
+            self.problem,
+            self.required,
+            count,
+            least,
+            self.most,
+            self.budget.asked,
+            answer,
+            self.before,
+        )
 
     def search_for(self, count: int, budget: Budget) -> JointSearch:
         """Return the search for places of so many."""

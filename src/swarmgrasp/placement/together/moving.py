@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -10,13 +11,14 @@ from swarmgrasp.errors import NowhereToAttach, RobotInvalid
 from swarmgrasp.placement.answer import Placement, relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 
 @dataclass(frozen=True, eq=False)
-class Relocation:
+class Relocation(Told):
     """The best place for one robot that lets go.
 
     Attributes
@@ -35,6 +37,12 @@ class Relocation:
     old: Robot
     placement: Placement
     before: Quality
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the move as plain data."""
+        robot = self.old.name or f"robot {self.robot}"
+        names = ("old", "new", "place", "quality", "quality_without", "upper_bound")
+        return {"robot": robot, **picked(self, *names)}
 
     @property
     def new(self) -> Robot:
@@ -81,7 +89,7 @@ class Relocation:
 
 
 @dataclass(frozen=True, eq=False)
-class Move:
+class Move(Answer):
     """The best move of one robot, and what the others could do.
 
     Attributes
@@ -100,6 +108,16 @@ class Move:
     before: Quality
     ranked: tuple[Relocation, ...]
     stuck: tuple[int, ...]
+
+    kind = "move"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data."""
+        told = picked(
+            self, "problem", "quality_before", "quality", "upper_bound", "improves", "reason",
+            "ranked",
+        )  # fmt: skip
+        return {**told, "stuck": [self.problem.swarm.robot_label(i) for i in self.stuck]}
 
     @property
     def best(self) -> Relocation:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.stands import Stands
+from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.ranges import count_faults, is_whole
@@ -25,7 +26,7 @@ GAP = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Together:
+class Together(Answer):
     """Where several newcomers go together.
 
     Attributes
@@ -42,6 +43,8 @@ class Together:
         What no such newcomers exceed, wherever they attach.
     asked_gap : float
         The `gap` at which the search was to end.
+    asked_effort : int
+        The steps it was allowed.
     sequential : float [N]
         The quality of as many placed one after the other; nan if not all found a place.
     stopped_early : bool
@@ -55,8 +58,18 @@ class Together:
     after: Weakest
     upper_bound: float
     asked_gap: float
+    asked_effort: int
     sequential: float
     stopped_early: bool
+
+    kind = "together"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return question and answer as plain data."""
+        return picked(
+            self, "problem", "robots", "places", "quality_before", "quality", "upper_bound",
+            "asked_gap", "asked_effort", "sequential", "stopped_early", "improves", "reason",
+        )  # fmt: skip
 
     @property
     def quality_before(self) -> float:
@@ -229,6 +242,7 @@ def answer_of(search: JointSearch, sequential: float) -> Together:
         after=after,
         upper_bound=bound,
         asked_gap=search.gap,
+        asked_effort=search.budget.asked,
         sequential=sequential,
         stopped_early=not search.is_over,
     )

@@ -1,0 +1,100 @@
+"""The question of an answer file, to be asked again."""
+
+import json
+from typing import Any
+
+from swarmgrasp.environment import Environment
+from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.placement import Problem
+from swarmgrasp.plain import read
+from swarmgrasp.quality import Criterion
+from swarmgrasp.ranges import plain_name, shown
+from swarmgrasp.scenario.scenario import Scenario
+from swarmgrasp.swarm import Swarm
+
+_OPTIONS = {
+    "asked_effort": (int, "a whole number"),
+    "bearings": (list, "a list"),
+    "most": (int, "a whole number"),
+    "placements": (list, "a list"),
+    "required": (float, "a number"),
+    "robots": (list, "a list"),
+    "wanted": (list, "a list"),
+}
+"""What else answers were asked, and what it is: how many robots, which wrenches, which bearings."""
+
+
+def answer_in(text: str | bytes) -> dict[str, Any] | None:
+    """Return the answer that the text of a file holds, None if it is none but perhaps a scenario.
+
+    Examples
+    --------
+    >>> answer_in('{"format": "swarmgrasp quality 3"}'), answer_in('{"robots": []}')
+    ({'format': 'swarmgrasp quality 3'}, None)
+    """
+    opening = "{" if isinstance(text, str) else b"{"
+    if not text.lstrip().startswith(opening):  # type: ignore[arg-type]
+        return None
+    try:
+        document = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    is_answer = isinstance(document, dict) and str(document.get("format")).startswith("swarmgrasp ")
+    return document if is_answer else None
+
+
+def scenario_of(document: dict[str, Any], source: str) -> Scenario:
+    """Return the scenario that an answer is of: swarm and criterion, and what else it was asked.
+
+    The digest plays no part: what is asked is what stands in the file.
+
+    Parameters
+    ----------
+    document : dict
+        Of any kind of answer.
+    source : str
+        What messages call the file.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If it holds no question, or one that has faults; all of them are told, each with its key.
+    """
+    faults: list[str] = []
+    problem = _read(Problem, document, "problem", faults)
+    swarm = problem.swarm if problem else _read(Swarm, document, "swarm", faults)
+    environment = _read(Environment, document, "environment", faults)
+    criterion = problem.criterion if problem else _read(Criterion, document, "criterion", faults)
+    if criterion is None:
+        terms: dict[str, Any] = Criterion().to_data()
+        terms |= {key: document[key] for key in terms if key in document}
+        criterion = _read(Criterion, {"criterion": terms}, "criterion", faults)
+    faults += (
+        f"{key}: should be {words}; it is {shown(document[key])}"
+        for key, (kind, words) in _OPTIONS.items()
+        if key in document and type(document[key]) is not kind
+    )
+    placed = document.get("placements")
+    if isinstance(placed, list) and not all(isinstance(each, dict) for each in placed):
+        faults.append("placements: should be a list of mappings")
+    if swarm is None and not faults:
+        faults.append(f"a {document['format']!r} holds no question")
+    if faults or swarm is None or criterion is None:
+        raise ScenarioInvalid(f"{source}: {fault}" for fault in faults)
+    return Scenario(
+        name=plain_name(str(document.get("name", ""))),
+        description="",
+        swarm=swarm,
+        newcomer=problem.newcomer if problem else None,
+        zones=problem.zones if problem else None,
+        no_go=problem.no_go if problem else (),
+        spacing=problem.spacing if problem else 0.0,
+        environment=environment,
+        criterion=criterion,
+        answer=document,
+    )
+
+
+def _read(kind: Any, document: dict[str, Any], key: str, faults: list[str]) -> Any:
+    """Make an object of what stands under a key; None if nothing does, or if it has faults."""
+    return None if document.get(key) is None else read(document[key], kind, (key,), faults)

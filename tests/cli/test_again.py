@@ -1,0 +1,92 @@
+"""An answer file can be asked again: the same answer comes out, to the last byte."""
+
+import json
+
+import pytest
+
+from swarmgrasp.cli.app import COMMANDS
+
+WRENCHES = "fx,fy,tz\n100,0,-50\n0,100,-150\n0,0,-50\n"
+ASKED = {
+    "place": ["place", "pontoon"],
+    "several": ["place", "pontoon", "--robots", 3, "--gap", 1e-4, "--losing", 1],
+    "few runners-up": ["place", "deck-barge", "--runners-up", 1],
+    "together": ["place", "pontoon", "--robots", 2, "--together", "--effort", 60],
+    "move": ["move", "deck-barge", "--losing", 1],
+    "count": ["count", "pontoon", "--quality", 300, "--effort", 60, "--most", 3],
+    "quality": ["quality", "rectangle-5"],
+    "quality by a criterion": ["quality", "rectangle-15", "--losing", 1, "--sensitivities"],
+    "forces": ["forces", "pontoon", "--wrench", 500, 0, -100, "--load", 0, 30, 0],
+    "forces along": ["forces", "pontoon", "--wrenches", "wrenches.csv"],
+    "capability": ["capability", "model-ship", "--step", 30, "--losing", 2],
+}
+
+
+@pytest.fixture
+def answer_of(run, pontoon, tmp_path, monkeypatch):
+    """Return the file of an answer, and what was said beside it."""
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "86400")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "wrenches.csv").write_text(WRENCHES)
+
+    def answer_of(command, *arguments):
+        given = [pontoon if each == "pontoon" else each for each in arguments]
+        status, said, complaints = run(command, *given, "--json", "answer.json")
+        assert (status, complaints) == (0, "")
+        return (tmp_path / "answer.json").read_bytes(), said
+
+    return answer_of
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_the_same_answer_comes_out(answer_of, tmp_path, name):
+    """With the options of the first time; files say what they are, of what, by whom and when."""
+    command = ASKED[name][0]
+    first, said = answer_of(*ASKED[name])
+    (tmp_path / "first.json").write_bytes(first)
+    assert answer_of(command, tmp_path / "first.json") == (first, said)
+    document = json.loads(first)
+    assert document["format"].startswith("swarmgrasp ")
+    assert document["date"] == "1970-01-02T00:00:00Z"
+    assert document["units"] == "SI: m, N, N m, rad"
+
+
+def test_every_command_that_reads_a_question_is_asked():
+    """But those without an answer file: of pictures, and of a check."""
+    asked = {arguments[0] for arguments in ASKED.values()}
+    assert asked == {command.__name__ for command in COMMANDS} - {
+        "examples", "paper", "plot", "schema", "verify"
+    }  # fmt: skip
+
+
+def test_options_given_anew_hold(answer_of, tmp_path):
+    """More robots, another criterion, another wrench; and any command may read any answer."""
+    first, _ = answer_of("place", "pontoon")
+    (tmp_path / "first.json").write_bytes(first)
+    anew = json.loads(answer_of("place", tmp_path / "first.json", "--robots", 2, "--losing", 1)[0])
+    assert len(anew["placements"]) == 2
+    assert anew["problem"]["criterion"]["losing"] == 1
+    graded = json.loads(answer_of("quality", tmp_path / "first.json")[0])
+    assert graded["value"] == json.loads(first)["placements"][0]["quality_before"]
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"problem": None}, "a 'swarmgrasp placements 3' holds no question"),
+        ({"problem": 3}, "problem: should be a mapping of swarm, newcomer, zones"),
+        ({"placements": 5}, "placements: should be a list; it is 5"),
+        ({"placements": [5]}, "placements: should be a list of mappings"),
+        ({"format": "swarmgrasp together 3", "asked_effort": "a lot"}, "should be a whole number"),
+        ({"placements": [{"asked_gap": "wide"}]}, "the gap is 'wide'; it should be 0 < gap < 1"),
+    ],
+)
+def test_a_question_with_faults_is_refused(run, answer_of, tmp_path, change, said):
+    """As a scenario is: by name, with status 2."""
+    document = json.loads(answer_of("place", "pontoon")[0])
+    path = tmp_path / "changed.json"
+    path.write_text(json.dumps(document | change))
+    status, printed, complaints = run("place", path)
+    assert (status, printed) == (2, "")
+    assert said in complaints
+    assert complaints.startswith(str(path))
