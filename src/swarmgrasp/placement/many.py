@@ -146,6 +146,8 @@ def _samples(
         middle = min(int((low - bounds[0]) // step), last) if bounds[0] <= low else -2
         cells = np.arange(max(middle - 1, 0), min(middle + 1, last) + 1)
     else:
-        reached = np.minimum(bounds[1:], high) - np.maximum(bounds[:-1], low)
-        cells = np.flatnonzero(reached > 1e-9 * step)
+        first = min(max(int((low - bounds[0]) // step) - 1, 0), last)
+        near = bounds[first : max(int((high - bounds[0]) // step), first) + 3]
+        reached = np.minimum(near[1:], high) - np.maximum(near[:-1], low)
+        cells = first + np.flatnonzero(reached > 1e-9 * step)
     return cells, np.clip(0.5 * (bounds[cells] + bounds[cells + 1]), low, high)

@@ -1,6 +1,7 @@
 """The pieces of a placement: straight contacts with one-sided sectors of directions (T8)."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -116,10 +117,11 @@ def pieces_of(
 def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
     """Return the zones' names; of several with one name, each with its number; "" without zones."""
     names = [zone.stretch.name for zone in zones or ()]
-    return tuple(
-        f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
-        for k, name in enumerate(names)
-    ) or ("",)
+    uses, so_far, labels = Counter(names), Counter[str](), []
+    for name in names:
+        so_far[name] += 1
+        labels.append(f"{name} ({so_far[name]})" if name and uses[name] > 1 else name)
+    return tuple(labels) or ("",)
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Final
 
 import numpy as np
@@ -43,18 +44,18 @@ class Arrows:
     runners_up: tuple[Robot, ...] = ()
     others: tuple[Robot, ...] = ()
 
-    @property
+    @cached_property
     def strongest(self) -> float:
         """The largest limit [N], 0 without robots."""
         return max((r.limit for r in self.everyone), default=0.0)
 
-    @property
+    @cached_property
     def longest(self) -> float:
         """Length of the longest arrow [m]: the fuller the picture, the shorter."""
         count = len(self.robots) + len(self.newcomers)
         return float(np.clip(0.5 / math.sqrt(1 + count), *SHARES)) * self.outline.extent
 
-    @property
+    @cached_property
     def everyone(self) -> tuple[Robot, ...]:
         """Every robot with an arrow."""
         return (*self.robots, *self.newcomers, *self.runners_up, *self.others)

@@ -6,6 +6,7 @@ from typing import Any, Final, cast
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
@@ -215,14 +216,18 @@ def _has_area(grid: NDArray[np.float64]) -> bool:
 
 def _draw_normals(ax: Axes, outline: Outline) -> None:
     """Draw the direction of the inward normal along every edge, and the corners."""
+    lines = []
     for edge in range(len(outline)):
         start, end = outline.corner_arc_lengths[edge : edge + 2]
         inward = math.degrees(outline.inward_normal(edge))
-        for angle in (inward, inward - 360.0) if inward > 179.0 else (inward,):
-            ax.plot(
-                [start, end], [angle, angle], color="white", linewidth=1.0, zorder=3,
-                solid_capstyle="butt", path_effects=HALO,
-            )  # fmt: skip
+        angles = (inward, inward - 360.0) if inward > 179.0 else (inward,)
+        lines += [[(start, angle), (end, angle)] for angle in angles]
+    ax.add_collection(
+        LineCollection(
+            lines, colors="white", linewidths=1.0, zorder=3, capstyle="butt", path_effects=HALO
+        ),
+        autolim=False,
+    )
     if len(outline) <= MOST_CORNERS:
         for corner in outline.corner_arc_lengths[1:-1]:
             ax.axvline(corner, color="white", linewidth=0.7, linestyle=(0, (2, 2)), zorder=2.5)
