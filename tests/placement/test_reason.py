@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import reference
-from swarmgrasp import Newcomer, Outline, Robot, Swarm, Zone, place
+from swarmgrasp import Newcomer, Outline, Polytope, Robot, Swarm, Zone, place, quality
 from swarmgrasp.quality.words import force_words
 from swarmgrasp.scenario import load_example
 
@@ -61,3 +61,50 @@ def test_an_answer_to_a_criterion():
     found = place(barge.swarm, barge.newcomer, barge.zones, losing=1)
     assert "Without Fortuna, after the worst loss of 1 robot, the quality is 0" in found.explanation
     assert "The worst loss is that of " in found.explanation
+
+
+def test_a_reason_beside_a_load_does_not_ask_for_force_closure():
+    """Three robots can surround a load that one more opposes, so that four are not needed."""
+    barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    pads = [Robot((-20, -10), np.pi / 2, 100.0), Robot((20, -10), np.pi / 2, 100.0)]
+    load = (0.0, -50.0, 0.0)
+    answer = place(
+        Swarm(barge, pads),
+        Newcomer(100.0, "push", 0.0),
+        [Zone(barge.stretch(0), directions=(np.pi / 2, np.pi / 2))],
+        load=load,
+    )
+    assert (answer.quality, answer.reason) == (
+        0.0,
+        "no allowed robot makes the swarm hold the load",
+    )
+    assert place(Swarm(barge, pads[:1]), Newcomer(100.0), load=load).reason == (
+        "holding a load takes at least 3 robots, wherever they are; with this one there are 2"
+    )
+    assert place(Swarm(barge, []), Newcomer(100.0), losing=1).reason == (
+        "force closure takes at least 4 robots beside the 1 lost; with this one there is 1"
+    )
+
+
+def test_three_robots_hold_a_load_with_a_margin():
+    """What the reason says of three is so: their wrenches surround none beside the load."""
+    disc = Outline([(np.cos(t), np.sin(t)) for t in np.arange(12) * np.pi / 6])
+    pulls = [Robot((np.cos(t), np.sin(t)), t + 0.3, 1.0) for t in np.arange(3) * 2 * np.pi / 3]
+    swarm = Swarm(disc, pulls, characteristic_length=1.0)
+    assert quality(swarm).value == 0.0
+    half = -0.5 * swarm.generators.sum(axis=0)
+    assert quality(swarm, load=half).value > 0.1
+
+
+def test_of_a_task_the_wrench_is_told_and_not_the_normal():
+    """Straight ahead is limited where the robots turn the object; the task asks for no turn."""
+    barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    spots = [((-40, 4), 0.0), ((-40, -8), 0.0), ((0, -10), np.pi / 2), ((3, 10), -np.pi / 2)]
+    swarm = Swarm(barge, [Robot(contact, angle, 100.0) for contact, angle in spots])
+    task = Polytope([(1000.0, 0.0, 0.0)])
+    found = quality(swarm, task=task)
+    assert abs(found.direction[2]) > 0.9
+    assert found.weakest_words == "moving ahead"
+    answer = place(swarm, Newcomer(100.0, "push", 1.0), task=task)
+    assert answer.reason == "what remains weakest is moving ahead"
+    assert "turning" not in answer.explanation

@@ -158,7 +158,7 @@ def test_a_landscape_says_its_criterion(crowd):
     terms = {"losing": 1, "load": (0.1, 0.0, 0.0), "task": Polytope([(1, 0, 0), (0, 1, 0)])}
     figure = landscape(place(crowd, Newcomer(1.0), **terms), resolution=(20, 10))
     said = " ".join(text.get_text() for text in figure.texts)
-    assert "after the worst loss of 1 robot, beside the load, relative to the task" in said
+    assert "after the worst loss of 1 robot, beside the load" in said
     assert "times the task" in said
     assert "surge 0.1 N" in said
     bar = figure.axes[0].child_axes[0]

@@ -7,7 +7,7 @@ from swarmgrasp.cli.criteria import unit_for
 from swarmgrasp.cli.report import NOTES, Column, Forces, Lengths, Report, percent
 from swarmgrasp.cli.sensitivities import show_sensitivities
 from swarmgrasp.cli.words import degrees, stance
-from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities, wrench_words
+from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities
 from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
@@ -154,7 +154,7 @@ def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
     if not len(swarm):
         return [("Weakest", "there are no robots")]
 
-    words = wrench_words(found.direction)
+    words = found.weakest_words
     if found.value > 0.0:
         who = "robots and load come to" if found.criterion.has_load else "the robots exert"
         told = _parts(swarm, found.weakest_wrench)

@@ -13,6 +13,8 @@ FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
 FINE = 1e-6
 """Relative gap, 0.0001 %, below which it is not told to the digit unless asked for."""
+MOST_TOLD = 12
+"""Runners-up of one newcomer that are told."""
 
 
 def show(name: str, answers: Sequence[Placement]) -> None:
@@ -49,8 +51,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
     else:
         none = "no place found" if answer.is_open else "no allowed place"
         report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
-        # force closure takes four robots
-        enough = max(2, 4 - len(answer.problem.swarm))
+        enough = max(2, answer.problem.criterion.fewest - len(answer.problem.swarm))
         why = [
             ("Why", answer.reason),
             (
@@ -132,9 +133,10 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces)
         Column(f"quality [{unit.name}]", is_number=True),
         Column("of best", is_number=True), Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
-    rows = []
+    rows, more = [], 0
     for answer in told:
-        for runner in answer.runners_up:
+        more += len(answer.runners_up[MOST_TOLD:])
+        for runner in answer.runners_up[:MOST_TOLD]:
             placed = stance(answer.problem.swarm.outline, runner.robot)
             rows.append([
                 *([answer.robot.name] if several else []), runner.place,
@@ -143,8 +145,10 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces)
             ])  # fmt: skip
     report.blank()
     best = "best found" if any(answer.is_open for answer in told) else "best"
-    report.headline(f"Next best: the {best} robot on each other edge or zone")
+    report.headline(f"Next best: the {best} robot on each other edge, side or zone")
     report.table(columns, rows)
+    if more:
+        report.note(f"... and {more} more; --json has them all.")
 
 
 def _stance(answer: Placement) -> Stance:
@@ -182,9 +186,7 @@ def _gain(before: float, after: float, unit: Forces) -> str:
 def _beside(first: Placement, last: Placement, unit: Forces) -> list[tuple[str, str]]:
     """Say by what criterion the quality is meant, and how it changes as things stand."""
     criterion = first.problem.criterion
-    if criterion.is_nominal:
-        return []
-    facts = [("", criterion.words)]
+    facts = [("", criterion.words)] if criterion.words else []
     if criterion.losing or criterion.worst_case:
         before, after = (
             quality(swarm, load=criterion.load, task=criterion.task).value

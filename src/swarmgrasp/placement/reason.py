@@ -8,17 +8,17 @@ import numpy as np
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.explain import (
     crew_words,
-    given_words,
     limit_sentences,
     loss_sentences,
     value_words,
 )
 from swarmgrasp.quality.max_transfer import Quality
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.quality.words import share_words, wrench_words
+from swarmgrasp.quality.words import share_words
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
+    from swarmgrasp.quality.criterion import Criterion
     from swarmgrasp.swarm import Robot, Swarm
 
 EQUAL = 1e-6
@@ -33,18 +33,12 @@ ALL_OF_IT = 0.9995
 
 def reason_of(answer: "Placement") -> str:
     """Say what limits the swarm with its new robot, or why no newcomer improves it."""
+    swarm, criterion = answer.problem.swarm, answer.problem.criterion
     if answer.improves:
-        return f"what remains weakest is {wrench_words(answer.after.normal)}"
-    present = len(answer.problem.swarm)
-    weakest = wrench_words(answer.before.normal)
-    criterion = answer.problem.criterion
-    left = present + 1 - criterion.losing
-    if left < 4 and criterion.task is None:
-        after = f", {max(left, 0)} of them after the loss" if criterion.losing else ""
-        return (
-            "force closure takes at least 4 robots, wherever they are; with this one there "
-            f"{'are' if present else 'is'} {present + 1}{after}"
-        )
+        return f"what remains weakest is {_weakest(answer, answer.after)}"
+    if len(swarm) + 1 < criterion.fewest:
+        return too_few_words(criterion, len(swarm) + 1, "this one")
+    weakest = _weakest(answer, answer.before)
     before = answer.before.quality
     if before * (1.0 + EQUAL) < answer.upper_bound <= before + answer.noise:
         return (
@@ -52,8 +46,11 @@ def reason_of(answer: "Placement") -> str:
             f"outline's coordinates may make of none, {_value(answer.noise, answer)}"
         )
     if before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
+        opposite = "the opposite way"
+        if criterion.task is not None:
+            opposite = f"at {criterion.weakest_words(swarm, -np.array(answer.before.normal))}"
         return (
-            f"the swarm is equally weak at {weakest} and the opposite way, and one "
+            f"the swarm is equally weak at {weakest} and {opposite}, and one "
             "robot can push only one way: place two"
         )
     if answer.is_open:
@@ -67,6 +64,27 @@ def reason_of(answer: "Placement") -> str:
         f"no allowed robot raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"
     )
+
+
+def too_few_words(criterion: "Criterion", robots: int, last: str) -> str:
+    """Say that so many robots, the last ones included, are too few for any quality.
+
+    Examples
+    --------
+    >>> from swarmgrasp.quality.criterion import Criterion
+    >>> too_few_words(Criterion(), 3, "this one")
+    'force closure takes at least 4 robots, wherever they are; with this one there are 3'
+    >>> too_few_words(Criterion(losing=1, load=(0, 1, 0)), 1, "this one")
+    'holding a load takes at least 3 robots beside the 1 lost; with this one there is 1'
+    """
+    left, lost = criterion.fewest - criterion.losing, criterion.losing
+    takes = f"{_TAKES[left]} takes at least {left} robot{'s' if left > 1 else ''}"
+    where = f" beside the {lost} lost" if lost else ", wherever they are"
+    return f"{takes}{where}; with {last} there {'are' if robots > 1 else 'is'} {robots}"
+
+
+_TAKES = {4: "force closure", 3: "holding a load", 1: "a task"}
+"""What takes so many robots."""
 
 
 def explain_placement(answer: "Placement") -> str:
@@ -98,6 +116,11 @@ def _quality_of(swarm: "Swarm", found: Weakest, answer: "Placement") -> Quality:
     )
 
 
+def _weakest(answer: "Placement", found: Weakest) -> str:
+    """Say which wrench is reached least."""
+    return answer.problem.criterion.weakest_words(answer.problem.swarm, found.normal)
+
+
 def _value(value: float, answer: "Placement") -> str:
     return value_words(value, answer.problem.criterion)
 
@@ -107,9 +130,9 @@ def _before(answer: "Placement") -> str:
     swarm, criterion = answer.problem.swarm, answer.problem.criterion
     if not len(swarm):
         return "There are no robots yet."
-    words = given_words(criterion)
+    words = criterion.words
     without = f"Without {_name(answer)}{f', {words},' if words else ''} the quality is"
-    way = wrench_words(answer.before.normal)
+    way = _weakest(answer, answer.before)
     if answer.quality_before == 0.0:
         return f"{without} 0: at {way} the swarm exerts nothing."
     setters = _quality_of(swarm, answer.before, answer).facet_robots
@@ -129,8 +152,10 @@ def _gain(answer: "Placement") -> list[str]:
             f"{robot} prepares best for the next robot.",
         ]
     before, after = answer.quality_before, answer.quality
-    aim = Aim(answer.swarm_after, answer.problem.criterion)
-    there = float(aim.values(np.array([answer.before.normal]))[0])
+    there, criterion = math.inf, answer.problem.criterion
+    if criterion.task is None:  # of a task the same wrench may limit it at another normal
+        aim = Aim(answer.swarm_after, criterion)
+        there = float(aim.values(np.array([answer.before.normal]))[0])
     more = f" (+{share_words(after / before - 1.0)})" if before > 0.0 else ""
     found = f"{_value(after, answer)}{more}"
     if math.isfinite(there) and there > after * (1.0 + SAME):

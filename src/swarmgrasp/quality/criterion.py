@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
+from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.ranges import STRONGEST, numbers
 from swarmgrasp.swarm import Swarm
 
@@ -121,8 +122,36 @@ class Criterion(Plain):
         return float(swarm.noise / asked) if asked > 0.0 else 0.0
 
     @property
+    def fewest(self) -> int:
+        """Robots, those lost included, below which the quality is 0 wherever they are.
+
+        Force closure takes 4; beside a load the wrenches of 3 can surround no wrench; a task may
+        ask for one way only.
+        """
+        return self.losing + (1 if self.task is not None else 3 if self.has_load else 4)
+
+    def weakest_words(self, swarm: Swarm, normal: ArrayLike) -> str:
+        """Say which wrench a swarm reaches least, where a facet with this normal limits it.
+
+        That along the normal; of a task the wrench of it that lies farthest along the normal.
+
+        Parameters
+        ----------
+        swarm : Swarm
+        normal : (3,)
+            In the metric's coordinates.
+        """
+        way = np.asarray(normal, dtype=float)
+        if self.task is not None and self.task.support(way * swarm.scale) > 0.0:
+            way = self.task.farthest(way * swarm.scale) * swarm.scale
+        return wrench_words(way)
+
+    @property
     def words(self) -> str:
-        """The criterion as part of a sentence; empty if it is nominal."""
+        """Beside what and after what, as part of a sentence; empty for a swarm as it stands.
+
+        A task goes unmentioned: it is in the unit of the quality.
+        """
         parts = []
         if self.worst_case:
             parts.append("in the worst poses")
@@ -132,8 +161,6 @@ class Criterion(Plain):
             )
         if self.has_load:
             parts.append("beside the load")
-        if self.task is not None:
-            parts.append("relative to the task")
         return ", ".join(parts)
 
 

@@ -1,14 +1,13 @@
 """Why a quality is what it is, in plain sentences."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.heights import ON_FACET
-from swarmgrasp.quality.words import digits, force_words, list_words, share_words, wrench_words
+from swarmgrasp.quality.words import digits, force_words, list_words, share_words
 
 if TYPE_CHECKING:
     from swarmgrasp.quality.criterion import Criterion
@@ -59,18 +58,6 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
     )
 
 
-def given_words(criterion: "Criterion") -> str:
-    """Say under which conditions a quality is meant; empty if it is the swarm as it stands.
-
-    Examples
-    --------
-    >>> from swarmgrasp.quality.criterion import Criterion
-    >>> given_words(Criterion(losing=2, load=(0, 1, 0)))
-    'after the worst loss of 2 robots, beside the load'
-    """
-    return replace(criterion, task=None).words
-
-
 def value_words(value: float, criterion: "Criterion") -> str:
     """Say a quality with its unit.
 
@@ -106,7 +93,7 @@ def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str
     now : str
         Follows the verb, such as " now".
     """
-    way = f"The swarm is{now} weakest at {wrench_words(found.direction)}"
+    way = f"The swarm is{now} weakest at {found.weakest_words}"
     if found.value == 0.0:
         said = [f"{way}: that way it exerts nothing."]
     else:
@@ -132,7 +119,7 @@ def loss_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
 
 def _headline(found: "Quality") -> str:
     """Say what the swarm can do in every direction."""
-    words = given_words(found.criterion)
+    words = found.criterion.words
     given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
     if 0.0 < found.value <= found.noise:
         value, noise = (value_words(v, found.criterion) for v in (found.value, found.noise))

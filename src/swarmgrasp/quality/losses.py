@@ -6,7 +6,6 @@ from typing import Any, Unpack
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
-from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
 
@@ -49,7 +48,7 @@ class Loss(Told):
     @property
     def direction_words(self) -> str:
         """The weakest direction without the robot, in words."""
-        return wrench_words(self.after.direction)
+        return self.after.weakest_words
 
     @property
     def words(self) -> str:

@@ -61,6 +61,11 @@ class Quality(Answer):
             return self.value * self.direction / scale
         return self.value * task.farthest(self.direction * scale)
 
+    @property
+    def weakest_words(self) -> str:
+        """How the weakest wrench would move the object."""
+        return self.criterion.weakest_words(self._swarm, self.direction)
+
     @cached_property
     def lost(self) -> tuple[int, ...]:
         """Indices of the robots whose loss hurts most, the worst first."""

@@ -119,12 +119,8 @@ class JointSearch:
 
     @property
     def _is_hopeless(self) -> bool:
-        """Whether they are too few for any quality: a ball takes 4 robots, beside a load 3."""
-        criterion, gauge = self.problem.criterion, self.gauge
-        if criterion.task is not None:
-            return False
-        robots = len(gauge.swarm) + self.count - criterion.losing
-        return robots < (3 if criterion.has_load else 4)
+        """Whether they are too few for any quality."""
+        return len(self.gauge.swarm) + self.count < self.problem.criterion.fewest
 
     def _climb(self, relaxed: tuple[Share, Relaxed] | None) -> None:
         """Climb from the best with some moved away, or else from where newcomers gather."""

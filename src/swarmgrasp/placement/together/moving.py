@@ -13,7 +13,6 @@ from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
-from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 
@@ -178,12 +177,12 @@ class Move(Answer):
         """What the best move does, in words."""
         best, swarm = self.best, self.problem.swarm
         name = swarm.robot_label(best.robot)
-        weakest = wrench_words(self.before.direction)
+        weakest = self.before.weakest_words
         if not self.improves:
             if self._is_open:
                 return f"no move was found that raises what is weakest, {weakest}"
             return f"no robot alone can raise what is weakest, {weakest}, by moving: leave them"
-        after = wrench_words(best.placement.after.normal)
+        after = self.problem.criterion.weakest_words(swarm, best.placement.after.normal)
         away = (
             "nothing is held in some directions" if best.quality_without == 0.0 else "less is held"
         )

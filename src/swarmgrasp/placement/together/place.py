@@ -12,12 +12,12 @@ from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
 from swarmgrasp.placement.answer import relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.reason import too_few_words
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.stands import Stands
 from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.ranges import count_faults, is_whole
 from swarmgrasp.swarm import Robot, Swarm
 
@@ -114,15 +114,13 @@ class Together(Answer):
     @property
     def reason(self) -> str:
         """What limits the answer, in words."""
-        weakest = wrench_words(self.after.normal)
+        criterion = self.problem.criterion
+        weakest = criterion.weakest_words(self.problem.swarm, self.after.normal)
         if self.improves:
             return f"what remains weakest is {weakest}"
         robots = len(self.problem.swarm) + len(self.robots)
-        if self.upper_bound == 0.0 and robots < 4:
-            return (
-                "force closure takes at least 4 robots, wherever they are; with these there "
-                f"{'are' if robots > 1 else 'is'} {robots}"
-            )
+        if self.upper_bound == 0.0 and robots < criterion.fewest:
+            return too_few_words(criterion, robots, "these")
         many = f"{len(self.robots)} such robots" if len(self.robots) > 1 else "such robot"
         if self.upper_bound == 0.0:
             return f"no {many} can give the swarm any quality, wherever they are: place more"
