@@ -310,7 +310,7 @@ def test_nobody_makes_nothing():
 
 
 def test_a_flat_set_keeps_its_own_wrenches():
-    """Without any torque, what lies in the plane is made at half load, its torque missing.
+    """Without any torque, what lies in the plane is made at half shares, its torque missing.
 
     The shares of the nearest wrench are the least too: nobody gives all because of what is missing.
     """

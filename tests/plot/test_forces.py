@@ -20,7 +20,7 @@ def lengths(figure, gid):
 
 
 def test_a_force_is_its_share_of_the_limit(barge):
-    """The dark part of each arrow, and the load beside the name."""
+    """The dark part of each arrow, and the share beside the name."""
     found = forces(barge, (50e3, 20e3, 0.0))
     figure = forces_plan(found)
     hardest = found.shares >= found.largest_share - 1e-9

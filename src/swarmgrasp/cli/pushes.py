@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 Triple = tuple[float, float, float]
 
 IDLE = 1e-7
-"""Load that is told as none."""
+"""Share that is told as none."""
 FULL = 1e-9
 """Difference of two shares that counts as none."""
 NONE = 1e-9
@@ -62,7 +62,7 @@ def show(name: str, found: "Forces") -> None:
     _show_robots(report, found)
     report.blank()
     report.note(f"Metric: {swarm.metric_sentence}.")
-    report.note("Load: a robot's force as a share of its limit.")
+    report.note("Share: a robot's force as a part of its limit.")
     for note in NOTES:
         report.note(note)
 

@@ -189,7 +189,7 @@ def show(name: str, found: "ForcesAlong", lines: Sequence[int]) -> None:
     _show_wrenches(report, found, lines, unit)
     report.blank()
     report.note(f"Metric: {swarm.metric_sentence}.")
-    report.note("Load: a robot's force as a share of its limit.")
+    report.note("Share: a robot's force as a part of its limit.")
     for note in NOTES:
         report.note(note)
 

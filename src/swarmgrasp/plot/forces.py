@@ -34,7 +34,7 @@ WIDTH: Final = 0.026
 """Of the arrows [in]."""
 
 LEAST_SHARE: Final = 0.002
-"""Load below which no force is drawn."""
+"""Share below which no force is drawn."""
 
 HARDEST: Final = 1e-9
 """Difference from the largest share that counts as none."""
