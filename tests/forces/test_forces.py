@@ -175,7 +175,7 @@ def test_what_cannot_be_proven_is_not_handed_out(monkeypatch):
     """An error says which wrench, and what to do."""
     swarm = swarm_of("free", 7, 9)
     misled(monkeypatch, forever=True)
-    with pytest.raises(ForcesNotProven, match="leave out robots that are so much weaker"):
+    with pytest.raises(ForcesNotProven, match="leave out the far weaker ones"):
         forces_along(swarm, [(0.1, 0.0, 0.0)])
 
 

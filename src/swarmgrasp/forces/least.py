@@ -49,7 +49,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     RobotInvalid
         If the swarm is no `Swarm`, with those faults beside this one.
     ForcesNotProven
-        If robots are so unlike in strength that rounding decides, which takes more than 1e12.
+        If rounding decides: robots are too unlike in strength, or alike to 1e-9 and not equal.
 
     Examples
     --------
@@ -159,7 +159,8 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
         k = unsure[np.argmin(rows[unsure, -1])]
         raise ForcesNotProven(
             f"the shares that make {(wrenches[k] / swarm.scale).tolist()} [N, N, N m] cannot be "
-            f"told from others by more than rounding: the limits are from {swarm.limits.min():.3g} "
-            f"to {swarm.limits.max():.3g} N; leave out robots that are so much weaker"
+            f"told from others by more than rounding: limits are from {swarm.limits.min():.3g} to "
+            f"{swarm.limits.max():.3g} N, or robots alike to 1e-9; leave out the far weaker ones, "
+            "or make those alike equal"
         )
     return read_only(rows)
