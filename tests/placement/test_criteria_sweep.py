@@ -80,6 +80,12 @@ def test_a_few_hundred():
     assert list(faults_of(range(120))) == []
 
 
+@pytest.mark.parametrize("seed", [603, 795, 1095])
+def test_one_robot_a_billion_times_stronger(seed):
+    """Its rounding hides nothing of the others: bounds are taken from below."""
+    assert list(faults_of([seed])) == []
+
+
 @pytest.mark.long
 def test_ten_thousand():
     """None is refused by its check, and each says whether the work was enough."""

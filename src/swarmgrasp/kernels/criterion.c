@@ -266,7 +266,7 @@ static int is_held(Hunt *h, const Place *place, size_t begin, size_t end) {
         if (value < 0.0 || value <= before)
             return 0;
         if (relax(rows, t + 1, share) >= 0.0)
-            return 1;
+            return hold(rows, t + 1) >= 0.0;
     }
     return 0;
 }

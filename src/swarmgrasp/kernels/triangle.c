@@ -59,6 +59,52 @@ double relax(double rows[][3], int count, double *share) {
     return least;
 }
 
+double hold(double rows[][3], int count) {
+    double most = -INFINITY, mixed[3], share[3];
+    for (int a = 0; a < count; a++)
+        for (int b = a; b < count; b++)
+            for (int c = b; c < count; c++) {
+                const double *three[3] = {rows[a], rows[b], rows[c]};
+                int used = a == b ? (b == c ? 1 : 0) : b == c ? 2 : 3;
+                if (used == 0)
+                    continue; /* as with another order */
+                for (int j = 0; j < (used == 2 ? 3 : 1); j++) { /* alike at two corners, or at all */
+                    if (used == 1) {
+                        share[0] = 1.0;
+                        share[1] = share[2] = 0.0;
+                    } else if (used == 2) {
+                        int i = (j + 1) % 3;
+                        double d = three[0][i] - three[0][j], e = three[1][i] - three[1][j];
+                        if (d * e >= 0.0)
+                            continue;
+                        share[0] = e / (e - d);
+                        share[1] = 1.0 - share[0];
+                        share[2] = 0.0;
+                    } else {
+                        double d[3], e[3];
+                        for (int k = 0; k < 3; k++) {
+                            d[k] = three[k][0] - three[k][1];
+                            e[k] = three[k][0] - three[k][2];
+                        }
+                        cross(d, e, share);
+                        double sum = share[0] + share[1] + share[2];
+                        if (sum == 0.0)
+                            continue;
+                        for (int k = 0; k < 3; k++)
+                            share[k] = larger(0.0, share[k] / sum);
+                        sum = share[0] + share[1] + share[2];
+                        for (int k = 0; k < 3; k++)
+                            share[k] /= sum;
+                    }
+                    for (int i = 0; i < 3; i++)
+                        mixed[i] = share[0] * three[0][i] + share[1] * three[1][i]
+                                   + share[2] * three[2][i];
+                    most = larger(most, smaller(mixed[0], smaller(mixed[1], mixed[2])));
+                }
+            }
+    return most;
+}
+
 int is_inside(const double *corner, const double *m) {
     double side[3], edge = 0.0;
     for (int j = 0; j < 3; j++) {

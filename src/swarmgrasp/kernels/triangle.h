@@ -6,6 +6,10 @@
  * unknowns, solved by looking at all its vertices. */
 double relax(double rows[][3], int count, double *share);
 
+/* The same from below, whatever rounding does to rows that differ in size: the greatest that a
+ * mixture of the rows has at every corner. */
+double hold(double rows[][3], int count);
+
 /* Tell whether a direction lies in a triangle; a little outside counts too. 1, or -1 for the
  * opposite direction. */
 int is_inside(const double *corner, const double *m);
