@@ -145,6 +145,20 @@ def test_two_at_one_place_need_not_be_alike(robots, wrench):
     assert found.verify()
 
 
+def test_a_share_of_next_to_nothing_may_be_any():
+    """Robots of 10^-12 of the strongest one cannot be told by their wrench."""
+    barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    robots = [
+        ((40, 0), 2, 6e4), ((40, 10), -1, 0.3), ((-40, 10), 0, 2e5), ((40, 10), -1, 3e8),
+        ((40, 10), 2, 3e-3), ((0, -10), 1, 2e-3), ((-20, -10), 1, 6e-5), ((-40, 10), 0, 3e4),
+        ((0, 10), -1, 20.0),
+    ]  # fmt: skip
+    robots = [Robot(contact, quarters * math.pi / 2, limit) for contact, quarters, limit in robots]
+    weights = (2.194853091444896, 2.5816170997950567)
+    wrench = (-44020.54123224933, -220102695.15617925, -8804107806.225159)
+    assert forces(Swarm(barge, robots, force_weights=weights), wrench).verify()
+
+
 def misled(monkeypatch, forever=False):
     """Let the kernel be wrong the first time it is asked, or each time."""
     honest = kernel.least_shares

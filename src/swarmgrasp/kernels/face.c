@@ -274,7 +274,7 @@ static double best_step(Face *face, const double *y, const double *left, const d
 /* Share out a point inside the face, by Newton's method on the dual: x_i = clip(y.c_i). */
 static void share_inside(Face *face, const double *q, double *y) {
     double left[2], d[2], whole, rounding;
-    for (int k = 0; k < STEPS; k++) {
+    for (int k = 0, settled = 0; k < STEPS; k++) {
         double blur = 0.0; /* what rounding of y does */
         for (ptrdiff_t i = 0; i < face->count; i++) {
             face->share[i] = clip(dot2(y, face->c + 2 * i));
@@ -283,7 +283,8 @@ static void share_inside(Face *face, const double *q, double *y) {
         }
         whole = missing(face, q, left);
         rounding = SETTLED * (whole + blur * sqrt(dot2(y, y)));
-        if (sqrt(dot2(left, left)) <= rounding)
+        /* what is rounding to giants may be much to dwarfs: some steps more */
+        if (sqrt(dot2(left, left)) <= rounding && settled++ == PASSES)
             break;
         newton_direction(face, left, rounding, d);
         double step = best_step(face, y, left, d);

@@ -67,21 +67,6 @@ static double miss_of(const Turning *t, const double *w, const double *shares, d
     return span(miss);
 }
 
-/* Let the robots in front take up what rounding leaves of a wrench: where the ray meets the face at
- * a small angle, that tells better how far out it is. */
-static void take_up(const Turning *t, const double *w, double *shares, Shares *found) {
-    double corner[3] = {0.0}, miss[3];
-    for (ptrdiff_t i = 0; i < t->n; i++)
-        for (int k = 0; k < 3 && t->where[i] > 0; k++)
-            corner[k] += t->sizes[i] * t->units[3 * i + k];
-    miss_of(t, w, shares, miss);
-    double size = span(corner), more = size > 0.0 ? dot(miss, corner) / size / size : 0.0;
-    found->needed += more;
-    for (ptrdiff_t i = 0; i < t->n; i++)
-        shares[i] = smaller(t->where[i] > 0 ? shares[i] + more : shares[i],
-                           smaller(found->needed, 1.0));
-}
-
 /* Find the shares of a wrench and the proof: REACHED, or REFUTED if it is out of reach; sets `needed`. */
 static Status share_along(Turning *t, const double *w, double size, double noise, double *shares,
                           Shares *found) {
@@ -105,12 +90,9 @@ static Status share_along(Turning *t, const double *w, double size, double noise
         face_lay(&t->face, normal, t->units, t->sizes);
         share_out(t, q, extent, smaller(found->needed, 1.0), shares, found);
     }
-    if (miss_of(t, w, shares, miss) > SAME * size) {
-        take_up(t, w, shares, found);
-        double missed = miss_of(t, w, shares, miss);
-        if (missed > LOST * size + NOTHING * t->total + noise)
-            found->shortfall = ldexp(missed, t->exponent);
-    }
+    double missed = miss_of(t, w, shares, miss);
+    if (missed > LOST * size + NOTHING * t->total + noise)
+        found->shortfall = ldexp(missed, t->exponent);
     return REACHED;
 }
 
