@@ -4,6 +4,7 @@ from swarmgrasp.scenario.examples import example_names, example_text, load_examp
 from swarmgrasp.scenario.reading import load_scenario, parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import scenario_schema
+from swarmgrasp.scenario.writing import scenario_text, write
 
 __all__ = [
     "Scenario",
@@ -13,4 +14,6 @@ __all__ = [
     "load_scenario",
     "parse_scenario",
     "scenario_schema",
+    "scenario_text",
+    "write",
 ]

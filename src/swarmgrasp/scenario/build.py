@@ -88,7 +88,7 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
         return None
     path: Path = ("outline", "vertices")
     try:
-        plain = Outline(section.vertices)
+        plain = Outline(section.vertices, precision=section.precision)
         if plain.extent < SMALLEST_EXTENT:
             raise OutlineInvalid(
                 f"the outline is {plain.extent:.3g} {units.length} across; it should be at least "

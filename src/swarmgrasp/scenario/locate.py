@@ -3,7 +3,7 @@
 Everything here is in the file's own units, so that messages speak the file's language.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -105,7 +105,9 @@ class Locator:
         if not self._is_arc_length(arc_length, path):
             return None
         arc = min(arc_length, self.outline.perimeter)
-        return self._placed(self.outline.at_arc_length(arc))
+        contact = self.outline.at_arc_length(arc)
+        place = self._placed(contact)
+        return place if contact.is_corner else replace(place, arc_length=arc)
 
     def _at_angle(self, theta: float, path: Path) -> Place | None:
         """Find the boundary point on the ray from the origin at an angle."""

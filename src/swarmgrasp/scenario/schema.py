@@ -97,6 +97,12 @@ class OutlineSection(Section):
         description="Point that moments are taken about: the centroid, or [x, y] [units.length].",
         examples=["centroid", [0, 0]],
     )
+    precision: Distance | None = Field(
+        None,
+        description="How far each coordinate may be off, 0 for exact ones; half a unit in the "
+        "last decimal, of 3 to 12 of them, when left out [units.length].",
+        examples=[0.005],
+    )
 
 
 class MetricSection(Section):
