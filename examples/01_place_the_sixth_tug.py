@@ -34,7 +34,7 @@ swarm = sg.Swarm(barge, tugs)
 before = sg.quality(swarm)
 print(f"Five tugs hold {before.value / 1e3:.0f} kN in every direction; weakest is")
 print(
-    f"  {sg.wrench_words(before.direction)}, set by", *(tugs[i].name for i in before.facet_robots)
+    f"  {sg.wrench_words(before.direction)}, set by", *before.facet_robots
 )
 
 # The sixth may push onto the fenders of either side, or pull from a bollard at the bow.

@@ -36,7 +36,7 @@ for loss in sg.losses(swarm)[:3]:
     print(f"Without {loss.name} {loss.quality / 1e3:.0f} kN: the loss {loss.words}.")
 for losing in (1, 2):
     left = sg.quality(swarm, losing=losing)
-    gone = " and ".join(swarm.robot_label(i) for i in left.lost)
+    gone = " and ".join(left.lost)
     print(f"The worst loss of {losing}, {gone}, leaves {left.value / 1e3:.0f} kN.")
 
 # An eighth tug may push on the fenders of either side. Best for eight, or for the seven left?
@@ -55,7 +55,7 @@ for ax, losing in zip(panels, (0, 1), strict=True):
     aim = "after the worst loss" if losing else "for all eight"
     print(f"Best {aim}: {hera.name} at ({x:.1f}, {y:.1f}) m, {answer.place}, gives")
     print(f"  {whole.value / 1e3:.0f} kN with all eight tugs,")
-    print(f"  {left.value / 1e3:.0f} kN without {crew.robot_label(left.lost[0])}, the worst loss.")
+    print(f"  {left.value / 1e3:.0f} kN without {left.lost[0]}, the worst loss.")
     plan(crew, quality=left, zones=fenders, ax=ax)
     heading = f"{hera.name} best {aim}: {whole.value / 1e3:.0f} kN with all of them"
     ax.set_title(heading, loc="left", pad=36, fontsize=9, fontweight="bold")

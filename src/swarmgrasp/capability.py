@@ -1,9 +1,7 @@
 """Capability: the largest wind a swarm can hold the object against, at every bearing."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,12 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.environment.limits import BEARING
-from swarmgrasp.errors import EnvironmentInvalid
+from swarmgrasp.errors import EnvironmentInvalid, SwarmInvalid, refuse
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked
-from swarmgrasp.quality import Polytope, quality
-from swarmgrasp.ranges import WEAKEST
+from swarmgrasp.quality import Criterion, Polytope, quality
+from swarmgrasp.ranges import WEAKEST, array_of, kind_faults, shown
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.swarm.swarm import swarm_faults
 
 HELD = 1e-9
 """Share of a current by which it may fail to be held, for rounding."""
@@ -26,7 +25,7 @@ STEP = math.radians(5.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Capability(Answer):
+class Capability(Frozen, Answer):
     """The largest winds that a swarm holds, intact and after its worst loss.
 
     Attributes
@@ -44,8 +43,8 @@ class Capability(Answer):
         beside the current; 0 where they hold none, or not even the current.
     holds_current, holds_current_after_loss : (m,) of bool
         Whether they hold the current alone.
-    worst_losses : tuple of tuple of int
-        For each bearing, indices of robots whose loss leaves the least.
+    worst_losses : tuple of tuple of str
+        For each bearing, names of the robots whose loss leaves the least.
     directions : (m, 3)
         For each bearing, the unit wrench in the metric's coordinates along which all robots
         together can give no more: what the largest wind needs.
@@ -60,7 +59,7 @@ class Capability(Answer):
     after_loss: NDArray[np.float64]
     holds_current: NDArray[np.bool_]
     holds_current_after_loss: NDArray[np.bool_]
-    worst_losses: tuple[tuple[int, ...], ...]
+    worst_losses: tuple[tuple[str, ...], ...]
     directions: NDArray[np.float64]
 
     kind = "capability"
@@ -78,7 +77,7 @@ class Capability(Answer):
 
         Both halves of a thruster that pushes either way, "bow +" and "bow -", are "bow".
         """
-        return self.names_of(self.worst_losses[index])
+        return tuple(dict.fromkeys(map(self.whole, self.worst_losses[index])))
 
     def lost_words(self, index: int, most: int = 2) -> str:
         """Return the names of the robots whose loss is worst at a bearing as part of a sentence.
@@ -95,18 +94,11 @@ class Capability(Answer):
             names[most:] = [f"{len(names) - most} more"]
         return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
-    def names_of(self, robots: Sequence[int]) -> tuple[str, ...]:
-        """Return the names of robots by their indices, each thruster once."""
-        names = [self.swarm.robot_label(i) for i in robots]
-        return tuple(dict.fromkeys(self._whole.get(name, name) for name in names))
-
-    @cached_property
-    def _whole(self) -> dict[str, str]:
-        """The names of thrusters that push either way, by those of their halves."""
-        names = {self.swarm.robot_label(i) for i in range(len(self.swarm))}
-        stems = {name.removesuffix(" +") for name in names if name.endswith(" +")}
-        pairs = {stem for stem in stems if f"{stem} -" in names}
-        return {f"{stem} {sign}": stem for stem in pairs for sign in "+-"}
+    def whole(self, name: str) -> str:
+        """Return the name of a thruster that pushes either way, of either half; or a robot's."""
+        stem, sign = name[:-2], name[-2:]
+        halves = sign in (" +", " -") and f"{stem} +" in self.swarm and f"{stem} -" in self.swarm
+        return stem if halves else name
 
     @property
     def worst(self) -> int:
@@ -162,7 +154,7 @@ def capability(
         If the environment is none, or a bearing is no finite number.
     CriterionInvalid
         If the number of robots lost is negative.
-    RobotInvalid
+    SwarmInvalid
         If the swarm is no `Swarm`.
 
     Examples
@@ -179,11 +171,15 @@ def capability(
     >>> found.intact.round(2).tolist(), found.after_loss.tolist()
     ([30.53, 14.75], [0.0, 0.0])
     """
-    check_swarm(swarm)
-    if not isinstance(environment, Environment):
-        kind = type(environment).__name__
-        raise EnvironmentInvalid(f"{kind} is no Environment: make one with Environment(wind)")
-    wanted = _checked(np.arange(0.0, 2.0 * math.pi - 1e-9, STEP) if bearings is None else bearings)
+    found = array_of(np.arange(0.0, 2.0 * math.pi - 1e-9, STEP) if bearings is None else bearings)
+    wanted = np.zeros(0) if found is None else found
+    faults = kind_faults(environment, Environment, "Environment(wind)")
+    if wanted.ndim != 1 or not len(wanted):
+        faults.append(f"the bearings are {shown(bearings)}; they should be numbers (m,) [rad]")
+    else:
+        faults += [fault for b in wanted.tolist() for fault in BEARING.faults("bearing", b)]
+    refuse((SwarmInvalid, swarm_faults(swarm)), (EnvironmentInvalid, faults))
+    Criterion(losing=losing, worst_case=worst_case)
     currents = environment.current_load(swarm.outline, wanted)
     winds = environment.wind_load(swarm.outline, wanted, 1.0)
     held = _largest(swarm, currents, winds, 0, worst_case)
@@ -194,31 +190,16 @@ def capability(
         bearings=wanted,
         losing=losing,
         worst_case=worst_case,
-        intact=_read_only([at.speed for at in held]),
-        after_loss=_read_only([at.speed for at in left]),
-        holds_current=_read_only([at.holds_current for at in held]) > 0.0,
-        holds_current_after_loss=_read_only([at.holds_current for at in left]) > 0.0,
+        intact=np.array([at.speed for at in held]),
+        after_loss=np.array([at.speed for at in left]),
+        holds_current=np.array([at.holds_current for at in held]) > 0.0,
+        holds_current_after_loss=np.array([at.holds_current for at in left]) > 0.0,
         worst_losses=tuple(at.lost for at in left),
-        directions=_read_only([at.direction for at in held]),
+        directions=np.array([at.direction for at in held]),
     )
 
 
 # -- parts --------------------------------------------------------------------------------
-
-
-def _checked(bearings: ArrayLike) -> NDArray[np.float64]:
-    """Return bearings as a read-only array (m,) [rad]."""
-    try:
-        wanted = np.array(bearings, dtype=float)
-    except (TypeError, ValueError):
-        raise EnvironmentInvalid("the bearings should be numbers [rad]") from None
-    if wanted.ndim != 1 or not len(wanted):
-        raise EnvironmentInvalid(f"the bearings have the shape {wanted.shape}; it should be (m,)")
-    faults = [fault for value in wanted.tolist() for fault in BEARING.faults("bearing", value)]
-    if faults:
-        raise EnvironmentInvalid(faults)
-    wanted.setflags(write=False)
-    return wanted
 
 
 class _Held(NamedTuple):
@@ -227,7 +208,7 @@ class _Held(NamedTuple):
     speed: float
     holds_current: bool
     direction: NDArray[np.float64]
-    lost: tuple[int, ...]
+    lost: tuple[str, ...]
 
 
 def _largest(
@@ -261,10 +242,3 @@ def _holds(swarm: Swarm, current: NDArray[np.float64], losing: int, worst_case: 
     all_of_it = Polytope([-current])
     found = quality(swarm, losing=losing, worst_case=worst_case, task=all_of_it)
     return found.value >= 1.0 - HELD
-
-
-def _read_only(rows: Sequence[ArrayLike]) -> NDArray[np.float64]:
-    """Return rows as a read-only array."""
-    array = np.array(rows, dtype=float)
-    array.setflags(write=False)
-    return array

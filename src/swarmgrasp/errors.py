@@ -1,10 +1,11 @@
 """Errors a caller can meet, all children of `SwarmGraspError`.
 
 Every message shows the offending value, the range it should lie in and the remedy.
-An error that collects several faults lists them one per line.
+An error that collects several faults lists them one per line; faults of several kinds are told
+by an error of the first one's kind.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 
 class SwarmGraspError(ValueError):
@@ -33,6 +34,10 @@ class RobotInvalid(SwarmGraspError):
     """A robot or newcomer has a value outside its range."""
 
 
+class SwarmInvalid(SwarmGraspError):
+    """What should be a swarm is none."""
+
+
 class RobotOffBoundary(SwarmGraspError):
     """A robot is not on the boundary, or a mounted one is outside the outline."""
 
@@ -59,6 +64,10 @@ class CriterionInvalid(SwarmGraspError):
 
 class WrenchSetTooLarge(SwarmGraspError):
     """A wrench set has more faces than a mesh of it may list."""
+
+
+class ProblemInvalid(SwarmGraspError):
+    """What should be a problem is none, or what is asked of its search is outside its range."""
 
 
 class NowhereToAttach(SwarmGraspError):
@@ -95,3 +104,20 @@ class NotInThePaper(SwarmGraspError):
 
 class PackageMissing(SwarmGraspError):
     """An optional package that is needed here is not installed."""
+
+
+def refuse(*kinds: tuple[type[SwarmGraspError], Sequence[str]]) -> None:
+    """Raise the first kind of error that has faults, with the faults of all of them.
+
+    Examples
+    --------
+    >>> refuse((RobotInvalid, []), (MetricInvalid, []))
+    >>> refuse((RobotInvalid, []), (MetricInvalid, ["no length"]), (ZoneInvalid, ["no zone"]))
+    Traceback (most recent call last):
+    ...
+    swarmgrasp.errors.MetricInvalid: no length
+    no zone
+    """
+    faults = [fault for _, found in kinds for fault in found]
+    if faults:
+        raise next(kind for kind, found in kinds if found)(faults)

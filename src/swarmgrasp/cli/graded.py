@@ -82,13 +82,13 @@ def _efficiency(swarm: Swarm, found: Quality, unit: Forces) -> tuple[str, str]:
     )
 
 
-def _worst_loss(swarm: Swarm, found: Quality, lost: Sequence[Loss]) -> str:
+def _worst_loss(found: Quality, lost: Sequence[Loss]) -> str:
     """Name the robots whose loss is worst, and those whose loss is as bad."""
     if found.criterion.losing == 1:
         equal = [loss.name for loss in lost if loss.quality <= found.value * (1.0 + EQUAL)]
         if len(equal) > 1:
             return f"{', '.join(equal[:-1])} or {equal[-1]}"
-    names = ", ".join(swarm.robot_label(i) for i in found.lost)
+    names = ", ".join(found.lost)
     if len(found.lost) < found.criterion.losing:
         return f"{names}: that alone leaves nothing"
     return names
@@ -108,8 +108,8 @@ def _beside(
     if found.bound < found.value:
         facts.append(("Certified", f"no less than {unit.text(found.bound)}"))
     if found.lost:
-        facts.append(("Worst loss", _worst_loss(swarm, found, lost)))
-    absent = [swarm.robot_label(i) for i, t in swarm.tolerances.items() if t.may_be_absent]
+        facts.append(("Worst loss", _worst_loss(found, lost)))
+    absent = [swarm.names[i] for i, t in swarm.tolerances.items() if t.may_be_absent]
     if criterion.worst_case and absent:
         facts.append(("Absent", ", ".join(absent)))
     if criterion.has_load:
@@ -164,7 +164,7 @@ def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
     else:
         facts = [("Weakest wrench", f"{words}: the robots exert nothing that way")]
     if len(found.facet_robots) > 1:
-        names = ", ".join(swarm.robot_label(i) for i in found.facet_robots)
+        names = ", ".join(found.facet_robots)
         facts.append(("Set by", f"{names}: their wrenches span the weakest facet"))
     return facts
 
@@ -183,14 +183,14 @@ def _show_robots(report: Report, swarm: Swarm, title: str) -> None:
         Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
     rows = []
-    for index, robot in enumerate(swarm.robots):
+    for robot in swarm:
         where, way = "on board", ""
         if not robot.mounted:
             placed = stance(swarm.outline, robot)
             where, way = placed.where, placed.short
         x, y = (lengths.number(v) for v in robot.contact)
         limit = unit.number(robot.limit)
-        rows.append([swarm.robot_label(index), x, y, degrees(robot.direction), limit, where, way])
+        rows.append([robot.name, x, y, degrees(robot.direction), limit, where, way])
     report.blank()
     if title:
         report.headline(title)

@@ -73,7 +73,7 @@ def show(name: str, found: "Move") -> None:
     criterion, before = found.problem.criterion, found.quality_before
     most = max(found.upper_bound, before) or max(swarm.limits.tolist())
     unit = unit_for(criterion, most)
-    label, facts = swarm.robot_label(best.robot), []
+    label, facts = best.name, []
     if found.improves:
         report.headline(f"{name}: {label} had better be on {best.place}", "good")
         facts += [("From", _pose_words(found, best.old)), ("To", _pose_words(found, best.new))]
@@ -126,7 +126,7 @@ def _table(report: "Report", found: "Move", unit: "Forces") -> None:
     for each in found.ranked:
         *figures, off = spot(swarm.outline, each.new)
         numbers = [unit.number(each.quality), unit.number(each.quality_without)]
-        rows.append([swarm.robot_label(each.robot), each.place, *figures, *numbers, off])
+        rows.append([each.name, each.place, *figures, *numbers, off])
     report.blank()
     report.headline("The best move of each robot")
     report.table(columns, rows)

@@ -169,7 +169,7 @@ def _hardest(found: "Forces") -> str:
     import numpy as np
 
     hardest = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
-    names = [found.swarm.robot_label(i) for i in hardest[:8]]
+    names = [found.swarm.names[i] for i in hardest[:8]]
     more = f" and {len(hardest) - 8} more" if len(hardest) > 8 else ""
     return ", ".join(names) + more
 
@@ -198,7 +198,7 @@ def _show_robots(report: "Report", found: "Forces") -> None:
         x, y = (lengths.number(v) for v in robot.contact)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
         rows.append([
-            swarm.robot_label(index), own.number(force if part > IDLE else 0.0), share(part),
+            swarm.names[index], own.number(force if part > IDLE else 0.0), share(part),
             unit.number(robot.limit), degrees(robot.direction), x, y, where,
         ])  # fmt: skip
     report.blank()

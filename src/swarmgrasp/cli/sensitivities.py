@@ -30,7 +30,7 @@ def show_sensitivities(report: Report, found: Sensitivities, unit: Forces) -> No
         ("to", f"{of}/deg", found.direction_per_degree / unit.newtons),
         ("limit", f"{of}/{limits.name}", found.limit * limits.newtons / unit.newtons),
     ]
-    columns, cells = [Column("robot")], [[swarm.robot_label(i) for i in range(len(swarm))]]
+    columns, cells = [Column("robot")], [list(swarm.names)]
     for name, per, slopes in kinds:
         columns += [Column(f"{name} {way} [{per}]", is_number=True) for way in WAYS]
         cells += _columns(slopes)

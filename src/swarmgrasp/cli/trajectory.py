@@ -158,7 +158,7 @@ def table_text(found: "ForcesAlong") -> str:
     """Return the forces as a table: what was wanted, how well it is made, and who does what."""
     out = io.StringIO(newline="")
     writer = tables.writer(out, lineterminator="\n")
-    robots = [f"{found.swarm.robot_label(i)} [N]" for i in range(len(found.swarm))]
+    robots = [f"{name} [N]" for name in found.swarm.names]
     writer.writerow([*COLUMNS, "largest_share", "needed", "shortfall", *robots])
     columns = zip(
         found.wanted.tolist(), found.largest_shares.tolist(), found.needed.tolist(),
@@ -253,7 +253,7 @@ def _show_robots(report: "Report", found: "ForcesAlong", lines: Sequence[int]) -
         is_idle = shares[hardest] <= IDLE
         force = 0.0 if is_idle else float(found.forces[hardest, i])
         rows.append([
-            swarm.robot_label(i), unit.number(force), share(float(shares[hardest])),
+            swarm.names[i], unit.number(force), share(float(shares[hardest])),
             "" if is_idle else str(lines[hardest]), share(float(shares.mean())),
         ])  # fmt: skip
     report.blank()

@@ -50,6 +50,7 @@ class WindCoefficients(Plain):
         ]
         if faults:
             raise EnvironmentInvalid(faults)
+        vars(self).update({name: float(value) for name, value in vars(self).items()})
 
 
 @dataclass(frozen=True)
@@ -80,6 +81,7 @@ class CurrentCoefficients(Plain):
         ]
         if faults:
             raise EnvironmentInvalid(faults)
+        vars(self).update({name: float(value) for name, value in vars(self).items()})
 
 
 SHIP: Final = CurrentCoefficients()

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from swarmgrasp.ranges import numbers
+from swarmgrasp.ranges import number, shown
 
 
 @dataclass(frozen=True)
@@ -27,10 +27,10 @@ class Range:
         >>> Range(0.0, 1e3, "m/s").faults("speed", -1)
         ['the speed is -1; it should be 0 <= speed <= 1000 [m/s]']
         """
-        if any(self.low <= number <= self.high for number in numbers((value,))):
+        if self.low <= number(value) <= self.high:
             return []
         return [
-            f"the {name} is {value!r}; it should be {self.low:g} <= {name} <= {self.high:g} "
+            f"the {name} is {shown(value)}; it should be {self.low:g} <= {name} <= {self.high:g} "
             f"[{self.unit}]"
         ]
 

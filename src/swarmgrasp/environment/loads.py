@@ -11,10 +11,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.environment.coefficients import SHIP, CurrentCoefficients, WindCoefficients
-from swarmgrasp.environment.limits import AREA, BEARING, DENSITY, DYNAMIC_FACTOR, OFFSET, SPEED
+from swarmgrasp.environment.limits import (
+    AREA,
+    BEARING,
+    DENSITY,
+    DYNAMIC_FACTOR,
+    OFFSET,
+    SPEED,
+    Range,
+)
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.outline import Outline
+from swarmgrasp.outline.outline import check_outline
 from swarmgrasp.plain import Plain
+from swarmgrasp.ranges import array_of, is_number, kind_faults, shown
 
 AIR, WATER = 1.226, 1026.0
 """Densities [kg/m^3] of air and sea water, those of DNV-ST-0111."""
@@ -70,13 +80,14 @@ class Wind(Plain):
         faults = _hull_faults(self)
         if not isinstance(self.coefficients, WindCoefficients):
             faults.append(
-                f"the coefficients are {self.coefficients!r}; they should be "
+                f"the coefficients are {shown(self.coefficients)}; they should be "
                 "WindCoefficients, such as BLENDERMANN['tender']"
             )
         if (self.speed is None) != (self.bearing is None):
             faults.append("the speed and the bearing of a wind go together; give both or neither")
         if faults:
             raise EnvironmentInvalid(f"wind: {fault}" for fault in faults)
+        _keep_floats(self)
 
     def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
         """Compute the wrench that a wind exerts on the object, by Blendermann's formulas.
@@ -100,6 +111,7 @@ class Wind(Plain):
         -------
         (..., 3) [N, N, N m]
         """
+        check_outline(outline)
         bearing, folded = _folded(bearings)
         c = self.coefficients
         along = np.where(folded <= 0.5 * math.pi, c.bow, c.stern)
@@ -108,7 +120,7 @@ class Wind(Plain):
         surge = -self.frontal_area * along * np.cos(folded) / excess
         sway = self.lateral_area * c.transverse * np.sin(bearing) / excess
         arm = self.lateral_centroid - 0.18 * (folded - 0.5 * math.pi) * _length(outline)
-        pressure = 0.5 * self.density * np.asarray(speeds, dtype=float) ** 2
+        pressure = 0.5 * self.density * _numbers(speeds, "speeds", SPEED) ** 2
         return _wrench(outline, pressure * surge, pressure * sway, arm)
 
 
@@ -151,12 +163,14 @@ class Current(Plain):
         faults = _hull_faults(self)
         if not isinstance(self.coefficients, CurrentCoefficients):
             faults.append(
-                f"the coefficients are {self.coefficients!r}; they should be CurrentCoefficients"
+                f"the coefficients are {shown(self.coefficients)}; they should be "
+                "CurrentCoefficients"
             )
         if self.speed is None:
             faults.append("the speed is None; it should be a number [m/s], 0 for still water")
         if faults:
             raise EnvironmentInvalid(f"current: {fault}" for fault in faults)
+        _keep_floats(self)
 
     def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
         """Compute the wrench that a current exerts on the object, as DNV-ST-0111 does for ships.
@@ -179,12 +193,13 @@ class Current(Plain):
         -------
         (..., 3) [N, N, N m]
         """
+        check_outline(outline)
         bearing, folded = _folded(bearings)
         surge = -self.frontal_area * self.coefficients.surge * np.cos(folded)
         sway = self.lateral_area * self.coefficients.sway * np.sin(bearing)
         shift = np.clip(0.4 * (1.0 - 2.0 * folded / math.pi), -0.2, 0.25)
         arm = self.lateral_centroid + shift * _length(outline)
-        pressure = 0.5 * self.density * np.asarray(speeds, dtype=float) ** 2
+        pressure = 0.5 * self.density * _numbers(speeds, "speeds", SPEED) ** 2
         return _wrench(outline, pressure * surge, pressure * sway, arm)
 
 
@@ -225,14 +240,12 @@ class Environment(Plain):
     def __post_init__(self) -> None:
         """Check the values."""
         faults = DYNAMIC_FACTOR.faults("dynamic factor", self.dynamic_factor)
-        if not isinstance(self.wind, Wind):
-            faults.append(f"{type(self.wind).__name__} is no Wind: make one with Wind(...)")
-        if self.current is not None and not isinstance(self.current, Current):
-            faults.append(
-                f"{type(self.current).__name__} is no Current: make one with Current(...)"
-            )
+        faults += kind_faults(self.wind, Wind, "Wind(...)")
+        if self.current is not None:
+            faults += kind_faults(self.current, Current, "Current(...)")
         if faults:
             raise EnvironmentInvalid(faults)
+        vars(self)["dynamic_factor"] = float(self.dynamic_factor)
 
     @property
     def is_steady(self) -> bool:
@@ -271,7 +284,8 @@ class Environment(Plain):
         -------
         (..., 3) [N, N, N m]
         """
-        wind = np.asarray(bearings, dtype=float)
+        check_outline(outline)
+        wind = _numbers(bearings, "bearings", BEARING)
         current = self.current
         if current is None:
             return np.zeros((*wind.shape, 3))
@@ -305,6 +319,23 @@ class Environment(Plain):
 # -- parts --------------------------------------------------------------------------------
 
 
+def _keep_floats(part: Wind | Current) -> None:
+    """Keep the numbers of a part, which are known to be right, as floats."""
+    numbers = {name: value for name, value in vars(part).items() if is_number(value)}
+    vars(part).update({name: float(value) for name, value in numbers.items()})
+
+
+def _numbers(values: ArrayLike, name: str, known: Range) -> NDArray[np.float64]:
+    """Return numbers in a range as an array."""
+    found = array_of(values)
+    if found is None or not ((found >= known.low) & (found <= known.high)).all():
+        raise EnvironmentInvalid(
+            f"the {name} are {shown(values)}; they should be {known.low:g} <= number <= "
+            f"{known.high:g} [{known.unit}]"
+        )
+    return found
+
+
 def _hull_faults(part: Wind | Current) -> list[str]:
     """Return what is wrong with the numbers that wind and current have in common."""
     faults = [
@@ -322,7 +353,7 @@ def _hull_faults(part: Wind | Current) -> list[str]:
 
 def _folded(bearings: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return bearings within [-pi, pi], and how far each is from ahead, either side."""
-    wanted = np.asarray(bearings, dtype=float)
+    wanted = _numbers(bearings, "bearings", BEARING)
     turned = wanted - 2.0 * math.pi * np.round(wanted / (2.0 * math.pi))
     return turned, np.abs(turned)
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.forces.certificate import ForcesCertificate
+from swarmgrasp.frozen import Frozen, read_only
 from swarmgrasp.plain import Answer, picked
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.verify import Verdict
@@ -18,7 +19,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Forces(Answer):
+class Forces(Frozen, Answer):
     """How hard each robot pushes to make a wrench, or the nearest there is.
 
     Attributes
@@ -114,7 +115,7 @@ class Forces(Answer):
 
 
 @dataclass(frozen=True, eq=False)
-class ForcesAlong(Answer):
+class ForcesAlong(Frozen, Answer):
     """How hard each robot pushes for each of many wrenches; an item is the `Forces` of one.
 
     Attributes
@@ -199,9 +200,3 @@ class ForcesAlong(Answer):
         """Check each wrench as `Forces.verify` does; faults begin with its index."""
         verdicts = ((i, found.verify()) for i, found in enumerate(self))
         return Verdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
-
-
-def read_only(array: Array) -> Array:
-    """Return an array, now read-only."""
-    array.setflags(write=False)
-    return array

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
 
 
 @dataclass(frozen=True, eq=False)
-class ForcesCertificate(Told):
+class ForcesCertificate(Frozen, Told):
     """Directions and a price that prove shares to be the least.
 
     For the first normal n, a largest share t and any shares x_i <= t, n . sum x_i b_i <= t h(n):

@@ -8,16 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from swarmgrasp.errors import ForcesNotProven
-from swarmgrasp.forces.answer import Array, Forces, ForcesAlong, read_only
+from swarmgrasp.forces.answer import Array, Forces, ForcesAlong
 from swarmgrasp.forces.certificate import ForcesCertificate
 from swarmgrasp.forces.start import start_for
-from swarmgrasp.forces.wanted import Triple, check_forces, check_forces_along
+from swarmgrasp.forces.wanted import CALM, Triple, check_forces, check_forces_along
+from swarmgrasp.frozen import read_only
 from swarmgrasp.kernels import shares as kernel
 from swarmgrasp.swarm import Swarm
 
-CALM = (0.0, 0.0, 0.0)
-"""No load [N, N, N m]."""
-_NO_LOAD = read_only(np.zeros(3))
+_NO_LOAD = np.zeros(3)
 
 
 def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces:
@@ -46,7 +45,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     WrenchInvalid
         If the wrench or the load is not three finite numbers, the largest of size 0 or 1e-100 to
         1e100; all faults at once.
-    RobotInvalid
+    SwarmInvalid
         If the swarm is no `Swarm`, with those faults beside this one.
     ForcesNotProven
         If rounding decides: robots are too unlike in strength, or alike to 1e-9 and not equal.
@@ -78,12 +77,12 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     normals = row[n + 2 : n + 11].reshape(3, 3)
     return Forces(
         swarm,
-        read_only(np.array(wanted)),
-        read_only(np.array(given)) if given != CALM else _NO_LOAD,
+        np.array(wanted),
+        np.array(given) if given != CALM else _NO_LOAD,
         row[:n],
         needed,
         shortfall,
-        ForcesCertificate(read_only(normals[normals.any(axis=1)]), row[n + 11 : n + 14]),
+        ForcesCertificate(normals[normals.any(axis=1)], row[n + 11 : n + 14]),
     )
 
 
@@ -107,7 +106,7 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
 
     Raises
     ------
-    WrenchInvalid, RobotInvalid
+    SwarmInvalid, WrenchInvalid
         As for `forces`; of the wrenches at fault the first ten are shown.
 
     Examples
@@ -125,8 +124,8 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     table = _rows(swarm, wanted * swarm.scale, (a, b, c))
     return ForcesAlong(
         swarm,
-        read_only(wanted),
-        read_only(np.array(given)),
+        wanted,
+        np.array(given),
         table[:, :n],
         table[:, n],
         table[:, n + 1],

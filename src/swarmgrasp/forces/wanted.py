@@ -1,17 +1,16 @@
 """What is asked for: wrenches that are numbers, of sizes that can be computed with."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.errors import RobotInvalid, WrenchInvalid
-from swarmgrasp.ranges import STRONGEST, WEAKEST
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.errors import SwarmInvalid, WrenchInvalid, refuse
+from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, shown
 from swarmgrasp.swarm.columns import MOST_LISTED
-from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.swarm.swarm import swarm_faults
 
 Triple = tuple[float, float, float]
+CALM: Triple = (0.0, 0.0, 0.0)
+"""No wrench [N, N, N m]."""
 UNITS = "[N, N, N m]"
 RANGE = f"its largest number should be 0 or {WEAKEST:g} <= size <= {STRONGEST:g} {UNITS}"
 
@@ -21,23 +20,22 @@ def check_forces(swarm: object, wrench: object, load: object) -> tuple[Triple, T
 
     Raises
     ------
-    WrenchInvalid, RobotInvalid
+    SwarmInvalid, WrenchInvalid
         As `forces` says.
 
     Examples
     --------
-    >>> check_forces(None, (1, 2), (0, 0, math.inf))
+    >>> check_forces(None, (1, 2), (0, 0, float("inf")))
     Traceback (most recent call last):
     ...
-    swarmgrasp.errors.RobotInvalid: NoneType is no Swarm: make one with Swarm(outline, robots)
+    swarmgrasp.errors.SwarmInvalid: None is no Swarm: make one with Swarm(outline, robots)
     the wrench is (1, 2); it should be three finite numbers [N, N, N m]
     the load is (0, 0, inf); it should be three finite numbers [N, N, N m]
     """
-    wanted, given = _triple(wrench), _triple(load)
-    if isinstance(swarm, Swarm) and wanted and given and _is_sized(wanted) and _is_sized(given):
-        return wanted, given
-    faults = _triple_faults("wrench", wrench, wanted) + _triple_faults("load", load, given)
-    raise _fault(swarm, faults)
+    wanted, faults = _triple(wrench, "wrench")
+    given, more = _triple(load, "load")
+    refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
+    return wanted, given
 
 
 def check_forces_along(
@@ -47,55 +45,38 @@ def check_forces_along(
 
     Raises
     ------
-    WrenchInvalid, RobotInvalid
+    SwarmInvalid, WrenchInvalid
         As `forces_along` says.
     """
-    given = _triple(load)
     rows, faults = _rows(wrenches)
-    if isinstance(swarm, Swarm) and not faults and given and _is_sized(given):
-        return rows, given
-    raise _fault(swarm, faults + _triple_faults("load", load, given))
+    given, more = _triple(load, "load")
+    refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
+    return rows, given
 
 
-def _triple(value: object) -> Triple | None:
-    """Return three numbers as floats, None for anything else."""
-    try:
-        array = np.asarray(value)
-    except (TypeError, ValueError):
-        return None
-    if array.shape != (3,) or array.dtype.kind not in "iuf":
-        return None
-    x, y, z = map(float, array.tolist())
-    return (x, y, z) if math.isfinite(x) and math.isfinite(y) and math.isfinite(z) else None
-
-
-def _is_sized(triple: Triple) -> bool:
-    """Tell whether the largest of three numbers is in range, or 0."""
-    largest = max(map(abs, triple))
-    return largest == 0.0 or WEAKEST <= largest <= STRONGEST
-
-
-def _triple_faults(name: str, value: object, triple: Triple | None) -> list[str]:
-    """Return what is wrong with a wrench."""
-    if triple is None:
-        return [f"the {name} is {_shown(value)}; it should be three finite numbers {UNITS}"]
-    return [] if _is_sized(triple) else [f"the {name} is {_shown(value)}; {RANGE}"]
+def _triple(value: object, name: str) -> tuple[Triple, list[str]]:
+    """Return a wrench as three floats, and what is wrong with it."""
+    array = array_of(value)
+    if array is None or array.shape != (3,) or not np.isfinite(array).all():
+        return CALM, [f"the {name} is {shown(value)}; it should be three finite numbers {UNITS}"]
+    x, y, z = array.tolist()
+    largest = max(abs(x), abs(y), abs(z))
+    if largest == 0.0 or WEAKEST <= largest <= STRONGEST:
+        return (x, y, z), []
+    return CALM, [f"the {name} is {shown(value)}; {RANGE}"]
 
 
 def _rows(wrenches: object) -> tuple[NDArray[np.float64], list[str]]:
     """Return wrenches as a new array (m, 3), and what is wrong with them."""
     none = np.zeros((0, 3))
-    try:
-        array = np.asarray(wrenches)
-    except (TypeError, ValueError):
-        return none, ["the wrenches have rows of different lengths; their shape should be (m, 3)"]
-    if array.shape in ((0,), (0, 3)):
+    rows = array_of(wrenches)
+    if rows is None:
+        return none, [f"the wrenches are {shown(wrenches)}; they should be numbers (m, 3) {UNITS}"]
+    if rows.shape in ((0,), (0, 3)):
         return none, []
-    if array.dtype.kind not in "iuf":
-        return none, [f"the wrenches are of type {array.dtype}; they should be real numbers"]
-    if array.ndim != 2 or array.shape[1] != 3:
-        return none, [f"the wrenches have shape {array.shape}; it should be (m, 3) {UNITS}"]
-    rows = np.array(array, dtype=float, order="C")
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        return none, [f"the wrenches have shape {rows.shape}; it should be (m, 3) {UNITS}"]
+    rows = np.ascontiguousarray(rows)
     sizes = np.abs(rows).max(axis=1)
     good = (sizes == 0.0) | ((sizes >= WEAKEST) & (sizes <= STRONGEST))
     wrong = np.flatnonzero(~good)
@@ -105,18 +86,3 @@ def _rows(wrenches: object) -> tuple[NDArray[np.float64], list[str]]:
         faults.append(f"wrench {i} is {rows[i].tolist()}; {remedy}")
     left = len(wrong) - MOST_LISTED
     return rows, faults + ([f"... and {left} more"] if left > 0 else [])
-
-
-def _shown(value: object) -> str:
-    """Return a value as a message shows it."""
-    text = repr(value.tolist() if isinstance(value, np.ndarray) else value)
-    return text if len(text) <= 80 else f"{text[:77]}..."
-
-
-def _fault(swarm: object, faults: list[str]) -> WrenchInvalid | RobotInvalid:
-    """Return the error that tells all faults."""
-    try:
-        check_swarm(swarm)
-    except RobotInvalid as error:
-        return RobotInvalid([*error.faults, *faults])
-    return WrenchInvalid(faults)

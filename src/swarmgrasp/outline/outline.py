@@ -9,7 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid
+from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid, refuse
+from swarmgrasp.frozen import Frozen, read_only
 from swarmgrasp.outline.nearest import Edges, edges_of
 from swarmgrasp.outline.polygon import (
     as_point,
@@ -20,7 +21,17 @@ from swarmgrasp.outline.polygon import (
 )
 from swarmgrasp.outline.precision import written_precision
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import name_faults, numbers
+from swarmgrasp.ranges import (
+    angles,
+    array_of,
+    is_whole,
+    items,
+    kind_faults,
+    length_faults,
+    name_faults,
+    number,
+    shown,
+)
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
@@ -63,6 +74,11 @@ class Stretch(Plain):
     name : str
         A label for messages and pictures.
 
+    Raises
+    ------
+    ZoneInvalid
+        If an end is no length, or the name no text; all faults at once.
+
     Examples
     --------
     >>> Stretch(10.0, 25.0, "pads"), Stretch(4.0, 4.0, "bollard").is_point
@@ -74,10 +90,12 @@ class Stretch(Plain):
     name: str = ""
 
     def __post_init__(self) -> None:
-        """Check the name; whether it lies on an outline is seen where there is one."""
-        faults = name_faults(self.name)
+        """Check the values; whether they lie on an outline is seen where there is one."""
+        faults = length_faults(self.start, "start") + length_faults(self.end, "end")
+        faults += name_faults(self.name)
         if faults:
-            raise ZoneInvalid(faults)
+            raise ZoneInvalid(f"stretch: {fault}" for fault in faults)
+        vars(self).update(start=float(self.start), end=float(self.end), name=str(self.name))
 
     @property
     def is_point(self) -> bool:
@@ -86,7 +104,7 @@ class Stretch(Plain):
 
 
 @dataclass(frozen=True, eq=False)
-class Outline(Plain):
+class Outline(Frozen, Plain):
     """A simple polygon, convex or not, with the point that moments are taken about.
 
     Vertices may be given in either orientation; they are kept counter-clockwise, with
@@ -130,8 +148,6 @@ class Outline(Plain):
     inward_normals: NDArray[np.float64] = field(repr=False)
     """(k,) [rad]: the directions of the edges' inward normals."""
     precision: float
-    _ends: NDArray[np.float64] = field(repr=False)
-    _edges: Edges = field(repr=False)
 
     def __init__(
         self,
@@ -141,18 +157,21 @@ class Outline(Plain):
         precision: float | None = None,
     ) -> None:
         corners = checked_vertices(vertices)
-        names = [""] * len(corners) if edge_names is None else list(edge_names)
-        faults = edge_name_faults(names, len(corners))
+        given = [""] * len(corners) if edge_names is None else items(edge_names)
+        names = list(given or ())
+        faults = [f"the edge names are {shown(edge_names)}; they should be a list of names"]
+        if given is not None:
+            faults = edge_name_faults(names, len(corners))
         if signed_area(corners) < 0.0:  # keep the first vertex first
             corners = np.roll(corners[::-1], 1, axis=0)
             names = names[::-1]
         centre = centroid(corners) if origin is None else as_point(origin)
         if not np.isfinite(centre).all():
-            faults.append(f"the origin is {origin!r}; it should be two finite coordinates [m]")
+            faults.append(f"the origin is {shown(origin)}; it should be two finite coordinates [m]")
         if precision is None:
             precision = written_precision(corners)
-        elif not any(number >= 0.0 for number in numbers((precision,))):
-            faults.append(f"the precision is {precision!r}; it should be finite and >= 0 [m]")
+        else:
+            faults += length_faults(precision, "precision")
         if faults:
             raise OutlineInvalid(faults)
         ends = np.roll(corners, -1, axis=0)
@@ -163,14 +182,21 @@ class Outline(Plain):
             "lengths": lengths,
             "corner_arc_lengths": np.concatenate([[0.0], np.cumsum(lengths)]),
             "inward_normals": np.arctan2(ends[:, 0] - corners[:, 0], corners[:, 1] - ends[:, 1]),
-            "_ends": ends,
         }
-        for array in arrays.values():
-            array.setflags(write=False)
-        vars(self).update(arrays, edge_names=tuple(names), _edges=edges_of(corners))
-        vars(self)["precision"] = float(precision)
+        vars(self).update(arrays, edge_names=tuple(map(str, names)), precision=float(precision))
+        self._freeze()
 
     # -- measures ---------------------------------------------------------------------
+
+    @cached_property
+    def _ends(self) -> NDArray[np.float64]:
+        """(k, 2) [m, m]: where the edges end."""
+        return read_only(np.roll(self.vertices, -1, axis=0))
+
+    @cached_property
+    def _edges(self) -> Edges:
+        """The edges as columns."""
+        return edges_of(self.vertices)
 
     def __len__(self) -> int:
         """Return the number of edges."""
@@ -213,17 +239,25 @@ class Outline(Plain):
         errors.setflags(write=False)
         return errors
 
-    def edge_label(self, edge: int) -> str:
+    def edge_label(self, edge: int | str) -> str:
         """Return the name of an edge, or "edge i" for a nameless one."""
-        return self.edge_names[edge] or f"edge {edge}"
+        index = self.edge_index(edge)
+        return self.edge_names[index] or f"edge {index}"
 
-    def edge_ends(self, edge: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def edge_ends(self, edge: int | str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return the two ends of an edge, counter-clockwise, each (2,) [m, m]."""
-        return self.vertices[edge], self._ends[edge]
+        index = self.edge_index(edge)
+        return self.vertices[index], self._ends[index]
 
-    def inward_normal(self, edge: int) -> float:
-        """Return the direction [rad] of an edge's inward normal."""
-        return float(self.inward_normals[edge])
+    def inward_normal(self, edge: int | str) -> float:
+        """Return the direction [rad] of the inward normal of an edge, given by name or index.
+
+        Raises
+        ------
+        ContactInvalid
+            If there is no such edge.
+        """
+        return float(self.inward_normals[self.edge_index(edge)])
 
     # -- contacts ---------------------------------------------------------------------
 
@@ -246,7 +280,7 @@ class Outline(Plain):
         >>> [values.tolist() for values in square.nearest([(1, -3), (2.5, 1)])]
         [[3.0, 0.5], [1.0, 3.0]]
         """
-        wanted = np.asarray(points, dtype=float).reshape(-1, 2)
+        wanted = _points(points)
         distances, edges, alongs = self._edges.nearest(wanted)
         return distances, self.corner_arc_lengths[edges] + alongs
 
@@ -263,9 +297,9 @@ class Outline(Plain):
         ContactInvalid
             If the arc length is outside [0, perimeter].
         """
-        if not 0.0 <= arc_length <= self.perimeter:
+        if not 0.0 <= number(arc_length) <= self.perimeter:
             raise ContactInvalid(
-                f"arc length {arc_length:.9g} m is outside the boundary: "
+                f"arc length {shown(arc_length)} m is outside the boundary: "
                 f"it should lie in [0, {self.perimeter:.9g}] m"
             )
         reach, wanted = self._reach, float(arc_length)
@@ -320,7 +354,9 @@ class Outline(Plain):
         """
         wanted = as_point(point)
         if not np.isfinite(wanted).all():
-            raise ContactInvalid(f"the point is {point!r}; it should be two finite numbers [m]")
+            raise ContactInvalid(
+                f"the point is {shown(point)}; it should be two finite numbers [m]"
+            )
         (distance,), (arc_length,) = self.nearest(wanted)
         contact = self.at_arc_length(float(arc_length))
         if not distance <= self.tolerance:
@@ -347,7 +383,7 @@ class Outline(Plain):
         Raises
         ------
         ContactInvalid
-            If the ray meets the boundary more than once, or nowhere.
+            If the angle is none, or the ray meets the boundary more than once, or nowhere.
         """
         contacts = self.ray_contacts(theta)
         if len(contacts) == 1:
@@ -360,7 +396,17 @@ class Outline(Plain):
         )
 
     def ray_contacts(self, theta: float) -> tuple[Contact, ...]:
-        """Return every contact on the ray from the origin at a polar angle [rad]."""
+        """Return every contact on the ray from the origin at a polar angle [rad].
+
+        Raises
+        ------
+        ContactInvalid
+            If the angle is none.
+        """
+        if not angles((theta,)):
+            raise ContactInvalid(
+                f"theta is {shown(theta)}; it should be -1e6 <= theta <= 1e6 [rad]"
+            )
         ray_x, ray_y = math.cos(theta), math.sin(theta)
         p, q = self.vertices - self.origin, self._ends - self.origin
         side_p, side_q = (ray_x * v[:, 1] - ray_y * v[:, 0] for v in (p, q))
@@ -389,10 +435,10 @@ class Outline(Plain):
             if edge and edge in self.edge_names:
                 return self.edge_names.index(edge)
             known = ", ".join(repr(n) for n in self.edge_names if n) or "none is named"
-            raise ContactInvalid(f"there is no edge named {edge!r}; the named edges: {known}")
-        if 0 <= edge < len(self):
+            raise ContactInvalid(f"there is no edge named {shown(edge)}; the named edges: {known}")
+        if is_whole(edge) and 0 <= edge < len(self):
             return int(edge)
-        raise ContactInvalid(f"there is no edge {edge}; edges run from 0 to {len(self) - 1}")
+        raise ContactInvalid(f"there is no edge {shown(edge)}; edges run from 0 to {len(self) - 1}")
 
     def on_edge(self, edge: int | str, along: float) -> Contact:
         """Return the contact at a distance along an edge, with that edge's normal.
@@ -416,10 +462,10 @@ class Outline(Plain):
         """
         index = self.edge_index(edge)
         length = float(self.lengths[index])
-        if not -self.tolerance <= along <= length + self.tolerance:
+        if not -self.tolerance <= number(along) <= length + self.tolerance:
             raise ContactInvalid(
-                f"{along!r} m along {self.edge_label(index)} is beyond its ends: it should lie "
-                f"in [0, {length:.9g}] m"
+                f"{shown(along)} m along {self.edge_label(index)} is beyond its ends: it should "
+                f"lie in [0, {length:.9g}] m"
             )
         return self._contact(index, min(max(along, 0.0), length))
 
@@ -452,14 +498,15 @@ class Outline(Plain):
         index = self.edge_index(edge)
         length = float(self.lengths[index])
         stop = length if end is None else end
-        if not (0.0 <= start <= stop <= length + self.tolerance):
+        if not 0.0 <= number(start) <= number(stop) <= length + self.tolerance:
             raise ZoneInvalid(
-                f"{start:.9g} to {stop:.9g} m does not lie on {self.edge_label(index)}: it should "
-                f"be 0 <= from <= to <= {length:.9g} m"
+                f"{shown(start)} to {shown(stop)} m does not lie on {self.edge_label(index)}: it "
+                f"should be 0 <= from <= to <= {length:.9g} m"
             )
+        is_empty = isinstance(name, str) and not name
         base = float(self.corner_arc_lengths[index])
         first, last = base + min(start, length), base + min(stop, length)
-        return Stretch(first, last, name or self.edge_label(index))
+        return Stretch(first, last, self.edge_label(index) if is_empty else name)
 
     def contains(self, point: ArrayLike) -> bool:
         """Tell whether a point is inside the outline or on its boundary.
@@ -470,10 +517,27 @@ class Outline(Plain):
         >>> square.contains((1, 1)), square.contains((2, 1)), square.contains((3, 1))
         (True, True, False)
         """
-        return bool(self.contains_each(np.reshape(point, (1, 2)))[0])
+        return bool(self.contains_each(as_point(point))[0])
 
     def contains_each(self, points: ArrayLike) -> NDArray[np.bool_]:
         """Do the same for many points, (n, 2) [m, m]; return (n,) bool."""
-        wanted = np.asarray(points, dtype=float).reshape(-1, 2)
+        wanted = _points(points)
         on_boundary = self.nearest(wanted)[0] <= self.tolerance
         return on_boundary | self._edges.enclose(wanted)
+
+
+def check_outline(outline: object) -> None:
+    """Raise `OutlineInvalid` unless something is an outline."""
+    refuse((OutlineInvalid, kind_faults(outline, Outline, "Outline(vertices)")))
+
+
+def _points(points: ArrayLike) -> NDArray[np.float64]:
+    """Return points as an array (n, 2) [m, m]."""
+    wanted = array_of(points)
+    if wanted is not None and (wanted.size == 0 or wanted.shape == (2,)):
+        wanted = wanted.reshape(-1, 2)
+    if wanted is None or wanted.ndim != 2 or wanted.shape[1] != 2 or np.isnan(wanted).any():
+        raise ContactInvalid(
+            f"the points are {shown(points)}; they should be numbers (n, 2) [m, m]"
+        )
+    return wanted

@@ -6,23 +6,26 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import OutlineInvalid
-from swarmgrasp.ranges import name_faults
+from swarmgrasp.ranges import STRONGEST, array_of, name_faults, shown
 
 
 def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
     """Return the vertices as a fresh (k, 2) array, or raise `OutlineInvalid`."""
-    try:
-        corners: NDArray[np.float64] = np.array(vertices, dtype=float)
-    except (TypeError, ValueError):
-        raise OutlineInvalid("the vertices should be a list of [x, y] pairs of numbers") from None
+    found = array_of(vertices)
+    if found is None:
+        raise OutlineInvalid(
+            f"the vertices are {shown(vertices)}; they should be a list of [x, y] pairs of numbers"
+        )
+    corners: NDArray[np.float64] = found
     if corners.ndim != 2 or corners.shape[1] != 2:
         raise OutlineInvalid(
             f"the vertices have shape {corners.shape}; they should be (k, 2), k at least 3"
         )
-    if not np.isfinite(corners).all():
-        bad = np.flatnonzero(~np.isfinite(corners).all(axis=1))
+    bad = np.flatnonzero(~(np.abs(corners) <= STRONGEST).all(axis=1))
+    if len(bad):
         raise OutlineInvalid(
-            f"vertex {i} is ({corners[i, 0]}, {corners[i, 1]}); coordinates should be finite"
+            f"vertex {i} is ({corners[i, 0]}, {corners[i, 1]}); coordinates should be finite, of "
+            f"size <= {STRONGEST:g} [m]"
             for i in bad
         )
     extent = float(np.linalg.norm(np.ptp(corners, axis=0))) if len(corners) else 0.0
@@ -56,7 +59,7 @@ def edge_name_faults(names: list[str], count: int) -> list[str]:
     faults += [f"edge {i}: {fault}" for i, name in enumerate(names) for fault in name_faults(name)]
     uses = Counter(name for name in names if isinstance(name, str) and name)
     return faults + [
-        f"the edge name {name!r} is used {uses[name]} times"
+        f"the edge name {shown(name)} is used {uses[name]} times"
         for name in sorted(uses)
         if uses[name] > 1
     ]
@@ -80,8 +83,5 @@ def centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def as_point(value: ArrayLike) -> NDArray[np.float64]:
     """Return a point as a fresh array (2,); nan where it is none."""
-    try:
-        point = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        point = np.empty(0)
-    return point if point.shape == (2,) else np.full(2, np.nan)
+    point = array_of(value)
+    return point if point is not None and point.shape == (2,) else np.full(2, np.nan)

@@ -9,6 +9,7 @@ from typing import Any, Self
 
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
@@ -56,7 +57,7 @@ class RunnerUp(Plain):
 
 
 @dataclass(frozen=True, eq=False)
-class Placement(Answer):
+class Placement(Frozen, Answer):
     """Where the newcomer goes.
 
     Attributes

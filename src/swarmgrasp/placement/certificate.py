@@ -5,11 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Plain
 
 
 @dataclass(frozen=True, eq=False)
-class Proof(Plain):
+class Proof(Frozen, Plain):
     """A convex combination of directions that bounds some pieces.
 
     For unit normals n_k and weights l_k that sum to 1, no robot on a piece K makes the

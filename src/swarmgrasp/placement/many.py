@@ -6,14 +6,18 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.errors import ProblemInvalid, refuse
 from swarmgrasp.placement.optimum import search_for
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.quality.criterion import Criterion, Terms
-from swarmgrasp.ranges import is_whole
+from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
-from swarmgrasp.swarm.columns import NAMELESS, check_contacts, checked_columns
+from swarmgrasp.swarm.columns import check_contacts, checked_columns
+from swarmgrasp.swarm.names import numbered
 from swarmgrasp.swarm.swarm import check_swarm
+
+MOST_CELLS = 10_000
+"""Columns of cells, and rows."""
 
 
 def qualities_with(
@@ -41,8 +45,10 @@ def qualities_with(
 
     Raises
     ------
+    SwarmInvalid
+        If it is no `Swarm`.
     RobotInvalid, RobotOffBoundary
-        As for `Swarm.from_arrays`, and if the swarm is none.
+        As for `Swarm.from_arrays`.
     CriterionInvalid
         If a term is outside its range.
 
@@ -59,7 +65,7 @@ def qualities_with(
     check_swarm(swarm)
     criterion = Criterion(**terms)
     columns = checked_columns(contacts, directions, limits, False)
-    check_contacts(swarm.outline, columns, NAMELESS)
+    check_contacts(swarm.outline, columns, numbered(len(columns.limits)))
     if not len(columns.limits):
         return np.zeros(0)
     limit = float(columns.limits.max())
@@ -79,7 +85,7 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     problem : Problem
     resolution : tuple of int
         Columns (arc lengths within [0, perimeter]) and rows (directions within
-        [-pi, pi]), at least 1 of each.
+        [-pi, pi]), from 1 to 10000 of each.
 
     Returns
     -------
@@ -88,16 +94,23 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
 
     Raises
     ------
-    SwarmGraspError
+    ProblemInvalid
         If `problem` is no `Problem`, or the resolution not two such numbers.
     NowhereToAttach
         If no allowed point is left.
     """
-    _check_question(problem, resolution)
+    sides = items(resolution) or ()
+    faults = problem_faults(problem)
+    if len(sides) != 2 or not all(is_whole(n) and 1 <= n <= MOST_CELLS for n in sides):
+        faults.append(
+            f"the resolution is {shown(resolution)}; it should be two whole numbers, columns and "
+            f"rows, from 1 to {MOST_CELLS}"
+        )
+    refuse((ProblemInvalid, faults))
     outline = problem.swarm.outline
-    columns = np.linspace(0.0, outline.perimeter, resolution[0] + 1)
-    rows = np.linspace(-math.pi, math.pi, resolution[1] + 1)
-    grid = np.full(resolution, np.nan)
+    columns = np.linspace(0.0, outline.perimeter, sides[0] + 1)
+    rows = np.linspace(-math.pi, math.pi, sides[1] + 1)
+    grid = np.full(sides, np.nan)
     pieces = problem.pieces()
     search = search_for(problem, pieces.rows)
     for piece in pieces.each:
@@ -114,22 +127,6 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
         cells = np.ix_(where, which)
         grid[cells] = np.fmax(grid[cells], search.qualities_with(robots))
     return grid
-
-
-def _check_question(problem: object, resolution: object) -> None:
-    """Raise unless it is a problem, and there are columns and rows."""
-    faults = []
-    if not isinstance(problem, Problem):
-        kind = type(problem).__name__
-        faults.append(f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
-    sides = resolution if isinstance(resolution, tuple | list) else ()
-    if len(sides) != 2 or not all(is_whole(n) and n >= 1 for n in sides):
-        faults.append(
-            f"the resolution is {resolution!r}; it should be two whole numbers, columns and rows, "
-            "at least 1 of each"
-        )
-    if faults:
-        raise SwarmGraspError(faults)
 
 
 def _samples(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.problem import Problem
@@ -40,7 +41,7 @@ class Best(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Optimum:
+class Optimum(Frozen):
     """The best robot over some pieces, and what bounds them.
 
     Attributes

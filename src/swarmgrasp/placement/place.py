@@ -1,23 +1,21 @@
 """The globally best place for one newcomer, or for several one after the other (T8, T9)."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from typing import TypeGuard, Unpack
+from typing import Any, Unpack, overload
 
-import numpy as np
-
-from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.optimum import Best, Optimum, search_for
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim
-from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.ranges import count_faults, is_whole
+from swarmgrasp.ranges import call_faults, count_faults, gap_faults, items, number, shown
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.swarm.rounding import largest_error
 
@@ -25,13 +23,39 @@ EQUAL = 1e-5
 """Relative difference up to which the robot that breaks ties is preferred to a runner-up."""
 ROUGH = 1e-3
 """Relative gap to which the other places of a newcomer are found that cannot hit its place."""
+BESIDE = (
+    "a Problem has a newcomer, zones, no-go stretches, a spacing and a criterion of its own: give "
+    "none beside it, or make another with dataclasses.replace"
+)
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 
 
+@overload
+def place(
+    problem: Problem, /, *, gap: float = 1e-6, runners_up: float | None = None
+) -> Placement: ...
+
+
+@overload
 def place(
     swarm: Swarm,
+    /,
     newcomer: Newcomer,
+    zones: Iterable[Zone] | None = None,
+    *,
+    no_go: Iterable[Stretch] = (),
+    spacing: float = 0.0,
+    gap: float = 1e-6,
+    runners_up: float | None = None,
+    **terms: Unpack[Terms],
+) -> Placement: ...
+
+
+def place(
+    problem: Problem | Swarm,
+    /,
+    newcomer: Newcomer | None = None,
     zones: Iterable[Zone] | None = None,
     *,
     no_go: Iterable[Stretch] = (),
@@ -46,8 +70,10 @@ def place(
 
     Parameters
     ----------
-    swarm : Swarm
+    problem : Problem or Swarm
+        The question; or a swarm, followed by what a `Problem` asks of it.
     newcomer : Newcomer
+        With a swarm, as are the next ones.
     zones : iterable of Zone, optional
         Where it may attach; the whole boundary when left out.
     no_go : iterable of Stretch
@@ -70,12 +96,14 @@ def place(
 
     Raises
     ------
-    ZoneInvalid, NowhereToAttach
-        If a zone leaves the boundary, or no allowed point is left.
+    SwarmInvalid, RobotInvalid, ZoneInvalid
+        As for `Problem`.
     CriterionInvalid
         If a term is outside its range.
-    SwarmGraspError
-        If `gap` or `runners_up` is outside its range.
+    ProblemInvalid
+        If `gap` or `runners_up` is outside its range, or parts of a problem are given beside one.
+    NowhereToAttach
+        If no allowed point is left.
 
     Examples
     --------
@@ -90,12 +118,22 @@ def place(
     >>> bool(answer.verify())
     True
     """
-    places = None if zones is None else tuple(zones)
-    problem = Problem(swarm, newcomer, places, tuple(no_go), spacing, Criterion(**terms))
     faults = _fraction_faults(gap, runners_up)
-    if faults:
-        raise SwarmGraspError(faults)
-    return _placing(problem, gap).placement(runners_up)
+    if isinstance(problem, Problem):
+        parts = (
+            newcomer is not None,
+            zones is not None,
+            items(no_go) != (),
+            number(spacing) != 0.0,
+        )
+        if any(parts) or terms:
+            faults.append(BESIDE)
+        refuse((ProblemInvalid, faults))
+        asked = problem
+    else:
+        asked = _posed((problem, newcomer, zones, no_go, spacing), terms, faults)
+    (answer,) = place_sequence(asked, 1, gap=gap, runners_up=runners_up)
+    return answer
 
 
 def place_sequence(
@@ -130,7 +168,7 @@ def place_sequence(
     ------
     NowhereToAttach
         If spacing leaves no point to one of them; the message says how many fit.
-    SwarmGraspError
+    ProblemInvalid
         If `problem` is no `Problem`, or `count`, `gap` or `runners_up` outside its range; all
         faults at once.
 
@@ -148,16 +186,12 @@ def place_sequence(
     >>> fifth.improves, sixth.improves
     (False, True)
     """
-    faults = _fraction_faults(gap, runners_up)
-    faults[:0] = count_faults(count)
-    if not isinstance(problem, Problem):
-        kind = type(problem).__name__
-        faults.insert(0, f"{kind} is no Problem: make one with Problem(swarm, newcomer)")
-    if faults:
-        raise SwarmGraspError(faults)
+    faults = problem_faults(problem) + count_faults(count) + _fraction_faults(gap, runners_up)
+    refuse((ProblemInvalid, faults + call_faults(progress)))
+    names = problem.swarm.names.fresh(problem.newcomer.name or "newcomer", int(count))
     placing = _placing(problem, gap)
     answers: list[Placement] = []
-    for index in range(1, count + 1):
+    for index, name in enumerate(names, start=1):
         try:
             if answers:
                 placing.join(answers[-1])
@@ -165,7 +199,7 @@ def place_sequence(
             raise NowhereToAttach(
                 f"only {index - 1} of {count} robots find a place: {fault}"
             ) from None
-        answers.append(placing.placement(runners_up, index if count > 1 else None))
+        answers.append(placing.placement(runners_up, name))
         if progress is not None:
             progress(index)
     return Placements(answers)
@@ -181,14 +215,12 @@ class _Placing:
         # half of the gap is the search's, the other half the tie-break's
         self.half = math.sqrt(1.0 + self.gap) - 1.0
 
-    def placement(self, fraction: float | None, index: int | None = None) -> Placement:
-        """Answer the problem."""
+    def placement(self, fraction: float | None, name: str) -> Placement:
+        """Answer the problem, with a name for the robot."""
         search, before = self.search, self.search.base
         if search.aim is not None:
             before, _ = search.aim.weakest()
         found = search.solve(self.half)
-        name = self.problem.newcomer.name or "newcomer"
-        name = name if index is None else f"{name} {index}"
         winner, after, upper_bound = self.winner(found, name)
         runners = []
         if fraction is not None:
@@ -327,16 +359,27 @@ def _placing(problem: Problem, gap: float) -> _Placing:
     return (_Aiming if problem.is_tolerant else _Placing)(problem, gap)
 
 
+def _posed(parts: tuple[Any, ...], terms: Terms, faults: list[str]) -> Problem:
+    """Return the problem that parts and terms make; tell all that is wrong, beside other faults."""
+    kinds: list[tuple[type[SwarmGraspError], Sequence[str]]] = [(ProblemInvalid, faults)]
+    criterion = NOMINAL
+    try:
+        criterion = Criterion(**terms)
+    except SwarmGraspError as error:
+        kinds.insert(0, (type(error), error.faults))
+    try:
+        swarm, newcomer, zones, no_go, spacing = parts
+        problem = Problem(swarm, newcomer, zones, no_go, spacing, criterion)
+    except SwarmGraspError as error:
+        refuse((type(error), error.faults), *kinds)
+        raise
+    refuse(*kinds)
+    return problem
+
+
 def _fraction_faults(gap: object, runners_up: object) -> list[str]:
     """Return what is wrong with them."""
-    faults = []
-    if not (_is_real(gap) and 0.0 < gap < 1.0):
-        faults.append(f"the gap is {gap!r}; it should be 0 < gap < 1")
-    if runners_up is not None and not (_is_real(runners_up) and 0.0 <= runners_up <= 1.0):
-        faults.append(f"runners_up is {runners_up!r}; it should be a fraction in [0, 1]")
+    faults = gap_faults(gap)
+    if runners_up is not None and not 0.0 <= number(runners_up) <= 1.0:
+        faults.append(f"runners_up is {shown(runners_up)}; it should be a fraction in [0, 1]")
     return faults
-
-
-def _is_real(value: object) -> TypeGuard[float]:
-    """Tell whether a value is a number."""
-    return isinstance(value, float | np.floating) or is_whole(value)

@@ -1,18 +1,26 @@
 """The question of a placement: swarm, newcomer, and where it may attach."""
 
-import math
 from dataclasses import dataclass, replace
 
-from swarmgrasp.errors import ZoneInvalid
+from swarmgrasp.errors import (
+    CriterionInvalid,
+    RobotInvalid,
+    SwarmInvalid,
+    ZoneInvalid,
+    refuse,
+)
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
+from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
+from swarmgrasp.swarm.swarm import swarm_faults
 
 
 @dataclass(frozen=True, eq=False)
-class Problem(Plain):
+class Problem(Frozen, Plain):
     """One newcomer looking for a place.
 
     Attributes
@@ -31,9 +39,11 @@ class Problem(Plain):
 
     Raises
     ------
+    SwarmInvalid, RobotInvalid, CriterionInvalid
+        If swarm, newcomer or criterion is none.
     ZoneInvalid
-        If a stretch leaves the boundary, a no-go stretch is a single point, or the spacing
-        is not a finite length >= 0; all faults at once.
+        If zones or stretches are none, a stretch leaves the boundary, a no-go stretch is a
+        single point, or the spacing is not a finite length >= 0; all faults at once.
 
     Examples
     --------
@@ -53,18 +63,33 @@ class Problem(Plain):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        wanted = (
-            (self.swarm, Swarm), (self.newcomer, Newcomer), (self.criterion, Criterion),
-        )  # fmt: skip
-        for value, kind in wanted:
-            if not isinstance(value, kind):
-                raise ZoneInvalid(f"{value!r} is no {kind.__name__}")
-        strangers: list[object] = [zone for zone in self.zones or () if not isinstance(zone, Zone)]
-        strangers += [stretch for stretch in self.no_go if not isinstance(stretch, Stretch)]
-        if strangers:
-            raise ZoneInvalid(
-                f"{value!r} is neither a Zone nor a no-go Stretch" for value in strangers
-            )
+        zones, no_go = items(self.zones), items(self.no_go)
+        faults = length_faults(self.spacing, "spacing")
+        if self.zones is not None:
+            if zones is None:
+                faults.append(f"the zones are {shown(self.zones)}; they should be a list of Zones")
+            elif not zones:
+                faults.append("the zones are empty; give None for the whole boundary")
+            faults += [f for zone in zones or () for f in kind_faults(zone, Zone, "Zone(stretch)")]
+        if no_go is None:
+            faults.append(f"no_go is {shown(self.no_go)}; it should be a list of Stretches")
+        faults += [f for s in no_go or () for f in kind_faults(s, Stretch, "Stretch(start, end)")]
+        refuse(
+            (SwarmInvalid, swarm_faults(self.swarm)),
+            (RobotInvalid, kind_faults(self.newcomer, Newcomer, "Newcomer(limit)")),
+            (CriterionInvalid, kind_faults(self.criterion, Criterion, "Criterion(...)")),
+            (ZoneInvalid, faults),
+        )
+        vars(self).update(zones=zones, no_go=no_go, spacing=float(self.spacing))
+        faults = self._stretch_faults()
+        tolerance = self.newcomer.tolerance
+        if self.criterion.worst_case and tolerance is not None and tolerance.may_be_absent:
+            faults.append("a newcomer that may be absent is worth nothing in the worst case")
+        if faults:
+            raise ZoneInvalid(faults)
+
+    def _stretch_faults(self) -> list[str]:
+        """Return what is wrong with the zones and the no-go stretches on this outline."""
         perimeter = self.swarm.outline.perimeter
         reach = perimeter + self.swarm.outline.tolerance
         named = [("zone", zone.stretch) for zone in self.zones or ()]
@@ -73,23 +98,14 @@ class Problem(Plain):
             f"{kind} {s.name!r} runs from {s.start:.9g} to {s.end:.9g} m; both ends should lie "
             f"in [0, {perimeter:.9g}] m"
             for kind, s in named
-            if not (0.0 <= s.start <= reach and 0.0 <= s.end <= reach)
+            if max(s.start, s.end) > reach
         ]
-        faults += [
+        return faults + [
             f"no-go stretch {s.name!r} is the single point {s.start:.9g} m, which forbids nothing; "
             "give it a width"
             for s in self.no_go
             if s.is_point
         ]
-        if self.zones is not None and not self.zones:
-            faults.append("the zones are empty; give None for the whole boundary")
-        if not (math.isfinite(self.spacing) and self.spacing >= 0.0):
-            faults.append(f"the spacing is {self.spacing!r}; it should be 0 <= spacing < inf [m]")
-        tolerance = self.newcomer.tolerance
-        if self.criterion.worst_case and tolerance is not None and tolerance.may_be_absent:
-            faults.append("a newcomer that may be absent is worth nothing in the worst case")
-        if faults:
-            raise ZoneInvalid(faults)
 
     @property
     def zone_labels(self) -> tuple[str, ...]:
@@ -125,3 +141,8 @@ class Problem(Plain):
         """Whether the newcomer's own pose is uncertain by the criterion."""
         tolerance = self.newcomer.tolerance
         return self.criterion.worst_case and tolerance is not None and tolerance.is_spread
+
+
+def problem_faults(problem: object) -> list[str]:
+    """Return what is wrong with something that should be a problem."""
+    return kind_faults(problem, Problem, "Problem(swarm, newcomer)")

@@ -105,7 +105,7 @@ def explain_placement(answer: "Placement") -> str:
     said = [_before(answer), *_gain(answer)]
     if answer.improves:
         said += limit_sentences(after, answer.swarm_after, now=" now")
-        said += loss_sentences(after, answer.swarm_after)
+        said += loss_sentences(after)
     return "\n".join([*said, _runner_up(answer), _bound(answer)])
 
 
@@ -136,7 +136,7 @@ def _before(answer: "Placement") -> str:
     if answer.quality_before == 0.0:
         return f"{without} 0: at {way} the swarm exerts nothing."
     setters = _quality_of(swarm, answer.before, answer).facet_robots
-    by = f", set by {crew_words(setters, swarm)}" if len(setters) > 1 else ""
+    by = f", set by {crew_words(setters)}" if len(setters) > 1 else ""
     value = _value(answer.quality_before, answer)
     return f"{without} {value}: the swarm is weakest at {way}{by}."
 

@@ -194,7 +194,7 @@ def _draw_hull(page: Page, found: Capability, top: float) -> None:
     arrows = Arrows(outline, swarm.robots)
     ends = [(*placed(np.array(arrows.ends(robot))),) for robot in swarm.robots]
     lost = set(found.lost_names(found.worst_after_loss))
-    missing = [not lost.isdisjoint(found.names_of([i])) for i in range(len(ends))]
+    missing = [found.whole(name) in lost for name in swarm.names]
     for gone, colour, gid in ((False, style.INK, "robot"), (True, style.VERMILION, "lost")):
         chosen = [end for end, is_lost in zip(ends, missing, strict=True) if is_lost == gone]
         many = len(ends) > MOST_AVOIDED

@@ -146,7 +146,7 @@ def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
     done = set()
     for index in np.argsort(-found.shares, kind="stable").tolist():
         robot, share = robots[index], float(found.shares[index])
-        name = robot.name or str(index)
+        name = robot.name
         stem = name.removesuffix(" +").removesuffix(" -")
         if all((f"{stem} {sign}", robot.contact) in names for sign in "+-"):
             name = stem

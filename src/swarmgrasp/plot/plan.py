@@ -259,7 +259,7 @@ def _label_newcomers(page: Page, arrows: Arrows, placements: Sequence[Placement]
     """Say what every newcomer brings."""
     for placement in placements:
         robot = placement.robot
-        name = f"{robot.name}, " if robot.name else "+"
+        name = f"{robot.name}, "
         criterion = placement.problem.criterion
         gain = style.gain(placement.quality_before, placement.quality, criterion)
         text = f"{name}{style.force(robot.limit)}\n{gain}"
@@ -282,7 +282,7 @@ def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement
 
 
 def label_robots(page: Page, arrows: Arrows) -> None:
-    """Write the name of every robot, or its number, unless there are too many.
+    """Write the name of every robot, unless there are too many.
 
     The two halves of a thruster that pushes either way, "bow +" and "bow -" at one
     contact, share a label.
@@ -290,9 +290,9 @@ def label_robots(page: Page, arrows: Arrows) -> None:
     if len(arrows.robots) > MOST_LABELS:
         return
     done = set()
-    strongest_first = sorted(enumerate(arrows.robots), key=lambda pair: -pair[1].limit)
-    for index, robot in strongest_first:
-        name = robot.name or str(index)
+    strongest_first = sorted(arrows.robots, key=lambda robot: -robot.limit)
+    for robot in strongest_first:
+        name = robot.name
         stem = name.removesuffix(" +").removesuffix(" -")
         halves = [r for r in arrows.robots if r.contact == robot.contact]
         both = len(halves) == 2 and all(r.name in (f"{stem} +", f"{stem} -") for r in halves)

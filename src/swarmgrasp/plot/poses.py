@@ -96,7 +96,7 @@ def worst_case(swarm: Swarm, found: Quality | None, placements: Sequence[Placeme
         found = quality(swarm, **criterion.terms) if asked else None
     if found is None or not (found.criterion.losing or found.criterion.worst_case):
         return WorstCase()
-    lost = frozenset(found.lost)
+    lost = frozenset(map(swarm.index, found.lost))
     if not found.criterion.worst_case:
         return WorstCase(lost=lost)
     tolerances = swarm.tolerances

@@ -141,7 +141,7 @@ class Aim:
             found[i] = None
             if spread is not None:
                 contact, direction = spread.worst(self.swarm.outline.origin, covector)
-                label = self.swarm.robot_label(i)
+                label = self.swarm.names[i]
                 mounted = bool(self.swarm.mounted[i])
                 found[i] = Robot(contact, direction, spread.limit, label, mounted)
         return found
@@ -156,7 +156,7 @@ class Aim:
         poses, gone = self.worst_poses(normal), set(self.lost_at(normal))
         gone |= {i for i, robot in poses.items() if robot is None}
         if not poses:
-            return self.swarm.without(gone)
+            return self.swarm.without_rows(gone)
         robots = [
             poses.get(i) or robot for i, robot in enumerate(self.swarm.robots) if i not in gone
         ]

@@ -10,7 +10,7 @@ from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
 from swarmgrasp.quality.words import wrench_words
-from swarmgrasp.ranges import STRONGEST, numbers
+from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, numbers, shown
 from swarmgrasp.swarm import Swarm
 
 MOST_LOST = 10**9
@@ -66,26 +66,25 @@ class Criterion(Plain):
     def __post_init__(self) -> None:
         """Check the values."""
         faults = []
-        is_whole = isinstance(self.losing, int | np.integer) and not isinstance(self.losing, bool)
-        if not is_whole or not 0 <= self.losing <= MOST_LOST:
+        if not is_whole(self.losing) or not 0 <= self.losing <= MOST_LOST:
             faults.append(
-                f"the number of robots to lose is {self.losing!r}; it should be a whole number, "
-                f"0 <= number <= {MOST_LOST}"
+                f"the number of robots to lose is {shown(self.losing)}; it should be a "
+                f"whole number, 0 <= number <= {MOST_LOST}"
             )
-        if not isinstance(self.worst_case, bool):
-            faults.append(f"worst_case is {self.worst_case!r}; it should be True or False")
+        faults += flag_faults(self.worst_case, "worst_case")
         load = numbers(self.load)
         if len(load) != 3 or max(map(abs, load)) > STRONGEST:
             faults.append(
-                f"the load is {self.load!r}; it should be three numbers of size <= {STRONGEST:g} "
-                "[N, N, N m]"
+                f"the load is {shown(self.load)}; it should be three numbers of size <= "
+                f"{STRONGEST:g} [N, N, N m]"
             )
         if self.task is not None and not isinstance(self.task, get_args(Task)):
-            faults.append(f"the task is {self.task!r}; it should be a Polytope or an Ellipsoid")
+            faults.append(
+                f"the task is {shown(self.task)}; it should be a Polytope or an Ellipsoid"
+            )
         if faults:
             raise CriterionInvalid(faults)
-        object.__setattr__(self, "losing", int(self.losing))
-        object.__setattr__(self, "load", load)
+        vars(self).update(losing=int(self.losing), worst_case=bool(self.worst_case), load=load)
 
     @property
     def terms(self) -> Terms:

@@ -51,7 +51,7 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
             _headline(found),
             *limit_sentences(found, swarm),
             *_work_sentences(found, swarm),
-            *loss_sentences(found, swarm),
+            *loss_sentences(found),
             *_opposite_sentences(found, swarm),
             *_bound_sentences(found),
         ]
@@ -75,11 +75,9 @@ def value_words(value: float, criterion: "Criterion") -> str:
     return f"{digits(value, value)} times the task"
 
 
-def crew_words(indices: Sequence[int], swarm: "Swarm") -> str:
+def crew_words(names: Sequence[str]) -> str:
     """Name robots, or count them if they are many."""
-    if len(indices) > MOST_NAMED:
-        return f"{len(indices)} robots"
-    return list_words([swarm.robot_label(i) for i in indices])
+    return f"{len(names)} robots" if len(names) > MOST_NAMED else list_words(names)
 
 
 def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str]:
@@ -105,16 +103,16 @@ def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str
             f"{force_words(y, size)} along y and {force_words(turn, size * length, ' m')} of "
             "torque at once."
         ]
-    setters = [i for i in found.facet_robots if i not in found.lost]
+    lost = set(found.lost)
+    setters = [name for name in found.facet_robots if name not in lost]
     if len(setters) > 1:
-        said.append(f"{crew_words(setters, swarm)} set this limit: they span the weakest facet.")
+        said.append(f"{crew_words(setters)} set this limit: they span the weakest facet.")
     return said
 
 
-def loss_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
+def loss_sentences(found: "Quality") -> list[str]:
     """Say whose loss is worst."""
-    lost = found.lost
-    return [f"The worst loss is that of {crew_words(lost, swarm)}."] if lost else []
+    return [f"The worst loss is that of {crew_words(found.lost)}."] if found.lost else []
 
 
 def _headline(found: "Quality") -> str:
@@ -146,12 +144,15 @@ def _work_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
     generators = swarm.scaled_generators
     products = generators @ found.direction
     rounding = ON_FACET * np.linalg.norm(generators, axis=1)
-    lost = np.isin(np.arange(len(swarm)), found.lost)
+    lost = np.zeros(len(swarm), dtype=bool)
+    lost[[swarm.index(name) for name in found.lost]] = True
     parts = []
     for chosen, does in ((products > rounding, "at full force"), (products < -rounding, "nothing")):
         indices = np.flatnonzero(chosen & ~lost).tolist()
         if indices:
-            parts.append(f"{crew_words(indices, swarm)} {_works(len(indices), does)}")
+            parts.append(
+                f"{crew_words([swarm.names[i] for i in indices])} {_works(len(indices), does)}"
+            )
     return [f"There {list_words(parts)}."] if parts else []
 
 

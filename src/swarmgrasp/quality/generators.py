@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.ranges import array_of, shown
 from swarmgrasp.swarm.columns import MOST_LISTED
 
 SMALLEST, LARGEST = 1e-120, 1e120
@@ -37,20 +38,13 @@ def checked_generators(
     ...
     swarmgrasp.errors.WrenchInvalid: generator 1 of swarm 0 is [0.0, 1e-200, 0.0]; its ...
     """
-    try:
-        array = np.asarray(generators)
-    except ValueError:
+    rows = array_of(generators)
+    if rows is None:
         raise WrenchInvalid(
-            f"the generators have rows of different lengths; their shape should be {shape}"
-        ) from None
-    faults = []
-    if array.dtype.kind not in "biuf":
-        faults.append(f"the generators are of type {array.dtype}; they should be real numbers")
-    if array.size and (array.ndim != shape.count(",") + 1 or array.shape[-1] != 3):
-        faults.append(f"the generators have the shape {array.shape}; it should be {shape} [N]")
-    if faults:
-        raise WrenchInvalid(faults)
-    rows = np.asarray(array, dtype=float)
+            f"the generators are {shown(generators)}; they should be real numbers {shape} [N]"
+        )
+    if rows.size and (rows.ndim != shape.count(",") + 1 or rows.shape[-1] != 3):
+        raise WrenchInvalid(f"the generators have the shape {rows.shape}; it should be {shape} [N]")
     if rows.size:
         _check_sizes(rows)
     return rows

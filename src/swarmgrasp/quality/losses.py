@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Any, Unpack
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
@@ -11,22 +12,19 @@ from swarmgrasp.swarm.swarm import check_swarm
 
 
 @dataclass(frozen=True, eq=False)
-class Loss(Told):
+class Loss(Frozen, Told):
     """What the loss of one robot leaves.
 
     Attributes
     ----------
-    robot : int
-        Its index.
     name : str
-        Its name, or "robot i".
+        Of the robot.
     quality_before : float [N]
         With it; with a task, without a unit.
     after : Quality
         Of the swarm without it.
     """
 
-    robot: int
     name: str
     quality_before: float
     after: Quality
@@ -70,7 +68,7 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
 
     Raises
     ------
-    RobotInvalid
+    SwarmInvalid
         If it is no `Swarm`.
     CriterionInvalid
         If a term is outside its range.
@@ -84,13 +82,13 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
     >>> crew = [Robot(c, a) for c, a in pulls] + [Robot((1, 0.4), 0)]
     >>> worst, *_, least = losses(Swarm(square, crew, characteristic_length=1.0))
     >>> worst.quality, least.name, round(least.quality, 4)
-    (0.0, 'robot 4', 0.6963)
+    (0.0, 'R5', 0.6963)
     """
     check_swarm(swarm)
     Criterion(**terms)
     before = quality(swarm, **terms).value
     found = [
-        Loss(i, swarm.robot_label(i), before, quality(swarm.without([i]), **terms))
-        for i in range(len(swarm))
+        Loss(name, before, quality(swarm.without_rows([i]), **terms))
+        for i, name in enumerate(swarm.names)
     ]
     return tuple(sorted(found, key=lambda loss: loss.quality))

@@ -9,6 +9,7 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked, plain
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
@@ -30,7 +31,7 @@ class ForceClosure(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Quality(Answer):
+class Quality(Frozen, Answer):
     """The quality of a swarm by a criterion, and what limits it.
 
     Attributes
@@ -67,9 +68,10 @@ class Quality(Answer):
         return self.criterion.weakest_words(self._swarm, self.direction)
 
     @cached_property
-    def lost(self) -> tuple[int, ...]:
-        """Indices of the robots whose loss hurts most, the worst first."""
-        return self._aim.lost_at(self._normal) if self.criterion.losing else ()
+    def lost(self) -> tuple[str, ...]:
+        """Names of the robots whose loss hurts most, the worst first."""
+        rows = self._aim.lost_at(self._normal) if self.criterion.losing else ()
+        return tuple(self._swarm.names[i] for i in rows)
 
     @cached_property
     def worst_swarm(self) -> Swarm:
@@ -77,14 +79,14 @@ class Quality(Answer):
         return self._aim.worst_swarm(self._normal)
 
     @cached_property
-    def facet_robots(self) -> tuple[int, ...]:
-        """Indices of the robots whose generators span that facet, in their worst poses."""
+    def facet_robots(self) -> tuple[str, ...]:
+        """Names of the robots whose generators span that facet, in their worst poses."""
         generators = self._swarm.scaled_generators
         if self.criterion.worst_case:
             generators = self._aim.worst_generators(self._normal)
         sizes = _sizes(generators)
         facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
-        return tuple(np.flatnonzero(facet).tolist())
+        return tuple(self._swarm.names[i] for i in np.flatnonzero(facet).tolist())
 
     @property
     def noise(self) -> float:
@@ -140,10 +142,8 @@ class Quality(Answer):
             "swarm": swarm.to_data(),
             **picked(
                 self, "criterion", "value", "bound", "noise", "force_closure", "direction",
-                "weakest_wrench", "ceiling", "efficiency", "explanation",
+                "weakest_wrench", "ceiling", "efficiency", "explanation", "facet_robots", "lost",
             ),
-            "facet_robots": [swarm.robot_label(i) for i in self.facet_robots],
-            "lost": [swarm.robot_label(i) for i in self.lost],
             "worst_robots": plain(self.worst_swarm.robots),
         }  # fmt: skip
 
@@ -181,7 +181,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
 
     Raises
     ------
-    RobotInvalid
+    SwarmInvalid
         If it is no `Swarm`.
     CriterionInvalid
         If a term is outside its range.
@@ -208,9 +208,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     check_swarm(swarm)
     criterion = Criterion(**terms)
     found, bound = _weakest(swarm, criterion)
-    normal = np.array(found.normal)
-    normal.setflags(write=False)
-    return Quality(found.quality, bound, normal, criterion, swarm)
+    return Quality(found.quality, bound, np.array(found.normal), criterion, swarm)
 
 
 def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.heights import Array, Heights
@@ -16,6 +17,7 @@ from swarmgrasp.quality.shares import shares_at
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
 KINK = 1e-7
 """Difference of two slopes that is a kink, relative to how fast the robot's wrench changes."""
@@ -26,12 +28,13 @@ KINDS = ("contact", "direction", "limit")
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivities(Told):
+class Sensitivities(Frozen, Told):
     """How fast the quality rises when one robot changes and the others stay.
 
-    Each array has two columns, for the one way and for the other: both say what is gained by
-    going there, so where the quality is smooth they are opposite, and where both are negative
-    the robot stands on a ridge. With a task, quality has no unit [1].
+    Row i is of the robot ``swarm.names[i]``. Each array has two columns, for the one way and for
+    the other: both say what is gained by going there, so where the quality is smooth they are
+    opposite, and where both are negative the robot stands on a ridge. With a task, quality has no
+    unit [1].
 
     Attributes
     ----------
@@ -58,18 +61,12 @@ class Sensitivities(Told):
     weakest: Array
     swarm: Swarm = field(repr=False)
 
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        for array in (self.contact, self.direction, self.limit, self.kinks, self.weakest):
-            array.setflags(write=False)
-
     def to_data(self) -> dict[str, Any]:
         """Return the slopes as plain data, those of each robot by its name."""
         slopes = picked(self, "contact", "direction", "limit", "kinks")
         rows = zip(*slopes.values(), strict=True)
         return {
-            self.swarm.robot_label(i): dict(zip(slopes, row, strict=True))
-            for i, row in enumerate(rows)
+            self.swarm.names[i]: dict(zip(slopes, row, strict=True)) for i, row in enumerate(rows)
         }
 
     @property
@@ -105,7 +102,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
 
     Raises
     ------
-    RobotInvalid
+    SwarmInvalid
         If it is no `Swarm`.
     CriterionInvalid
         If a term is outside its range, or the worst case is asked for.
@@ -133,6 +130,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     >>> sensitivities(grasp).contact.round(4).tolist()
     [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
     """
+    check_swarm(swarm)
     criterion = Criterion(**terms)
     if criterion.worst_case:
         raise CriterionInvalid(

@@ -7,13 +7,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.frozen import Frozen, read_only
 from swarmgrasp.plain import Plain
 from swarmgrasp.products import weighted
-from swarmgrasp.ranges import STRONGEST, WEAKEST
+from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, shown
 
 
 @dataclass(frozen=True, eq=False)
-class Polytope(Plain):
+class Polytope(Frozen, Plain):
     """The convex hull of some wrenches and of no wrench at all.
 
     One wrench asks how far the swarm can go in that direction; several, what it can do in all
@@ -59,7 +60,7 @@ class Polytope(Plain):
 
 
 @dataclass(frozen=True, eq=False)
-class Ellipsoid(Plain):
+class Ellipsoid(Frozen, Plain):
     """An ellipsoid of wrenches around no wrench: all sum x_k a_k with sum x_k^2 <= 1.
 
     Parameters
@@ -111,19 +112,17 @@ def _along(normals: ArrayLike, wrenches: NDArray[np.float64]) -> NDArray[np.floa
 
 def _rows(given: ArrayLike, name: str) -> NDArray[np.float64]:
     """Return wrenches (m, 3) as an array of their own, read-only."""
-    try:
-        rows = np.array(given, dtype=float, order="C")
-    except (TypeError, ValueError):
+    rows = array_of(given)
+    if rows is None:
         raise WrenchInvalid(
-            f"the {name} are {given!r}; they should be wrenches (m, 3) [N, N, N m]"
-        ) from None
+            f"the {name} are {shown(given)}; they should be wrenches (m, 3) [N, N, N m]"
+        )
     if rows.ndim != 2 or rows.shape[1] != 3 or not len(rows):
         raise WrenchInvalid(f"the {name} have shape {rows.shape}; it should be (m, 3), m >= 1")
     largest = np.abs(rows).max() if np.isfinite(rows).all() else np.inf
     if not WEAKEST <= largest <= STRONGEST:
         raise WrenchInvalid(
             f"the {name} should be finite numbers, the largest of them {WEAKEST:g} <= size <= "
-            f"{STRONGEST:g}; they are {rows.tolist()}"
+            f"{STRONGEST:g}; they are {shown(rows)}"
         )
-    rows.setflags(write=False)
-    return rows
+    return read_only(np.ascontiguousarray(rows))

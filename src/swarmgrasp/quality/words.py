@@ -5,7 +5,10 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.ranges import array_of, shown
 
 MENTIONED = 0.25
 """Share of a unit direction below which a component goes unmentioned."""
@@ -23,6 +26,11 @@ def wrench_words(direction: ArrayLike) -> str:
         Surge, sway and yaw in the metric's coordinates: x forward, y to port, yaw
         counter-clockwise. Need not be a unit vector.
 
+    Raises
+    ------
+    WrenchInvalid
+        If it is not three finite numbers.
+
     Examples
     --------
     >>> wrench_words([0.0, -1.0, 0.0])
@@ -34,7 +42,11 @@ def wrench_words(direction: ArrayLike) -> str:
     >>> wrench_words([0.0, 0.0, 0.0])
     'no wrench'
     """
-    parts: NDArray[np.float64] = np.asarray(direction, dtype=float)
+    parts = array_of(direction)
+    if parts is None or parts.shape != (3,) or not np.isfinite(parts).all():
+        raise WrenchInvalid(
+            f"the direction is {shown(direction)}; it should be three finite numbers"
+        )
     size = float(np.linalg.norm(parts))
     if size == 0.0:
         return "no wrench"

@@ -140,16 +140,17 @@ def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
         if place is not None and direction is not None:
             found.append((section, i, place, direction))
     robots = []
+    names = robot_names(checked.file.robots)
     for section, i, place, direction in [] if checked.faults else found:
         try:
-            robots += _robot(section, i, place, direction, locator)
+            robots += _robot(section, names[i], place, direction, locator)
         except RobotInvalid as error:  # numbers next to zero only
             checked.fault(("robots", i), "; ".join(error.faults), got=False)
     return robots
 
 
 def _robot(
-    section: RobotSection, index: int, place: Place, direction: float, locator: Locator
+    section: RobotSection, names: list[str], place: Place, direction: float, locator: Locator
 ) -> list[Robot]:
     """Return a robot, or both halves of a two-way one."""
     units = locator.units
@@ -158,7 +159,7 @@ def _robot(
     tolerance = tolerance_of(section, locator.checked, units)
     return [
         Robot((x, y), direction + turn, limit, name, section.mounted, tolerance)
-        for name, turn in zip(robot_names(section, index), (0.0, math.pi), strict=False)
+        for name, turn in zip(names, (0.0, math.pi), strict=False)
     ]
 
 

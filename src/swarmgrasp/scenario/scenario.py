@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from swarmgrasp.environment import Environment
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
@@ -12,7 +13,7 @@ from swarmgrasp.swarm import Newcomer, Swarm, Zone
 
 
 @dataclass(frozen=True, eq=False)
-class Scenario:
+class Scenario(Frozen):
     """What is asked: who holds the object, who comes next, and where it may attach.
 
     Attributes

@@ -3,10 +3,13 @@
 They run whatever is wrong with the outline, so that its faults hide no others.
 """
 
+from collections.abc import Sequence
+
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.swarm.names import filled
 
 POINT_KEYS = ("contact", "theta", "at", "edge")
 ONE_POINT = "contact, theta, at, or edge with along"
@@ -45,26 +48,21 @@ def well_said(checked: Checked, units: Units) -> frozenset[Path]:
 # -- names --------------------------------------------------------------------------------
 
 
-def robot_names(section: RobotSection, index: int) -> list[str]:
-    """Return the name of a robot, or both names of a two-way one.
-
-    Parameters
-    ----------
-    section : RobotSection
-    index : int
-        Its position in the file, which stands for the name of a nameless two-way one.
-    """
-    if not section.two_way:
-        return [section.name]
-    called = section.name or f"robot {index}"
-    return [f"{called} +", f"{called} -"]
+def robot_names(sections: Sequence[RobotSection]) -> list[list[str]]:
+    """Return the names of each robot, two for a two-way one; of nameless ones as in a swarm."""
+    names = filled([section.name for section in sections])
+    return [
+        [f"{name} +", f"{name} -"] if section.two_way else [name]
+        for section, name in zip(sections, names, strict=True)
+    ]
 
 
 def _check_names(checked: Checked) -> None:
     """Note a fault for every name used twice: of robots with the newcomer, and of zones."""
     seen: dict[str, int] = {}
-    for i, robot in enumerate(checked.file.robots):
-        for name in filter(None, robot_names(robot, i)):
+    robots = checked.file.robots
+    for i, (robot, names) in enumerate(zip(robots, robot_names(robots), strict=True)):
+        for name in names:
             first = seen.setdefault(name, i)
             if first != i:
                 said = f"is the name of robots.{first} too; names should differ"

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
 from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.summary.cells import Array
@@ -20,7 +21,7 @@ MOST_MOVES = 40
 
 
 @dataclass(frozen=True, eq=False)
-class Bounds(Told):
+class Bounds(Frozen, Told):
     """What is certain about the quality of a swarm of which only a summary is known.
 
     Attributes

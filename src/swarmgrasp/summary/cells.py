@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import SummaryInvalid
+from swarmgrasp.ranges import is_whole, shown
 
 CYCLES = np.array([(0, 1, 2), (1, 2, 0), (2, 0, 1)])
 """Component along the axis, that of u and that of v, for each face."""
@@ -40,10 +41,9 @@ def side_of(bins: int) -> int:
     (18, 972)
     """
     most = 3 * MOST_SIDE**2
-    whole = isinstance(bins, int | np.integer) and not isinstance(bins, bool)
-    if not whole or not LEAST_BINS <= bins <= most:
+    if not is_whole(bins) or not LEAST_BINS <= bins <= most:
         raise SummaryInvalid(
-            f"the number of bins is {bins!r}; it should be a whole number, "
+            f"the number of bins is {shown(bins)}; it should be a whole number, "
             f"{LEAST_BINS} <= bins <= {most}"
         )
     return 2 * math.isqrt(int(bins) // 12)

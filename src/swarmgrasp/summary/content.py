@@ -1,8 +1,8 @@
 """The plain data of a summary."""
 
-from dataclasses import dataclass, field, fields
-from typing import Any
+from dataclasses import dataclass, field
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.moments import Moments
 
@@ -11,7 +11,7 @@ MOST_ROBOTS = 2**63 - 1
 
 
 @dataclass(frozen=True, eq=False)
-class Content:
+class Content(Frozen):
     """What a summary holds, and a message carries.
 
     Attributes
@@ -42,12 +42,3 @@ class Content:
     total: Array = field(repr=False)
     rounding: float = field(repr=False)
     moments: Moments = field(repr=False)
-
-    def __post_init__(self) -> None:
-        """Make the total read-only."""
-        self.total.setflags(write=False)
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """Come back from a copy or a pickle, read-only again."""
-        vars(self).update({part.name: state[part.name] for part in fields(self)})
-        self.__post_init__()

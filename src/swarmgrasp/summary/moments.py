@@ -1,10 +1,10 @@
 """What a summary keeps of each bin: how much pushes there, where on average, and how spread."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.summary.cells import Array, Indices, locate
 
 CHUNK = 1 << 20
@@ -15,7 +15,7 @@ DIAGONAL = 3.0**0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Moments:
+class Moments(Frozen):
     """The generators of each occupied bin, as a distribution of weight over positions.
 
     Attributes
@@ -34,16 +34,6 @@ class Moments:
     weights: Array
     means: Array
     covariances: Array
-
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        for array in (self.cells, self.weights, self.means, self.covariances):
-            array.setflags(write=False)
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """Come back from a copy or a pickle, read-only again."""
-        vars(self).update(state)
-        self.__post_init__()
 
     @property
     def size(self) -> float:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.optimum import Search
 from swarmgrasp.placement.problem import Problem
@@ -20,7 +21,7 @@ GAP = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class PlacementBounds(Told):
+class PlacementBounds(Frozen, Told):
     """Where the newcomer goes, and what is certain about it.
 
     Attributes
@@ -70,7 +71,7 @@ def place_from(
     bare : Swarm
         The outline and the metric, without robots.
     """
-    problem = Problem(bare, newcomer, None if zones is None else tuple(zones), tuple(no_go))
+    problem = Problem(bare, newcomer, zones, no_go)  # type: ignore[arg-type]
     pieces = problem.pieces()
     weights = bare.scale * newcomer.limit
     search = Search(support.sums, weights, pieces.rows, support.load)
@@ -89,7 +90,6 @@ def place_from(
 
     lower = max(together.quality - support.margin - spare, 0.0)
     upper, direction = least_near(with_robot, np.array(together.normal), turn_of(side))
-    direction.setflags(write=False)
     upper = max(upper + spare, lower)
     proofs = found.certificate.proofs
     most = best_possible(support, pieces.rows, weights, proofs, direction) + spare

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import SummaryInvalid
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.quality.generators import checked_generators
-from swarmgrasp.ranges import numbers
+from swarmgrasp.ranges import items, kind_faults, numbers, shown
 from swarmgrasp.summary.bounds import Bounds, quality_bounds
 from swarmgrasp.summary.cells import Array, side_of
 from swarmgrasp.summary.content import MOST_ROBOTS, Content
@@ -65,7 +65,7 @@ class Summary(Content):
         ------
         SummaryInvalid
             If the number of bins is out of range.
-        RobotInvalid
+        SwarmInvalid
             If it is no `Swarm`.
         """
         check_swarm(swarm)
@@ -125,7 +125,9 @@ class Summary(Content):
         check_metric(characteristic_length, force_weights)
         point = numbers(origin)
         if len(point) != 2:
-            raise SummaryInvalid(f"the origin is {origin!r}; it should be two finite numbers [m]")
+            raise SummaryInvalid(
+                f"the origin is {shown(origin)}; it should be two finite numbers [m]"
+            )
         rows = checked_generators(generators, "(n, 3)").reshape(-1, 3)
         moments, total, rounding = moments_of(rows, side)
         return cls(
@@ -158,12 +160,14 @@ class Summary(Content):
             If there are none, or something else is among them, or they differ in metric,
             origin or bins, or have 2^63 robots together.
         """
-        given = list(summaries)
+        given: tuple[Summary, ...] | None = items(summaries)
         if not given:
-            raise SummaryInvalid("there are no summaries to merge; give at least one")
-        strangers = [value for value in given if not isinstance(value, Summary)]
-        if strangers:
-            raise SummaryInvalid(f"{value!r} is no Summary" for value in strangers)
+            raise SummaryInvalid(
+                f"the summaries to merge are {shown(summaries)}; give a list of at least one"
+            )
+        faults = [f for value in given for f in kind_faults(value, Summary, "Summary.of(swarm)")]
+        if faults:
+            raise SummaryInvalid(faults)
         first = given[0]
         for other in given[1:]:
             first._check_like(other)
@@ -257,7 +261,6 @@ class Summary(Content):
     def _bounds(self) -> Bounds:
         """What `quality` returns."""
         lower, upper, direction = quality_bounds(self.support, self.side)
-        direction.setflags(write=False)
         return Bounds(lower, upper, direction, self.metric_sentence)
 
     def quality(self) -> Bounds:

@@ -1,6 +1,6 @@
 """Robots as arrays: a million of them, checked at once and described a few at a time."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -8,14 +8,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
-from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST
+from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST, items, kind_faults, shown
+from swarmgrasp.swarm.names import Names
 from swarmgrasp.swarm.robot import Robot
 
 MOST_LISTED = 10
 """Robots at fault that a message describes; it counts the others."""
-Names = Mapping[int, str]
-"""The names of those robots that have one, by index."""
-NAMELESS: Names = {}
+MADE_BY = "Robot(contact, direction, limit)"
 
 
 class Columns(NamedTuple):
@@ -39,10 +38,12 @@ def columns_of(robots: Iterable[Robot]) -> Columns:
     RobotInvalid
         If something is no robot.
     """
-    found = tuple(robots)
-    strangers = [robot for robot in found if not isinstance(robot, Robot)]
-    if strangers:
-        raise RobotInvalid(f"{robot!r} is no Robot" for robot in strangers)
+    found = items(robots)
+    if found is None:
+        raise RobotInvalid(f"{shown(robots)} is no list of robots")
+    faults = [fault for robot in found for fault in kind_faults(robot, Robot, MADE_BY)]
+    if faults:
+        raise RobotInvalid(faults[:MOST_LISTED] + _others(len(faults)))
     return Columns(
         np.array([robot.contact for robot in found], dtype=float).reshape(-1, 2),
         np.array([robot.direction for robot in found], dtype=float),
@@ -75,10 +76,10 @@ def checked_columns(
     >>> checked_columns([(0, 1), (2, 3)], [0.5, 2e6], 7.0, False)
     Traceback (most recent call last):
     ...
-    swarmgrasp.errors.RobotInvalid: robot 1: the direction is 2000000.0; it should be ...
+    swarmgrasp.errors.RobotInvalid: R2: the direction is 2000000.0; it should be ...
     """
     points, *columns = _arrays(contacts, directions, limits, mounted)
-    count = len(points) if points.size else 0
+    count = len(points) if points.size and points.ndim else 0
     if points.size and (points.ndim != 2 or points.shape[1] != 2):
         raise RobotInvalid(f"the contacts have shape {points.shape}; it should be (n, 2)")
     turns, forces, flags = (c if c.size or count else c.ravel() for c in columns)
@@ -100,8 +101,8 @@ def checked_columns(
     return found
 
 
-def check_contacts(outline: Outline, columns: Columns, names: Names, first: int = 0) -> None:
-    """Raise `RobotOffBoundary` if robots, numbered from `first`, hold nothing."""
+def check_contacts(outline: Outline, columns: Columns, names: Names) -> None:
+    """Raise `RobotOffBoundary` if robots hold nothing."""
     distances, arc_lengths = outline.nearest(columns.contacts)
     if distances.max(initial=0.0) <= outline.tolerance:
         return
@@ -118,14 +119,9 @@ def check_contacts(outline: Outline, columns: Columns, names: Names, first: int 
             if columns.mounted[i]
             else "move it there, or declare it mounted if it sits inside the outline"
         )
-        faults.append(f"{robot_label(first + i, names)} at {where}; {remedy}")
+        faults.append(f"{names[i]} at {where}; {remedy}")
     if faults:
         raise RobotOffBoundary(faults + _others(len(off)))
-
-
-def robot_label(index: int, names: Names = NAMELESS) -> str:
-    """Return the name of a robot, or "robot i" for a nameless one."""
-    return names.get(index) or f"robot {index}"
 
 
 def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
@@ -133,7 +129,7 @@ def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
     names = ("contacts", "directions", "limits", "mounted flags")
     arrays, faults = [], []
     for name, given in zip(names, values, strict=True):
-        kinds, meant = ("b", "True or False") if name == names[-1] else ("biuf", "numbers")
+        kinds, meant = ("b", "True or False") if name == names[-1] else ("iuf", "numbers")
         try:
             arrays.append(array := np.asarray(given))
         except ValueError:
@@ -161,7 +157,7 @@ def _check_values(columns: Columns) -> None:
     for i in found[:MOST_LISTED].tolist():
         point, direction, limit = (column[i].tolist() for column in columns[:3])
         try:
-            Robot(tuple(point), direction, limit, name=robot_label(i))
+            Robot(tuple(point), direction, limit, name=f"R{i + 1}")
         except RobotInvalid as error:
             faults += error.faults
     counts = (f"{_grouped(flags.sum())} {name}" for name, flags in wrong.items() if flags.any())

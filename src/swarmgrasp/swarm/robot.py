@@ -7,7 +7,17 @@ from typing import Literal, get_args
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import angles, limit_faults, name_faults, numbers
+from swarmgrasp.ranges import (
+    angles,
+    flag_faults,
+    is_flag,
+    kind_faults,
+    limit_faults,
+    name_faults,
+    number,
+    numbers,
+    shown,
+)
 from swarmgrasp.swarm.tolerance import Tolerance
 
 Attachment = Literal["push", "pull", "free"]
@@ -61,20 +71,29 @@ class Robot(Plain):
         faults = []
         point = numbers(self.contact)
         if len(point) != 2:
-            faults.append(f"the contact is {self.contact!r}; it should be two finite numbers [m]")
+            faults.append(
+                f"the contact is {shown(self.contact)}; it should be two finite numbers [m]"
+            )
         if not angles((self.direction,)):
             faults.append(
-                f"the direction is {self.direction!r}; it should be -1e6 <= direction <= 1e6 [rad]"
+                f"the direction is {shown(self.direction)}; it should be "
+                "-1e6 <= direction <= 1e6 [rad]"
             )
         faults += limit_faults(self.limit) + name_faults(self.name)
         faults += _tolerance_faults(self.tolerance, self.limit)
-        if self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
+        if not is_flag(self.mounted):
+            faults += flag_faults(self.mounted, "mounted")
+        elif self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
             faults.append("a mounted robot stays where it is: its tolerance can have no contact")
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
-        object.__setattr__(self, "contact", point)
-        object.__setattr__(self, "direction", float(self.direction))
-        object.__setattr__(self, "limit", float(self.limit))
+        vars(self).update(
+            contact=point,
+            direction=float(self.direction),
+            limit=float(self.limit),
+            name=str(self.name),
+            mounted=bool(self.mounted),
+        )
 
 
 @dataclass(frozen=True)
@@ -121,7 +140,12 @@ class Newcomer(Plain):
         faults += name_faults(self.name) + _tolerance_faults(self.tolerance, self.limit)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
-        object.__setattr__(self, "limit", float(self.limit))
+        vars(self).update(
+            limit=float(self.limit),
+            attachment=str(self.attachment),
+            half_angle=None if self.half_angle is None else float(self.half_angle),
+            name=str(self.name),
+        )
 
 
 @dataclass(frozen=True)
@@ -161,22 +185,24 @@ class Zone(Plain):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        if not isinstance(self.stretch, Stretch):
-            raise ZoneInvalid(f"the stretch is {self.stretch!r}; give a Stretch, as of an outline")
-        faults = []
-        if len(numbers((self.stretch.start, self.stretch.end))) != 2:
-            faults.append(
-                f"the stretch is {self.stretch.start} to {self.stretch.end}; it should be finite"
-            )
+        faults = kind_faults(self.stretch, Stretch, "Stretch(start, end) or Outline.stretch")
         if self.attachment is not None:
             faults += attachment_faults(self.attachment, self.half_angle)
         elif self.half_angle is not None:
             faults.append("a half angle needs an attachment beside it")
         ends = self.directions
         if ends is not None and len(angles(ends)) != 2:
-            faults.append(f"the directions are {ends}; they should be two angles within 1e6 [rad]")
+            faults.append(
+                f"the directions are {shown(ends)}; they should be two angles within 1e6 [rad]"
+            )
         if faults:
-            raise ZoneInvalid(f"zone {self.stretch.name!r}: {fault}" for fault in faults)
+            name = getattr(self.stretch, "name", "")
+            raise ZoneInvalid(f"zone {shown(name)}: {fault}" for fault in faults)
+        vars(self).update(
+            attachment=None if self.attachment is None else str(self.attachment),
+            half_angle=None if self.half_angle is None else float(self.half_angle),
+            directions=None if ends is None else angles(ends),
+        )
 
     def sectors(self, lo: float, hi: float) -> list[tuple[float, float]]:
         """Return the parts of a sector of directions [lo, hi] [rad] that the zone's range allows.
@@ -208,30 +234,29 @@ class Zone(Plain):
         return parts
 
 
-def attachment_faults(attachment: str, half_angle: float | None) -> list[str]:
+def attachment_faults(attachment: object, half_angle: object) -> list[str]:
     """Return what is wrong with an attachment and its half angle [rad]."""
     faults = []
-    if attachment not in get_args(Attachment):
-        faults.append(f"the attachment is {attachment!r}; it should be push, pull or free")
+    is_known = isinstance(attachment, str) and attachment in get_args(Attachment)
+    if not is_known:
+        faults.append(f"the attachment is {shown(attachment)}; it should be push, pull or free")
     if half_angle is not None:
-        if attachment == "free":
+        if is_known and attachment == "free":
             faults.append("a free attachment takes no half angle: it pushes in any direction")
-        if not any(0.0 <= angle <= RIGHT_ANGLE for angle in numbers((half_angle,))):
+        if not 0.0 <= number(half_angle) <= RIGHT_ANGLE:
             faults.append(
-                f"the half angle is {half_angle!r}; it should be 0 <= half angle <= pi/2 [rad]"
+                f"the half angle is {shown(half_angle)}; it should be 0 <= half angle <= pi/2 [rad]"
             )
     return faults
 
 
-def _tolerance_faults(tolerance: object, limit: float) -> list[str]:
+def _tolerance_faults(tolerance: object, limit: object) -> list[str]:
     """Return what is wrong with a tolerance, beside a limit [N]."""
-    if tolerance is None:
-        return []
     if not isinstance(tolerance, Tolerance):
-        return [f"{tolerance!r} is no Tolerance"]
+        return [] if tolerance is None else kind_faults(tolerance, Tolerance, "Tolerance(...)")
     least = tolerance.least_limit
-    if least is not None and not least <= limit:
-        return [f"the least limit is {least!r}; it should be <= {limit!r}, the limit [N]"]
+    if least is not None and least > number(limit):
+        return [f"the least limit is {least!r}; it should be <= {shown(limit)}, the limit [N]"]
     return []
 
 

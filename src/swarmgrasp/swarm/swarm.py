@@ -1,41 +1,58 @@
 """A swarm: the object, the robots holding it, and the metric that makes wrenches comparable."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, TypeVar
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid
+from swarmgrasp.errors import (
+    MetricInvalid,
+    RobotInvalid,
+    SwarmInvalid,
+    refuse,
+)
+from swarmgrasp.frozen import Frozen, read_only
 from swarmgrasp.outline import Outline
+from swarmgrasp.outline.outline import check_outline
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import STRONGEST, WEAKEST, numbers
+from swarmgrasp.ranges import (
+    STRONGEST,
+    WEAKEST,
+    items,
+    kind_faults,
+    number,
+    numbers,
+    shown,
+)
 from swarmgrasp.swarm.columns import (
-    NAMELESS,
+    MOST_LISTED,
     Columns,
-    Names,
     check_contacts,
     checked_columns,
     columns_of,
-    robot_label,
 )
+from swarmgrasp.swarm.names import Names, names_of, numbered
 from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.swarm.rounding import generator_errors
 from swarmgrasp.swarm.tolerance import Tolerance
 
-Column = TypeVar("Column", NDArray[np.float64], NDArray[np.bool_])
 Tolerances = Mapping[int, Tolerance]
 """The tolerances of those robots that have one, by index."""
+CERTAIN: Tolerances = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False)
-class Swarm(Plain):
-    """Robots in contact with an object.
+class Swarm(Frozen, Plain):
+    """Robots in contact with an object, each known by its name.
 
-    Kept as read-only arrays, so that there may be a million of them: see `from_arrays`.
+    Kept as read-only arrays, so that there may be a million of them: see `from_arrays`. A robot
+    without a name is called R and the first number that nobody has: R1, R2 and so on. Going through
+    a swarm yields its robots, and ``swarm["Ajax"]`` is the robot of that name.
 
     Parameters
     ----------
@@ -53,7 +70,7 @@ class Swarm(Plain):
     MetricInvalid
         If a weight or the length is not positive and finite.
     RobotInvalid
-        If something is no `Robot`.
+        If something is no `Robot`, or two have one name.
     RobotOffBoundary
         If robots are off the boundary, or mounted ones outside; the first ten are named,
         each with its distance and the nearest boundary point.
@@ -64,6 +81,9 @@ class Swarm(Plain):
     >>> swarm = Swarm(square, [Robot((1, 0.5), direction=0.0, limit=2.0)])
     >>> swarm.generators.tolist()
     [[2.0, 0.0, -1.0]]
+    >>> swarm = swarm.with_robot(Robot((-1, 0), 3.14, name="Ajax")).without("R1")
+    >>> [robot.name for robot in swarm], "R1" in swarm, swarm["Ajax"].limit
+    (['Ajax'], False, 1.0)
     """
 
     outline: Outline
@@ -75,13 +95,14 @@ class Swarm(Plain):
     """(n,) [N]: the largest forces they can exert."""
     mounted: NDArray[np.bool_] = field(repr=False)
     """(n,): which are a vessel's own thrusters."""
-    generators: NDArray[np.float64] = field(repr=False)
+    generators: NDArray[np.float64] = field(repr=False, compare=False)
     """(n, 3) [N, N, N m]: the wrench of each robot at its limit, about the origin."""
     characteristic_length: float
     force_weights: tuple[float, float]
     tolerances: Tolerances = field(repr=False)
     """Of those robots that have one, by index."""
-    _names: Names = field(repr=False)
+    names: Names = field(repr=False)
+    """Of the robots, in the order of the arrays: ``swarm.names[i]``."""
 
     def __init__(
         self,
@@ -90,12 +111,14 @@ class Swarm(Plain):
         characteristic_length: float | None = None,
         force_weights: tuple[float, float] = (1.0, 1.0),
     ) -> None:
-        robots = tuple(robots)
-        columns = columns_of(robots)
-        names = {i: robot.name for i, robot in enumerate(robots) if robot.name}
-        tolerances = {i: robot.tolerance for i, robot in enumerate(robots) if robot.tolerance}
+        given = items(robots)
+        columns = columns_of(robots if given is None else given)
+        kept: tuple[Robot, ...] = given or ()
+        names = names_of([robot.name for robot in kept])
+        tolerances = {i: robot.tolerance for i, robot in enumerate(kept) if robot.tolerance}
         self._fill(outline, columns, names, tolerances, characteristic_length, force_weights)
-        vars(self)["robots"] = robots
+        if all(robot.name for robot in kept):
+            vars(self)["robots"] = kept
 
     @classmethod
     def from_arrays(
@@ -140,12 +163,13 @@ class Swarm(Plain):
         >>> swarm = Swarm.from_arrays(square, [(1, 0.5), (0, -1)], [0.0, 0.0], limits=2.0)
         >>> swarm.generators.tolist()
         [[2.0, 0.0, -1.0], [2.0, 0.0, 2.0]]
-        >>> swarm.robots[1]
-        Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='', mounted=False, tolerance=None)
+        >>> swarm["R2"]
+        Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='R2', mounted=False, ...)
         """
         columns = checked_columns(contacts, directions, limits, mounted)
         swarm = cls.__new__(cls)
-        swarm._fill(outline, columns, NAMELESS, {}, characteristic_length, force_weights)
+        names = numbered(len(columns.limits))
+        swarm._fill(outline, columns, names, CERTAIN, characteristic_length, force_weights)
         return swarm
 
     def _fill(
@@ -158,62 +182,100 @@ class Swarm(Plain):
         force_weights: tuple[float, float],
     ) -> None:
         """Check what only the outline and the metric can tell, and keep everything."""
-        if not isinstance(outline, Outline):
-            raise OutlineInvalid(f"{outline!r} is no outline: make one with Outline(vertices)")
+        check_outline(outline)
         length = outline.radius if length is None else length
         check_metric(length, force_weights)
         check_contacts(outline, columns, names)
         check_tolerances(outline, tolerances, names)
         generators = wrenches(columns.contacts - outline.origin, columns.directions, columns.limits)
+        a1, a2 = numbers(force_weights)
         vars(self).update(
-            {name: _read_only(column) for name, column in columns._asdict().items()},
+            columns._asdict(),
             outline=outline,
-            generators=_read_only(generators),
+            generators=generators,
             characteristic_length=float(length),
-            force_weights=tuple(map(float, force_weights)),
+            force_weights=(a1, a2),
             tolerances=tolerances,
-            _names=names,
+            names=names,
         )
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        """Come back from a copy or a pickle, read-only again."""
-        vars(self).update(state)
-        for value in state.values():
-            if isinstance(value, np.ndarray):
-                _read_only(value)
+        self._freeze()
 
     def __len__(self) -> int:
         """Return the number of robots."""
         return len(self.directions)
 
+    def __iter__(self) -> Iterator[Robot]:
+        """Go through the robots."""
+        return iter(self.robots)
+
+    def __contains__(self, name: object) -> bool:
+        """Tell whether a robot has a name."""
+        return self.names.index(name) is not None
+
+    def __getitem__(self, name: str) -> Robot:
+        """Return the robot of a name.
+
+        Raises
+        ------
+        RobotInvalid
+            If there is none.
+        """
+        return self._robot(self.index(name))
+
+    def index(self, name: str) -> int:
+        """Return the row in the arrays that holds the robot of a name.
+
+        Raises
+        ------
+        RobotInvalid
+            If there is none.
+        """
+        found = self.names.index(name)
+        if found is None:
+            raise RobotInvalid(self._stranger(name))
+        return found
+
+    def _stranger(self, name: object) -> str:
+        """Return the sentence for a name that nobody has."""
+        known = ", ".join(self.names[i] for i in range(min(len(self), MOST_LISTED)))
+        more = f" and {len(self) - MOST_LISTED} more" if len(self) > MOST_LISTED else ""
+        return f"there is no robot called {shown(name)}; there are {known or 'none'}{more}"
+
+    def _robot(self, i: int) -> Robot:
+        """Return a robot of the arrays."""
+        if "robots" in vars(self):
+            return self.robots[i]
+        x, y = self.contacts[i].tolist()
+        return Robot(
+            (x, y),
+            self.directions[i],
+            self.limits[i],
+            self.names[i],
+            self.mounted[i],
+            self.tolerances.get(i),
+        )
+
     @cached_property
     def robots(self) -> tuple[Robot, ...]:
         """The robots one by one; those of a swarm made from arrays are made when asked for."""
-        columns = (self.contacts, self.directions, self.limits, self.mounted)
-        rows = zip(*(column.tolist() for column in columns), strict=True)
-        return tuple(
-            Robot((x, y), direction, limit, self._names.get(i, ""), mounted, self.tolerances.get(i))
-            for i, ((x, y), direction, limit, mounted) in enumerate(rows)
-        )
+        return tuple(map(self._robot, range(len(self))))
 
     @cached_property
     def scale(self) -> NDArray[np.float64]:
         """(3,) [1, 1, 1/m]: A^(1/2), which makes the metric Euclidean."""
         a1, a2 = self.force_weights
-        return _read_only(
-            np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length])
-        )
+        return read_only(np.array([math.sqrt(a1), math.sqrt(a2), 1.0 / self.characteristic_length]))
 
     @cached_property
     def scaled_generators(self) -> NDArray[np.float64]:
         """(n, 3) [N, N, N]: the generators in the metric's coordinates."""
-        return _read_only(self.generators * self.scale)
+        return read_only(self.generators * self.scale)
 
     @cached_property
     def errors(self) -> NDArray[np.float64]:
         """(n,) [N]: by how much the scaled generators may be off, by the outline's `precision`."""
         columns = Columns(self.contacts, self.directions, self.limits, self.mounted)
-        return _read_only(generator_errors(self.outline, columns, self.scale))
+        return read_only(generator_errors(self.outline, columns, self.scale))
 
     @cached_property
     def noise(self) -> float:
@@ -229,12 +291,15 @@ class Swarm(Plain):
             f"{self.characteristic_length:.6g} m"
         )
 
-    def robot_label(self, index: int) -> str:
-        """Return the name of a robot, or "robot i" for a nameless one."""
-        return robot_label(range(len(self))[index], self._names)
-
     def with_robot(self, robot: Robot) -> "Swarm":
         """Return the swarm with one robot more.
+
+        Raises
+        ------
+        RobotInvalid
+            If it is no `Robot`, or another has its name.
+        RobotOffBoundary
+            If it holds nothing.
 
         Examples
         --------
@@ -242,63 +307,126 @@ class Swarm(Plain):
         >>> len(Swarm(square, []).with_robot(Robot((1, 0), direction=3.14)))
         1
         """
-        outline, count, one = self.outline, len(self), columns_of((robot,))
-        names = {**self._names, count: robot.name} if robot.name else self._names
-        tolerances = self.tolerances
+        one = columns_of((robot,))
+        names, tolerances = self.names.joined(robot.name), self.tolerances
+        rows = self._rows(one, names[len(self)])
         if robot.tolerance:
-            tolerances = {**tolerances, count: robot.tolerance}
-            check_tolerances(outline, {count: robot.tolerance}, names)
-        check_contacts(outline, one, names, first=count)
-        rows = one._asdict()
-        rows["generators"] = wrenches(one.contacts - outline.origin, one.directions, one.limits)
-        swarm = Swarm.__new__(Swarm)
-        vars(swarm).update(
-            {name: _joined(getattr(self, name), row) for name, row in rows.items()},
-            outline=outline,
-            characteristic_length=self.characteristic_length,
-            force_weights=self.force_weights,
-            scale=self.scale,
-            tolerances=tolerances,
-            _names=names,
-        )
-        if "robots" in vars(self):
+            tolerances = MappingProxyType({**tolerances, len(self): robot.tolerance})
+            check_tolerances(self.outline, {len(self): robot.tolerance}, names)
+        joined = {name: np.concatenate([getattr(self, name), row]) for name, row in rows.items()}
+        swarm = self._like(joined, names, tolerances)
+        if "robots" in vars(self) and robot.name:
             vars(swarm)["robots"] = (*self.robots, robot)
         return swarm
 
-    def without(self, robots: Iterable[int]) -> "Swarm":
-        """Return the swarm without some robots, given by index.
+    def with_pose(
+        self, name: str, contact: tuple[float, float], direction: float | None = None
+    ) -> "Swarm":
+        """Return the swarm with one robot elsewhere, in the same order.
+
+        Parameters
+        ----------
+        name : str
+            Of the robot.
+        contact : tuple of float [m, m]
+            Where it holds the object then.
+        direction : float [rad], optional
+            Of its force; as it is when left out.
 
         Raises
         ------
         RobotInvalid
-            If an index is none of a robot.
+            If there is no robot of that name, or a number is none.
+        RobotOffBoundary
+            If it holds nothing there.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> pair = Swarm(square, [Robot((1, 0), 0.0, name="Ajax"), Robot((0, 1), 0.5)])
+        >>> moved = pair.with_pose("Ajax", (1, 0.5))
+        >>> [robot.contact for robot in moved]
+        [(1.0, 0.5), (0.0, 1.0)]
+        """
+        i = self.index(name)
+        old = self._robot(i)
+        robot = replace(old, contact=contact)
+        if direction is not None:
+            robot = replace(robot, direction=direction)
+        rows = self._rows(columns_of((robot,)), robot.name)
+        moved = {column: np.array(getattr(self, column)) for column in rows}
+        for column, row in rows.items():
+            moved[column][i] = row[0]
+        swarm = self._like(moved, self.names, self.tolerances)
+        if "robots" in vars(self):
+            vars(swarm)["robots"] = (*self.robots[:i], robot, *self.robots[i + 1 :])
+        return swarm
+
+    def _rows(self, one: Columns, name: str) -> dict[str, NDArray[Any]]:
+        """Return what the arrays hold of one robot, which should hold the object."""
+        check_contacts(self.outline, one, names_of([name]))
+        arms = one.contacts - self.outline.origin
+        return {
+            **one._asdict(),
+            "generators": wrenches(arms, one.directions, one.limits),
+        }
+
+    def without(self, names: str | Iterable[str]) -> "Swarm":
+        """Return the swarm without one robot or some, given by name; the others keep theirs.
+
+        Raises
+        ------
+        RobotInvalid
+            If there is no robot of a name; all such names are told.
 
         Examples
         --------
         >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
         >>> pair = Swarm(square, [Robot((1, 0), 0.0, name="Ajax"), Robot((0, 1), 0.0)])
-        >>> [robot.name for robot in pair.without([1]).robots]
-        ['Ajax']
+        >>> [robot.name for robot in pair.without("Ajax")]
+        ['R1']
         """
-        gone = set(robots)
-        count = len(self)
-        strange = [i for i in gone if not (isinstance(i, int | np.integer) and 0 <= i < count)]
-        if strange:
-            raise RobotInvalid(
-                f"{i!r} is no index of a robot; it should be 0 <= index < {count}" for i in strange
-            )
-        kept = [i for i in range(count) if i not in gone]
-        columns = ("contacts", "directions", "limits", "mounted", "generators")
+        return self.without_rows(map(self.index, self.known(names)))
+
+    def known(self, names: str | Iterable[str]) -> tuple[str, ...]:
+        """Return the names of robots, one or several, if they are.
+
+        Raises
+        ------
+        RobotInvalid
+            If there is no robot of a name; all such names are told.
+        """
+        wanted = (names,) if isinstance(names, str) else items(names)
+        if wanted is None:
+            raise RobotInvalid(f"the names are {shown(names)}; they should be a name or several")
+        faults = [self._stranger(name) for name in wanted if name not in self]
+        if faults:
+            raise RobotInvalid(faults)
+        return wanted
+
+    def without_rows(self, rows: Iterable[int]) -> "Swarm":
+        """Return the swarm without the robots in some rows of the arrays."""
+        gone = set(rows)
+        kept = [i for i in range(len(self)) if i not in gone]
+        left = {name: getattr(self, name)[kept] for name in (*Columns._fields, "generators")}
+        tolerances = {k: self.tolerances[i] for k, i in enumerate(kept) if i in self.tolerances}
+        return self._like(left, self.names.without(gone), tolerances)
+
+    def _like(
+        self, columns: dict[str, NDArray[Any]], names: Names, tolerances: Tolerances
+    ) -> "Swarm":
+        """Return a swarm of other robots, which are known to be right, in the same metric."""
         swarm = Swarm.__new__(Swarm)
         vars(swarm).update(
-            {name: _read_only(getattr(self, name)[kept]) for name in columns},
+            columns,
             outline=self.outline,
             characteristic_length=self.characteristic_length,
             force_weights=self.force_weights,
             scale=self.scale,
-            tolerances={k: self.tolerances[i] for k, i in enumerate(kept) if i in self.tolerances},
-            _names={k: self._names[i] for k, i in enumerate(kept) if i in self._names},
+            tolerances=tolerances,
+            names=names,
         )
+        swarm._freeze()
         return swarm
 
     def with_tolerance(self, tolerance: Tolerance) -> "Swarm":
@@ -309,6 +437,9 @@ class Swarm(Plain):
         RobotInvalid
             If it is no tolerance, or does not go with a robot's limit or with the boundary.
         """
+        faults = kind_faults(tolerance, Tolerance, "Tolerance(...)")
+        if faults:
+            raise RobotInvalid(faults)
         return Swarm(
             self.outline,
             [
@@ -316,7 +447,7 @@ class Swarm(Plain):
                     robot,
                     tolerance=replace(tolerance, contact=0.0) if robot.mounted else tolerance,
                 )
-                for robot in self.robots
+                for robot in self
             ],
             self.characteristic_length,
             self.force_weights,
@@ -350,17 +481,20 @@ def wrenches(
     return found
 
 
+def swarm_faults(swarm: object) -> list[str]:
+    """Return what is wrong with something that should be a swarm."""
+    return kind_faults(swarm, Swarm, "Swarm(outline, robots)")
+
+
 def check_swarm(swarm: object) -> None:
-    """Raise `RobotInvalid` unless something is a swarm."""
-    if not isinstance(swarm, Swarm):
-        kind = type(swarm).__name__
-        raise RobotInvalid(f"{kind} is no Swarm: make one with Swarm(outline, robots)")
+    """Raise `SwarmInvalid` unless something is a swarm."""
+    refuse((SwarmInvalid, swarm_faults(swarm)))
 
 
 def check_tolerances(outline: Outline, tolerances: Tolerances, names: Names) -> None:
     """Raise `RobotInvalid` where a contact may be anywhere more than once around the boundary."""
     faults = [
-        f"{robot_label(i, names)}: its contact may lie on {last - first:.6g} m of the boundary; "
+        f"{names[i]}: its contact may lie on {last - first:.6g} m of the boundary; "
         f"that should be at most the perimeter, {outline.perimeter:.6g} m"
         for i, (first, last) in ((i, found.offsets) for i, found in tolerances.items())
         if last - first > outline.perimeter
@@ -373,27 +507,15 @@ def check_metric(length: float, force_weights: tuple[float, float]) -> None:
     """Raise `MetricInvalid` unless all three numbers are positive and in range."""
     named = [("characteristic length", length, "m")]
     faults = []
-    try:
-        a1, a2 = force_weights
-    except (TypeError, ValueError):
-        faults.append(f"the force weights are {force_weights!r}; they should be two numbers")
+    weights = items(force_weights) or ()
+    if len(weights) == 2:
+        named += [("force weight a1", weights[0], "1"), ("force weight a2", weights[1], "1")]
     else:
-        named += [("force weight a1", a1, "1"), ("force weight a2", a2, "1")]
+        faults.append(f"the force weights are {shown(force_weights)}; they should be two numbers")
     faults += [
-        f"the {name} is {value!r}; it should be {WEAKEST:g} <= value <= {STRONGEST:g} [{unit}]"
+        f"the {name} is {shown(value)}; it should be {WEAKEST:g} <= value <= {STRONGEST:g} [{unit}]"
         for name, value, unit in named
-        if not any(WEAKEST <= number <= STRONGEST for number in numbers((value,)))
+        if not WEAKEST <= number(value) <= STRONGEST
     ]
     if faults:
         raise MetricInvalid(faults)
-
-
-def _joined(rows: Column, more: Column) -> Column:
-    """Return the rows of both arrays."""
-    return _read_only(np.concatenate([rows, more]))
-
-
-def _read_only(array: Column) -> Column:
-    """Return an array, now read-only."""
-    array.setflags(write=False)
-    return array

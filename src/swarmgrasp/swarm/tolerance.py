@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from swarmgrasp.errors import RobotInvalid
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import limit_faults, numbers
+from swarmgrasp.ranges import flag_faults, limit_faults, numbers, shown
 
 
 @dataclass(frozen=True)
@@ -52,15 +52,18 @@ class Tolerance(Plain):
                 continue
             reach = "" if most == math.inf else " and at most pi"
             faults.append(
-                f"the {name} tolerance is {given!r}; it should be a number >= 0{reach}, or two "
-                f"offsets, the first <= 0 and the second >= 0 [{unit}]"
+                f"the {name} tolerance is {shown(given)}; it should be a number >= 0{reach}, or "
+                f"two offsets, the first <= 0 and the second >= 0 [{unit}]"
             )
         if self.least_limit is not None:
             faults += [f"least limit: {fault}" for fault in limit_faults(self.least_limit)]
-        if not isinstance(self.may_be_absent, bool):
-            faults.append(f"may_be_absent is {self.may_be_absent!r}; it should be True or False")
+        faults += flag_faults(self.may_be_absent, "may_be_absent")
         if faults:
             raise RobotInvalid(faults)
+        vars(self).update(
+            least_limit=None if self.least_limit is None else float(self.least_limit),
+            may_be_absent=bool(self.may_be_absent),
+        )
 
     @property
     def offsets(self) -> tuple[float, float]:

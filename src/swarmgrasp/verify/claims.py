@@ -251,7 +251,7 @@ def read_claims(document: dict[str, Any]) -> Claims:
     """
     try:
         text = json.dumps(document)  # as JSON, lists stand for tuples even strictly
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, RecursionError) as error:
         raise AnswerInvalid(f"the answer is not plain data: {error}") from None
     try:
         return Claims.model_validate_json(text)

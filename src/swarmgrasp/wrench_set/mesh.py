@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.errors import WrenchSetTooLarge
+from swarmgrasp.frozen import Frozen
 
 ANGLE_TOLERANCE = 1e-12
 """Angle [rad] up to which generators count as parallel, or as lying in a common plane."""
@@ -29,7 +30,7 @@ Face = tuple[NDArray[np.float64], Signs, list[Signs]]
 
 
 @dataclass(frozen=True, eq=False)
-class Mesh:
+class Mesh(Frozen):
     """The faces and corners of a wrench set.
 
     A flat set has one polygon, listed from both sides; a segment two vertices and no
@@ -51,11 +52,6 @@ class Mesh:
     faces: tuple[tuple[int, ...], ...]
     normals: NDArray[np.float64] = field(repr=False)
     offsets: NDArray[np.float64] = field(repr=False)
-
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        for array in (self.vertices, self.normals, self.offsets):
-            array.setflags(write=False)
 
     @property
     def edges(self) -> tuple[tuple[int, int], ...]:

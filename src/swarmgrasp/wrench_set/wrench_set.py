@@ -6,8 +6,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import MetricInvalid, WrenchInvalid
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.linear import minimise
+from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, number, numbers, shown
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.swarm import check_swarm
 from swarmgrasp.wrench_set.mesh import (
     ANGLE_TOLERANCE,
     Mesh,
@@ -20,7 +23,7 @@ from swarmgrasp.wrench_set.mesh import (
 
 
 @dataclass(frozen=True, eq=False)
-class WrenchSet:
+class WrenchSet(Frozen):
     """The wrenches a swarm can make: W = {sum u_i b_i, 0 <= u_i <= 1}, a zonotope.
 
     Parameters
@@ -56,6 +59,7 @@ class WrenchSet:
     scale: NDArray[np.float64]
 
     def __init__(self, swarm: Swarm) -> None:
+        check_swarm(swarm)
         self._fill(swarm.generators, swarm.scale)
 
     @classmethod
@@ -82,19 +86,20 @@ class WrenchSet:
         >>> cube.volume
         1.0
         """
-        factors = np.array(scale, dtype=float)
-        if factors.shape != (3,) or not (np.isfinite(factors) & (factors > 0.0)).all():
-            raise MetricInvalid(f"the scale is {scale!r}; it should be 3 numbers, 0 < s < inf")
+        factors = numbers(scale)
+        if len(factors) != 3 or not all(WEAKEST <= factor <= STRONGEST for factor in factors):
+            raise MetricInvalid(
+                f"the scale is {shown(scale)}; it should be 3 numbers, {WEAKEST:g} <= s <= "
+                f"{STRONGEST:g}"
+            )
         new = object.__new__(cls)
-        new._fill(_triples(generators, "generators").reshape(-1, 3), factors)
+        new._fill(_triples(generators, "generators").reshape(-1, 3), np.array(factors))
         return new
 
     def _fill(self, generators: NDArray[np.float64], scale: NDArray[np.float64]) -> None:
         """Set the two fields of a frozen instance."""
-        for name, array in (("generators", generators), ("scale", scale)):
-            kept = np.array(array, dtype=float)
-            kept.setflags(write=False)
-            object.__setattr__(self, name, kept)
+        vars(self).update(generators=generators, scale=scale)
+        self._freeze()
 
     # -- measures ---------------------------------------------------------------------
 
@@ -220,6 +225,10 @@ class WrenchSet:
         >>> flat.contains([[0.5, 1, 0], [0.5, 1, 0.001]]).tolist()
         [True, False]
         """
+        if not 0.0 <= number(tolerance) <= 1.0:
+            raise WrenchInvalid(
+                f"the tolerance is {shown(tolerance)}; it should be 0 <= tolerance <= 1"
+            )
         wanted = _triples(wrenches, "wrenches")
         G = self.scaled_generators
         slack = tolerance * float(np.linalg.norm(G, axis=1).sum())
@@ -257,18 +266,21 @@ class WrenchSet:
 
 def _triples(vectors: ArrayLike, what: str) -> NDArray[np.float64]:
     """Return (m, 3) or (3,) finite numbers, or raise `WrenchInvalid`; [] is (0, 3)."""
-    try:
-        array = np.asarray(vectors, dtype=float)
-    except (TypeError, ValueError):
-        raise WrenchInvalid(f"the {what} should be triples of numbers") from None
+    array = array_of(vectors)
+    if array is None:
+        raise WrenchInvalid(f"the {what} are {shown(vectors)}; they should be triples of numbers")
     if array.shape == (0,):
         return array.reshape(0, 3)
     if array.ndim not in (1, 2) or array.shape[-1] != 3:
         raise WrenchInvalid(f"the {what} have shape {array.shape}; it should be (m, 3) or (3,)")
-    bad = np.flatnonzero(~np.isfinite(array.reshape(-1, 3)).all(axis=1))
+    rows = array.reshape(-1, 3)
+    bad = np.flatnonzero(~(np.abs(rows) <= STRONGEST).all(axis=1))
     if len(bad):
-        rows = array.reshape(-1, 3)
-        raise WrenchInvalid(f"{what}[{i}] is {rows[i].tolist()}; it should be finite" for i in bad)
+        raise WrenchInvalid(
+            f"{what}[{i}] is {rows[i].tolist()}; it should be finite numbers of size <= "
+            f"{STRONGEST:g}"
+            for i in bad
+        )
     return array
 
 

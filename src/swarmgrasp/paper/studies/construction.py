@@ -19,7 +19,7 @@ def steps_of(task: Task) -> list[Swarm]:
     """Return the swarms that grow, one robot at a time, to a draw and its best newcomer."""
     question = problem(task, NORMAL)
     last = place(question.swarm, question.newcomer).swarm_after
-    return [last.without(range(k, len(last))) for k in range(1, len(last) + 1)]
+    return [last.without_rows(range(k, len(last))) for k in range(1, len(last) + 1)]
 
 
 def statements(steps: list[Swarm]) -> list[Statement]:

@@ -9,13 +9,15 @@ from swarmgrasp.ranges import is_whole, shown
 
 EFFORT = 5000
 """Steps of a search unless told otherwise: some seconds for a dozen newcomers."""
+MOST = 10**9
+"""Steps of any search."""
 
 
 def effort_faults(effort: object) -> list[str]:
     """Return what is wrong with a number of steps."""
-    if is_whole(effort) and effort >= 0:
+    if is_whole(effort) and 0 <= effort <= MOST:
         return []
-    return [f"the effort is {shown(effort)}; it should be a whole number of steps, 0 or more"]
+    return [f"the effort is {shown(effort)}; it should be a whole number of steps from 0 to {MOST}"]
 
 
 @dataclass(eq=False)

@@ -4,20 +4,19 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.place import place_sequence
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.place import (
     Together,
     answer_of,
-    is_number,
-    problem_faults,
     start,
 )
 from swarmgrasp.plain import Answer, picked
-from swarmgrasp.ranges import count_faults
+from swarmgrasp.ranges import count_faults, number, shown
 from swarmgrasp.swarm import Swarm
 
 MOST = 20
@@ -29,7 +28,7 @@ MET = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class HowMany(Answer):
+class HowMany(Frozen, Answer):
     """How many robots a required quality takes.
 
     Attributes
@@ -132,7 +131,7 @@ def how_many(
     ------
     NowhereToAttach
         If there is no place for a single one.
-    SwarmGraspError
+    ProblemInvalid
         If an argument is outside its range; all faults at once.
 
     Examples
@@ -148,10 +147,9 @@ def how_many(
     """
     faults = problem_faults(problem) + effort_faults(effort)
     faults += count_faults(most, "the most robots to try")
-    if not (is_number(quality) and 0.0 < quality < math.inf):
-        faults.append(f"the quality is {quality!r}; it should be 0 < quality < inf [N]")
-    if faults:
-        raise SwarmGraspError(faults)
+    if not number(quality) > 0.0:
+        faults.append(f"the quality is {shown(quality)}; it should be 0 < quality < inf [N]")
+    refuse((ProblemInvalid, faults))
     return _Count(problem, float(quality), int(most), Budget(int(effort))).found()
 
 

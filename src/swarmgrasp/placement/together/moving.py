@@ -1,29 +1,27 @@
 """Which one robot should attach elsewhere, and what that is worth."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-import numpy as np
-
-from swarmgrasp.errors import NowhereToAttach, RobotInvalid
+from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, RobotInvalid, refuse
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import Placement, relative_gap
-from swarmgrasp.placement.place import RISE, place_sequence
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.place import RISE, place
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
+from swarmgrasp.ranges import gap_faults
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 
 
 @dataclass(frozen=True, eq=False)
-class Relocation(Told):
+class Relocation(Frozen, Told):
     """The best place for one robot that lets go.
 
     Attributes
     ----------
-    robot : int
-        Its index.
     old : Robot
         As it is now.
     placement : Placement
@@ -32,16 +30,20 @@ class Relocation(Told):
         Of the swarm as it is.
     """
 
-    robot: int
     old: Robot
     placement: Placement
     before: Quality
+    _swarm: Swarm = field(repr=False)
+
+    @property
+    def name(self) -> str:
+        """The robot's name."""
+        return self.old.name
 
     def to_data(self) -> dict[str, Any]:
         """Return the move as plain data."""
-        robot = self.old.name or f"robot {self.robot}"
         names = ("old", "new", "place", "quality", "quality_without", "upper_bound")
-        return {"robot": robot, **picked(self, *names)}
+        return {"robot": self.name, **picked(self, *names)}
 
     @property
     def new(self) -> Robot:
@@ -81,14 +83,11 @@ class Relocation(Told):
     @cached_property
     def swarm_after(self) -> Swarm:
         """The swarm after the move, in the same order."""
-        swarm = self.placement.problem.swarm
-        robots = list(swarm.robots)
-        robots.insert(self.robot, self.new)
-        return Swarm(swarm.outline, robots, swarm.characteristic_length, swarm.force_weights)
+        return self._swarm.with_pose(self.name, self.new.contact, self.new.direction)
 
 
 @dataclass(frozen=True, eq=False)
-class Move(Answer):
+class Move(Frozen, Answer):
     """The best move of one robot, and what the others could do.
 
     Attributes
@@ -99,24 +98,23 @@ class Move(Answer):
         Of that swarm.
     ranked : tuple of Relocation
         The best move of each robot, the best robot first.
-    stuck : tuple of int
-        Robots that have nowhere to go, by index.
+    stuck : tuple of str
+        Names of robots that have nowhere to go.
     """
 
     problem: Problem
     before: Quality
     ranked: tuple[Relocation, ...]
-    stuck: tuple[int, ...]
+    stuck: tuple[str, ...]
 
     kind = "move"
 
     def to_data(self) -> dict[str, Any]:
         """Return question and answer as plain data."""
-        told = picked(
+        return picked(
             self, "problem", "quality_before", "quality", "upper_bound", "improves", "reason",
-            "ranked",
+            "ranked", "stuck",
         )  # fmt: skip
-        return {**told, "stuck": [self.problem.swarm.robot_label(i) for i in self.stuck]}
 
     @property
     def best(self) -> Relocation:
@@ -175,27 +173,27 @@ class Move(Answer):
     @property
     def reason(self) -> str:
         """What the best move does, in words."""
-        best, swarm = self.best, self.problem.swarm
-        name = swarm.robot_label(best.robot)
-        weakest = self.before.weakest_words
+        best, weakest = self.best, self.before.weakest_words
         if not self.improves:
             if self._is_open:
                 return f"no move was found that raises what is weakest, {weakest}"
             return f"no robot alone can raise what is weakest, {weakest}, by moving: leave them"
-        after = self.problem.criterion.weakest_words(swarm, best.placement.after.normal)
+        after = self.problem.criterion.weakest_words(
+            self.problem.swarm, best.placement.after.normal
+        )
         away = (
             "nothing is held in some directions" if best.quality_without == 0.0 else "less is held"
         )
         if best.quality_without >= self.quality_before:
             away = "nothing is lost"
         return (
-            f"{name} had better be on {best.place}: weakest was {weakest}, and is then {after}; "
-            f"while it is under way {away}"
+            f"{best.name} had better be on {best.place}: weakest was {weakest}, and is then "
+            f"{after}; while it is under way {away}"
         )
 
 
 def best_move(
-    problem: Problem | Swarm, *, robots: Iterable[int] | None = None, gap: float = 1e-6
+    problem: Problem | Swarm, *, robots: str | Iterable[str] | None = None, gap: float = 1e-6
 ) -> Move:
     """Find the one robot that should attach elsewhere, and where.
 
@@ -208,8 +206,8 @@ def best_move(
         Where robots may attach and how: the problem's zones, spacing and criterion, and its
         newcomer's attachment and half angle. Each robot keeps its own limit, tolerance and name.
         Of a swarm alone: anywhere, in any direction.
-    robots : iterable of int, optional
-        Those that may move, by index; all that are not mounted when left out.
+    robots : str or iterable of str, optional
+        Those that may move, by name; all that are not mounted when left out.
     gap : float
         As for `place`.
 
@@ -220,11 +218,11 @@ def best_move(
     Raises
     ------
     RobotInvalid
-        If no robot may move, or an index is of none or of a mounted one; all faults at once.
+        If no robot may move, or a name is of none or of a mounted one; all faults at once.
     NowhereToAttach
         If none has anywhere to go.
-    SwarmGraspError
-        If `gap` is outside its range.
+    ProblemInvalid
+        If it is neither a `Problem` nor a `Swarm`, or `gap` is outside its range.
 
     Examples
     --------
@@ -236,66 +234,60 @@ def best_move(
     >>> pulls = [((1, -0.4), 0), ((-1, 0.4), pi), ((-0.4, 1), pi / 2), ((0.4, 1), pi / 2)]
     >>> crew = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
     >>> move = best_move(Problem(crew, Newcomer(1.0, "pull", 0.0)))
-    >>> move.best.robot, move.best.place, round(move.gain, 4), move.is_worth_it(0.1)
-    (3, 'edge 0', 0.6963, True)
+    >>> move.best.name, move.best.place, round(move.gain, 4), move.is_worth_it(0.1)
+    ('R4', 'edge 0', 0.6963, True)
     """
     if isinstance(problem, Swarm):
         problem = Problem(problem, Newcomer())
+    refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap)))
     swarm = problem.swarm
     before = quality(swarm, **problem.criterion.terms)
     found, stuck = [], []
-    for index in _movable(problem, robots):
+    for robot in _movable(problem, robots):
         try:
-            (placement,) = place_sequence(_without(problem, index), 1, gap=gap)
+            placement = place(_without(problem, robot), gap=gap)
         except NowhereToAttach:
-            stuck.append(index)
+            stuck.append(robot.name)
             continue
-        named = replace(placement, robot=replace(placement.robot, name=swarm.robots[index].name))
-        found.append(Relocation(index, swarm.robots[index], named, before))
+        found.append(Relocation(robot, placement, before, swarm))
     if not found:
         raise NowhereToAttach("none of the robots that may move has anywhere to go")
     ranked = sorted(found, key=lambda move: -move.quality)
     return Move(problem, before, tuple(ranked), tuple(stuck))
 
 
-def _movable(problem: Problem, robots: Iterable[int] | None) -> list[int]:
+def _movable(problem: Problem, names: str | Iterable[str] | None) -> list[Robot]:
     """Return the robots that may move."""
     swarm = problem.swarm
-    if robots is None:
-        found = np.flatnonzero(~swarm.mounted).tolist()
-        if not found:
+    if names is None:
+        free = [robot for robot in swarm if not robot.mounted]
+        if not free:
             raise RobotInvalid(
                 "there is no robot that could move: all are mounted, or there is none"
             )
-        return [i for i in found if not _is_worthless(problem, i)] or found
-    wanted, faults = list(robots), []
-    for i in wanted:
-        if not (isinstance(i, int | np.integer) and 0 <= i < len(swarm)):
-            faults.append(f"{i!r} is no index of a robot; it should be 0 <= index < {len(swarm)}")
-        elif swarm.mounted[i]:
-            faults.append(f"{swarm.robot_label(i)} is mounted and stays where it is")
-        elif _is_worthless(problem, i):
-            faults.append(f"{swarm.robot_label(i)} may be absent, and is worth nothing anywhere")
+        return [robot for robot in free if not _is_worthless(problem, robot)] or free
+    wanted, faults = [swarm[name] for name in swarm.known(names)], []
+    for robot in wanted:
+        if robot.mounted:
+            faults.append(f"{robot.name} is mounted and stays where it is")
+        elif _is_worthless(problem, robot):
+            faults.append(f"{robot.name} may be absent, and is worth nothing anywhere")
     if not wanted:
-        faults.append("no robot may move; give at least one index")
+        faults.append("no robot may move; give at least one name")
     if faults:
         raise RobotInvalid(faults)
     return wanted
 
 
-def _is_worthless(problem: Problem, index: int) -> bool:
+def _is_worthless(problem: Problem, robot: Robot) -> bool:
     """Tell whether a robot counts for nothing in the worst case."""
-    tolerance = problem.swarm.tolerances.get(index)
+    tolerance = robot.tolerance
     return problem.criterion.worst_case and tolerance is not None and tolerance.may_be_absent
 
 
-def _without(problem: Problem, index: int) -> Problem:
+def _without(problem: Problem, robot: Robot) -> Problem:
     """Return the question where a robot goes that has let go."""
-    swarm, kind = problem.swarm, problem.newcomer
     newcomer = replace(
-        kind,
-        limit=float(swarm.limits[index]),
-        name=swarm.robot_label(index),
-        tolerance=swarm.tolerances.get(index),
+        problem.newcomer, limit=robot.limit, name=robot.name, tolerance=robot.tolerance
     )
-    return replace(problem, swarm=swarm.without([index]), newcomer=newcomer)
+    return replace(problem, swarm=problem.swarm.without(robot.name), newcomer=newcomer)

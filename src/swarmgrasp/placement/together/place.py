@@ -4,21 +4,22 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeGuard
+from typing import Any
 
 import numpy as np
 
-from swarmgrasp.errors import NowhereToAttach, SwarmGraspError
+from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
+from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.placement.reason import too_few_words
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.stands import Stands
 from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.ranges import count_faults, is_whole
+from swarmgrasp.ranges import call_faults, count_faults, gap_faults
 from swarmgrasp.swarm import Robot, Swarm
 
 GAP = 1e-3
@@ -26,7 +27,7 @@ GAP = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Together(Answer):
+class Together(Frozen, Answer):
     """Where several newcomers go together.
 
     Attributes
@@ -171,7 +172,7 @@ def place_together(
     ------
     NowhereToAttach
         If the spacing leaves no room to so many, as far as was found.
-    SwarmGraspError
+    ProblemInvalid
         If an argument is outside its range; all faults at once.
 
     Examples
@@ -190,11 +191,8 @@ def place_together(
     (0.953, 1.0, 1.0)
     """
     faults = problem_faults(problem) + count_faults(count) + effort_faults(effort)
-    if not (is_number(gap) and 0.0 < gap < 1.0):
-        faults.append(f"the gap is {gap!r}; it should be 0 < gap < 1")
-    if faults:
-        raise SwarmGraspError(faults)
-    search = JointSearch(problem, count, float(gap), Budget(int(effort)))
+    refuse((ProblemInvalid, faults + gap_faults(gap) + call_faults(progress)))
+    search = JointSearch(problem, int(count), float(gap), Budget(int(effort)))
     sequential = start(search)
     search.run(progress)
     return answer_of(search, sequential)
@@ -229,7 +227,7 @@ def answer_of(search: JointSearch, sequential: float) -> Together:
         )
     stands = _along_the_boundary(search)
     name = search.problem.newcomer.name or "newcomer"
-    names = [f"{name} {k}" if search.count > 1 else name for k in range(1, search.count + 1)]
+    names = search.problem.swarm.names.fresh(name, search.count)
     after = search.gauge.exact(stands)
     bound = max(search.bound, after.quality)
     return Together(
@@ -251,18 +249,6 @@ def swarm_with(swarm: Swarm, robots: tuple[Robot, ...]) -> Swarm:
     for robot in robots:
         swarm = swarm.with_robot(robot)
     return swarm
-
-
-def is_number(value: object) -> TypeGuard[float]:
-    """Tell whether a value is a number, and not a truth value."""
-    return isinstance(value, float | np.floating) or is_whole(value)
-
-
-def problem_faults(problem: object) -> list[str]:
-    """Return what is wrong with a problem."""
-    if isinstance(problem, Problem):
-        return []
-    return [f"{type(problem).__name__} is no Problem: make one with Problem(swarm, newcomer)"]
 
 
 def _along_the_boundary(search: JointSearch) -> Stands:
