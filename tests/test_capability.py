@@ -20,7 +20,7 @@ from swarmgrasp import (
     WrenchSet,
     capability,
 )
-from swarmgrasp.errors import CriterionInvalid, EnvironmentInvalid, RobotInvalid
+from swarmgrasp.errors import CriterionInvalid, EnvironmentInvalid, SwarmInvalid
 from swarmgrasp.scenario import load_example
 
 COMPASS = np.radians(np.arange(0.0, 360.0, 45.0))
@@ -77,7 +77,7 @@ def test_the_largest_wind_is_just_held():
     for i, bearing in enumerate(COMPASS):
         left = Swarm(
             swarm.outline,
-            [r for k, r in enumerate(swarm.robots) if k not in found.worst_losses[i]],
+            [robot for robot in swarm if robot.name not in found.worst_losses[i]],
         )
         for robots, speed in ((swarm, found.intact[i]), (left, found.after_loss[i])):
             wrenches = WrenchSet(robots)
@@ -155,11 +155,11 @@ def test_wrong_questions_are_refused():
     swarm, weather = Swarm(BARGE, []), Environment(Wind(150.0, 500.0, FLAT))
     with pytest.raises(EnvironmentInvalid, match="Wind is no Environment"):
         capability(swarm, weather.wind)
-    with pytest.raises(EnvironmentInvalid, match=r"shape \(\)"):
+    with pytest.raises(EnvironmentInvalid, match=r"numbers \(m,\)"):
         capability(swarm, weather, 0.0)
     with pytest.raises(EnvironmentInvalid, match="the bearing is nan"):
         capability(swarm, weather, [0.0, math.nan])
     with pytest.raises(CriterionInvalid, match="robots to lose is -1"):
         capability(swarm, weather, [0.0], losing=-1)
-    with pytest.raises(RobotInvalid, match="no Swarm"):
+    with pytest.raises(SwarmInvalid, match="no Swarm"):
         capability(BARGE, weather)

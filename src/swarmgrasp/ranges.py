@@ -8,7 +8,7 @@ a sentence for each fault, so that all of them can be told at once.
 import math
 import re
 from collections.abc import Iterable, Mapping, Set
-from numbers import Integral, Real
+from numbers import Integral, Number, Real
 from pathlib import Path
 from typing import Any, TypeGuard
 
@@ -108,6 +108,7 @@ def shown(value: object) -> str:
         text = repr(value.tolist() if isinstance(value, np.ndarray) else value)
     except ValueError:  # of more digits than Python writes
         return "a number of too many digits"
+    text = " ".join(text.split())
     return text if len(text) <= MOST_SHOWN else f"{text[:MOST_SHOWN]}..."
 
 
@@ -122,7 +123,8 @@ def kind_faults(value: object, kind: type, made_by: str = "") -> list[str]:
     if isinstance(value, kind):
         return []
     remedy = f": make one with {made_by}" if made_by else ""
-    return [f"{shown(value)} is no {kind.__name__}{remedy}"]
+    is_small = value is None or isinstance(value, str | Number)
+    return [f"{shown(value) if is_small else type(value).__name__} is no {kind.__name__}{remedy}"]
 
 
 def flag_faults(value: object, called: str) -> list[str]:

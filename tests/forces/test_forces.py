@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import reference
 from strategies import FAMILIES, seeds, swarm_of
 from swarmgrasp import Outline, Robot, Swarm, forces, forces_along, quality
-from swarmgrasp.errors import ForcesNotProven, RobotInvalid, WrenchInvalid
+from swarmgrasp.errors import ForcesNotProven, SwarmInvalid, WrenchInvalid
 from swarmgrasp.forces.start import start_for
 from swarmgrasp.kernels import shares as kernel
 from swarmgrasp.scenario import load_example
@@ -456,10 +456,10 @@ def test_a_hundred_thousand_robots():
 
 def test_all_faults_are_told_at_once():
     """The swarm's, the wrench's and the load's."""
-    with pytest.raises(RobotInvalid) as error:
+    with pytest.raises(SwarmInvalid) as error:
         forces(None, "abc", load=(1, 2))
     assert error.value.faults == (
-        "NoneType is no Swarm: make one with Swarm(outline, robots)",
+        "None is no Swarm: make one with Swarm(outline, robots)",
         "the wrench is 'abc'; it should be three finite numbers [N, N, N m]",
         "the load is (1, 2); it should be three finite numbers [N, N, N m]",
     )
@@ -487,8 +487,8 @@ def test_a_wrench_is_three_numbers(wrench, said):
     [
         ([(1, 2)], r"the wrenches have shape \(1, 2\); it should be \(m, 3\)"),
         ((1, 2, 3), r"the wrenches have shape \(3,\)"),
-        ([(1, 2, 3), (4,)], "rows of different lengths"),
-        ([("a", "b", "c")], "of type <U1; they should be real numbers"),
+        ([(1, 2, 3), (4,)], r"should be numbers \(m, 3\)"),
+        ([("a", "b", "c")], r"should be numbers \(m, 3\)"),
         ([(1, 2, 3), (0, math.inf, 0)], r"wrench 1 is \[0.0, inf, 0.0\]; it should be finite"),
         ([(1e200, 0, 0)] * 12, r"wrench 9 is [^\n]*\n... and 2 more"),
     ],

@@ -159,7 +159,7 @@ def test_edges_are_found_by_name_or_index():
         (lambda o: o.on_edge("key", 1.0), ContactInvalid, "'key'; the named edges: 'quay'"),
         (lambda o: o.on_edge(4, 1.0), ContactInvalid, "edges run from 0 to 3"),
         (lambda o: o.on_edge("quay", 5.0), ContactInvalid, r"should lie in \[0, 4\] m"),
-        (lambda o: o.stretch(0, 2.0, 1.0), ZoneInvalid, "2 to 1 m does not lie on quay"),
+        (lambda o: o.stretch(0, 2.0, 1.0), ZoneInvalid, "2.0 to 1.0 m does not lie on quay"),
         (lambda o: o.at_arc_length(13.0), ContactInvalid, r"in \[0, 12\] m"),
         (lambda o: o.at_arc_length(math.nan), ContactInvalid, "arc length nan"),
         (

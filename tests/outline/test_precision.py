@@ -50,5 +50,5 @@ def test_only_oblique_edges_have_normals_that_may_be_off():
 @pytest.mark.parametrize("precision", [-1e-3, math.nan, math.inf, "1 mm"])
 def test_a_precision_is_a_length(precision):
     """Finite and not negative."""
-    with pytest.raises(OutlineInvalid, match=r"the precision is .*; it should be finite and >= 0"):
+    with pytest.raises(OutlineInvalid, match=r"the precision is .*; it should be 0 <= precision"):
         Outline(CHAMFERED, precision=precision)

@@ -152,5 +152,5 @@ def test_wrong_terms_are_named():
         place(swarm, Newcomer(), losing=1.5)
     with pytest.raises(ZoneInvalid, match="may be absent"):
         place(swarm, Newcomer(tolerance=Tolerance(may_be_absent=True)), worst_case=True)
-    with pytest.raises(ZoneInvalid, match="no Criterion"):
+    with pytest.raises(CriterionInvalid, match="no Criterion"):
         Problem(swarm, Newcomer(), criterion="losing")

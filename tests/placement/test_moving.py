@@ -50,10 +50,10 @@ def test_no_move_of_one_robot_is_better(family, seed, n):
     assert len(move.ranked) == len(swarm)
     assert all(a.quality >= b.quality for a, b in zip(move.ranked, move.ranked[1:], strict=False))
     for _ in range(30):
-        gone = int(rng.integers(len(swarm)))
+        gone = swarm.names[int(rng.integers(len(swarm)))]
         at = swarm.outline.at_arc_length(rng.uniform(0.0, swarm.outline.perimeter))
-        robot = Robot(at.point, at.inward + rng.uniform(-0.7, 0.7), float(swarm.limits[gone]))
-        moved = swarm.without([gone]).with_robot(robot)
+        robot = Robot(at.point, at.inward + rng.uniform(-0.7, 0.7), swarm[gone].limit)
+        moved = swarm.without(gone).with_robot(robot)
         assert quality(moved).value <= move.upper_bound * (1.0 + 1e-9) + slack
 
 
@@ -61,7 +61,7 @@ def test_the_stray_goes_back():
     """Three of the square's four, and one where it adds nothing: it goes where it was."""
     stray = Robot((0.4, 1.0), math.pi / 2, name="D")
     move = best_move(Problem(Swarm(SQUARE, [*FOUR.robots[:3], stray], 1.0), PULLING))
-    assert move.best.robot == 3
+    assert move.best.name == "D"
     assert move.best.new.contact == pytest.approx((0.4, -1.0), rel=1e-5)
     assert move.best.new.name == "D"
     assert move.quality_before == 0.0
@@ -90,14 +90,14 @@ def test_the_rules_of_the_problem_hold():
     zones = (Zone(Stretch(4.0, 6.0, "north")),)
     problem = Problem(swarm, Newcomer(1.0, "push", 0.5), zones, spacing=0.3)
     move = best_move(problem)
-    assert {each.robot for each in move.ranked} == set(range(5))
+    assert {each.name for each in move.ranked} == {f"R{k}" for k in range(1, 6)}
     for each in move.ranked:
         assert each.place == "north"
         assert each.new.limit == each.old.limit
         assert each.new.contact[1] == 1.0
-    one = best_move(problem, robots=[3])
-    assert one.best.robot == 3
-    again = place(swarm.without([3]), Newcomer(4.0, "push", 0.5), zones, spacing=0.3)
+    one = best_move(problem, robots="R4")
+    assert one.best.name == "R4"
+    again = place(swarm.without("R4"), Newcomer(4.0, "push", 0.5), zones, spacing=0.3)
     assert one.quality == pytest.approx(again.quality, rel=1e-6, abs=1e-12)
 
 
@@ -116,8 +116,10 @@ def test_wrong_questions():
     with pytest.raises(RobotInvalid, match="no robot that could move"):
         best_move(Swarm(SQUARE, [thruster]))
     with pytest.raises(RobotInvalid) as error:
-        best_move(aboard, robots=[0, 9, "B"])
-    assert len(error.value.faults) == 3
+        best_move(aboard, robots=[0, "Z", "B"])
+    assert len(error.value.faults) == 2
+    with pytest.raises(RobotInvalid, match="T is mounted"):
+        best_move(aboard, robots=["T", "B"])
     with pytest.raises(RobotInvalid, match="give at least one"):
         best_move(aboard, robots=[])
     with pytest.raises(NowhereToAttach, match="anywhere to go"):
@@ -131,6 +133,6 @@ def test_who_may_be_absent_is_worth_nothing_in_the_worst_case():
     absent = Robot((0.4, 1.0), math.pi / 2, tolerance=Tolerance(may_be_absent=True))
     worst = Criterion(worst_case=True)
     problem = Problem(Swarm(SQUARE, [*FOUR.robots, absent], 1.0), PULLING, criterion=worst)
-    assert {each.robot for each in best_move(problem).ranked} == {0, 1, 2, 3}
+    assert {each.name for each in best_move(problem).ranked} == set("ABCD")
     with pytest.raises(RobotInvalid, match="may be absent"):
-        best_move(problem, robots=[4])
+        best_move(problem, robots="R1")

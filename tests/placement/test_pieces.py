@@ -198,10 +198,13 @@ def test_every_fault_of_a_question_is_named():
     """Stretches off the boundary, empty zones, a spacing that is no length."""
     swarm = Swarm(SQUARE, [])
     with pytest.raises(ZoneInvalid) as caught:
-        Problem(swarm, Newcomer(), (Zone(Stretch(7, 9, "q")),), (Stretch(-1, 2),), math.nan)
-    zone, no_go, spacing = caught.value.faults
+        Problem(swarm, Newcomer(), (Zone(Stretch(7, 9, "q")),), (Stretch(9, 2),))
+    zone, no_go = caught.value.faults
     assert zone == "zone 'q' runs from 7 to 9 m; both ends should lie in [0, 8] m"
-    assert no_go.startswith("no-go stretch '' runs from -1 to 2 m")
-    assert spacing == "the spacing is nan; it should be 0 <= spacing < inf [m]"
+    assert no_go.startswith("no-go stretch '' runs from 9 to 2 m")
+    with pytest.raises(ZoneInvalid) as caught:
+        Problem(swarm, Newcomer(), [3], "q", math.nan)
+    assert len(caught.value.faults) == 3
+    assert caught.value.faults[0].startswith("the spacing is nan; it should be 0 <= spacing <=")
     with pytest.raises(ZoneInvalid, match="give None for the whole boundary"):
         Problem(swarm, Newcomer(), ())

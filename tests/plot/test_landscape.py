@@ -19,7 +19,7 @@ from swarmgrasp import (
     place,
     qualities_with,
 )
-from swarmgrasp.errors import RobotInvalid, SwarmGraspError
+from swarmgrasp.errors import SwarmGraspError, SwarmInvalid
 from swarmgrasp.plot import landscape
 from swarmgrasp.quality import quality
 
@@ -39,7 +39,7 @@ def test_the_grid_is_the_quality_of_each_swarm_with_one_more(crowd, count):
 
 
 def test_newcomers_need_a_swarm():
-    with pytest.raises(RobotInvalid, match="NoneType is no Swarm: make one with"):
+    with pytest.raises(SwarmInvalid, match="None is no Swarm: make one with"):
         qualities_with(None, [(0, 0)], [0.0])
 
 

@@ -70,12 +70,12 @@ def test_robots_lost_and_absent_are_hollow(crowd):
     worst = quality(swarm, worst_case=True, losing=2)
     figure = plan(swarm, quality=worst)
     (hollow,) = by_gid(figure, "missing")
-    gone = {*worst.lost, 4}
+    gone = {*worst.lost, swarm.names[4]}
     assert hollow.N == len(gone) == 3
     tails = np.asarray(hollow.XY)
     tips = tails + np.column_stack([hollow.U, hollow.V])
-    for i in gone:
-        ends = np.vstack([tails, tips]) - robots[i].contact
+    for name in gone:
+        ends = np.vstack([tails, tips]) - swarm[name].contact
         assert np.hypot(*ends.T).min() < 1e-9
     (full,) = by_gid(figure, "robot")
     assert full.N == 12

@@ -1,6 +1,7 @@
 """What an explanation says is true, and in words a seaman would use."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ PULLS = [
     Robot((-0.4, 1), math.pi / 2, name="Castor"),
     Robot((0.4, -1), -math.pi / 2, name="Dione"),
 ]
+TWICE = [*PULLS, *(replace(robot, name="") for robot in PULLS)]
 CENTRED = [Robot((math.cos(a), math.sin(a)), a) for a in np.arange(4) * math.pi / 2]
 
 
@@ -64,11 +66,11 @@ def test_an_explanation_names_what_limits_the_swarm():
         ([], {}, "There are no robots."),
         (PULLS[:3], {}, "The swarm has no force closure: in some directions it exerts nothing."),
         (PULLS, {}, "The opposite way is as weak, so that no single newcomer can help: place two."),
-        (PULLS * 2, {"losing": 1}, "After the worst loss of 1 robot, the swarm exerts at least"),
-        (PULLS * 2, {"losing": 1}, "The worst loss is that of "),
+        (TWICE, {"losing": 1}, "After the worst loss of 1 robot, the swarm exerts at least"),
+        (TWICE, {"losing": 1}, "The worst loss is that of "),
         (PULLS, {"load": (0, 9, 0)}, "Beside the load, the swarm has nothing to spare"),
         (PULLS, {"task": Polytope([(0.5, 0, 0)])}, "The swarm manages 2.000 times the task."),
-        (PULLS * 2, {}, "set this limit: they span the weakest facet."),
+        (TWICE, {}, "set this limit: they span the weakest facet."),
         (PULLS[:3], {}, "that way it exerts nothing."),
     ],
 )

@@ -11,7 +11,7 @@ import reference
 from cases import QUALITIES, rounded_tank, swarm_of_case
 from strategies import FAMILIES, large_swarms, seeds, swarm_of, swarms
 from swarmgrasp import ForceClosure, Outline, Polytope, Robot, Swarm, WrenchSet, quality
-from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.errors import SwarmInvalid
 from swarmgrasp.quality.weakest import weakest_of
 from swarmgrasp.scenario import load_example
 
@@ -142,10 +142,11 @@ def test_what_an_answer_says_of_its_facet(swarm):
         answer.weakest_wrench * swarm.scale, answer.value * answer.direction, rtol=1e-12
     )
     distances = np.abs(B @ answer.direction) / lengths
-    assert answer.facet_robots == tuple(np.flatnonzero(distances <= 1e-9))
+    rows = [swarm.index(name) for name in answer.facet_robots]
+    assert rows == np.flatnonzero(distances <= 1e-9).tolist()
     if answer.value > 0.0:
         assert answer.is_force_closure
-        spread = B[list(answer.facet_robots)] / lengths[list(answer.facet_robots), None]
+        spread = B[rows] / lengths[rows, None]
         assert np.linalg.svd(spread, compute_uv=False)[1] > 0.0
 
 
@@ -310,11 +311,11 @@ def test_all_through_one_point_is_no_closure():
     robots = [Robot(p, math.atan2(*(middle - p)[::-1])) for p in spots]
     answer = quality(Swarm(SQUARE, robots, 1.0))
     assert (answer.value, answer.force_closure) == (0.0, ForceClosure.NO)
-    assert answer.facet_robots == tuple(range(12))
+    assert answer.facet_robots == tuple(f"R{k}" for k in range(1, 13))
 
 
 @pytest.mark.parametrize("stranger", [None, [Robot((0, 0), 0.0)]])
 def test_only_a_swarm_has_a_quality(stranger):
     """Robots without an object have none."""
-    with pytest.raises(RobotInvalid, match=f"{type(stranger).__name__} is no Swarm: make one"):
+    with pytest.raises(SwarmInvalid, match="is no Swarm: make one"):
         quality(stranger)

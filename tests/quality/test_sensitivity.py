@@ -19,7 +19,7 @@ from swarmgrasp import (
     quality,
     sensitivities,
 )
-from swarmgrasp.errors import CriterionInvalid, RobotInvalid
+from swarmgrasp.errors import CriterionInvalid, SwarmInvalid
 from swarmgrasp.quality.heights import Heights
 from swarmgrasp.quality.shares import shares_at
 from swarmgrasp.quality.weakest import weakest_of
@@ -146,7 +146,7 @@ def test_shares_are_those_of_the_weakest_wrench():
 def test_a_fixed_normal_would_be_wrong():
     """A robot on the facet has one slope, its share times n . db, not max(0, n . db)."""
     found = sensitivities(swarm_of("free", 0, 9))
-    on = list(found.quality.facet_robots)
+    on = list(map(found.swarm.index, found.quality.facet_robots))
     assert len(found.weakest) == 1
     assert len(on) == 2
     assert not found.kinks[on].any()
@@ -255,5 +255,5 @@ def test_what_is_refused():
     """The worst case, which moves every pose by itself, and what is no swarm."""
     with pytest.raises(CriterionInvalid, match="sensitivities are of robots whose poses are known"):
         sensitivities(swarm_of("free", 0, 5), worst_case=True)
-    with pytest.raises(RobotInvalid, match="is no Swarm"):
+    with pytest.raises(SwarmInvalid, match="is no Swarm"):
         sensitivities([])

@@ -61,7 +61,7 @@ def test_the_escort_ring_has_the_margins_it_promises() -> None:
     """A ninth tug that hardly matters to eight intact lines is much in a gale with one parted."""
     scenario = load_example("escort-ring")
     swarm, load = scenario.swarm, scenario.criterion.load
-    margin = min(quality(swarm.without([i]), load) for i in range(8))
+    margin = min(quality(swarm.without(name), load) for name in swarm.names)
     assert margin == pytest.approx(43_955.6, rel=1e-5)
     assert scenario.newcomer is not None
     problem = Problem(
@@ -71,7 +71,9 @@ def test_the_escort_ring_has_the_margins_it_promises() -> None:
     (asked,) = place_sequence(problem, 1)
     assert asked.quality_before == pytest.approx(margin)
     ring = asked.swarm_after
-    assert asked.quality == pytest.approx(min(quality(ring.without([i]), load) for i in range(9)))
+    assert asked.quality == pytest.approx(
+        min(quality(ring.without(name), load) for name in ring.names)
+    )
     assert asked.quality == pytest.approx(334_390.0, rel=1e-4)
     (still,) = place_sequence(replace(problem, criterion=Criterion()), 1)
     assert still.quality == pytest.approx(1_007_750.6, rel=1e-5)

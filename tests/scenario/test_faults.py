@@ -62,7 +62,7 @@ ROBOTS = {
         "3:24: robots.0.direction: should be at most 1e+06 (got 2e6)"
     ),
     "{at: 1, direction: 0, limit: 1e-200}": (
-        "3:5: robots.0: robot: the limit is 1e-200; it should be 1e-100 <= limit <= 1e+100 [N]"
+        "3:5: robots.0: R1: the limit is 1e-200; it should be 1e-100 <= limit <= 1e+100 [N]"
     ),
     "{at: 12.5, direction: 0, limit: 1}": (
         "3:10: robots.0.at: should lie in [0, 12] m, the length of the boundary (got 12.5)"

@@ -91,7 +91,7 @@ def test_questions_that_have_no_answer():
     summary = summary_of("round", 1, 30)
     with pytest.raises(SummaryInvalid, match=r"the outline's origin is \(1.0, 1.0\)"):
         summary.place(Outline(SQUARE.vertices, origin=(1, 1)), Newcomer())
-    with pytest.raises(OutlineInvalid, match="None is no outline"):
+    with pytest.raises(OutlineInvalid, match="None is no Outline"):
         summary.place(None, Newcomer())
     with pytest.raises(ZoneInvalid, match="both ends should lie in"):
         summary.place(SQUARE, Newcomer(), [Zone(Stretch(7.0, 9.0))])

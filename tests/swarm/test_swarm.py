@@ -77,7 +77,7 @@ def test_nobody_is_a_swarm():
     nobody = Swarm(Outline(SQUARE), [], characteristic_length=3.0, force_weights=(1.0, 2.0))
     assert nobody.generators.shape == (0, 3)
     one = nobody.with_robot(Robot((1, 0), 0.0, name="tug"))
-    assert (len(one), one.robot_label(0), one.metric_sentence) == (1, "tug", nobody.metric_sentence)
+    assert (len(one), one.names[0], one.metric_sentence) == (1, "tug", nobody.metric_sentence)
 
 
 def test_every_robot_off_the_boundary_is_named_at_once():
@@ -93,7 +93,7 @@ def test_every_robot_off_the_boundary_is_named_at_once():
     tug, nameless, pod = caught.value.faults
     assert tug.startswith("tug at (1.5, 0) m is 0.5 m off the boundary")
     assert "(1, 0) m on edge 1" in tug
-    assert nameless.startswith("robot 2 at (0, 0) m is 1 m off")
+    assert nameless.startswith("R2 at (0, 0) m is 1 m off")
     assert nameless.endswith("declare it mounted if it sits inside the outline")
     assert pod.endswith("a mounted robot should be inside the outline")
 
@@ -128,19 +128,17 @@ def test_a_swarm_made_from_arrays_equals_the_one_made_from_its_robots():
     """Same numbers in both, and robots that are made only when they are asked for."""
     outline = Outline(SQUARE, origin=(0.3, 0.1))
     swarm = Swarm.from_arrays(outline, *crew_on(outline, 50), characteristic_length=3.0)
-    assert (len(swarm), swarm.robot_label(7), "robots" in vars(swarm)) == (50, "robot 7", False)
+    assert (len(swarm), swarm.names[7], "robots" in vars(swarm)) == (50, "R8", False)
     same_arrays(swarm, Swarm(outline, swarm.robots, 3.0))
     assert swarm.robots is swarm.robots
 
 
 def test_a_swarm_keeps_the_very_robots_it_is_made_from():
     """Also after one more has joined; labels are their names."""
-    crew = [Robot((1, 0), 0.0, name="ajax"), Robot((0, 0), 1.0, mounted=True)]
+    crew = [Robot((1, 0), 0.0, name="ajax"), Robot((0, 0), 1.0, name="boreas", mounted=True)]
     swarm = Swarm(Outline(SQUARE), crew[:1]).with_robot(crew[1])
-    assert all(kept is given for kept, given in zip(swarm.robots, crew, strict=True))
-    assert [swarm.robot_label(i) for i in (0, 1, -1)] == ["ajax", "robot 1", "robot 1"]
-    with pytest.raises(IndexError):
-        swarm.robot_label(2)
+    assert all(kept is given for kept, given in zip(swarm, crew, strict=True))
+    assert list(swarm.names) == ["ajax", "boreas"]
 
 
 def test_a_newcomer_to_arrays_is_remembered_with_its_name():
@@ -152,17 +150,17 @@ def test_a_newcomer_to_arrays_is_remembered_with_its_name():
         swarm = swarm.with_robot(Robot(tuple(contact), direction, limit, name=f"tug {limit:.3f}"))
     assert "robots" not in vars(swarm)
     same_arrays(swarm, Swarm.from_arrays(outline, contacts, directions, limits))
-    assert swarm.robots[8].name == swarm.robot_label(8) == f"tug {limits[8]:.3f}"
+    assert swarm.robots[8].name == swarm.names[8] == f"tug {limits[8]:.3f}"
 
 
 def test_a_newcomer_off_the_boundary_is_named_by_its_place_in_the_swarm():
     """Those before it were checked already; what is no robot is refused."""
     swarm = Swarm.from_arrays(Outline(SQUARE), [(1, 0), (0, 1)], [0.0, 0.0])
-    with pytest.raises(RobotOffBoundary, match=r"robot 2 at \(3, 0\) m is 2 m off"):
+    with pytest.raises(RobotOffBoundary, match=r"R3 at \(3, 0\) m is 2 m off"):
         swarm.with_robot(Robot((3, 0), 0.0))
     with pytest.raises(RobotInvalid, match="'tug' is no Robot"):
         swarm.with_robot("tug")
-    with pytest.raises(OutlineInvalid, match="is no outline"):
+    with pytest.raises(OutlineInvalid, match="is no Outline"):
         Swarm(SQUARE, [])
 
 
@@ -188,7 +186,7 @@ def test_a_copy_is_the_same_swarm_and_read_only(copied):
     swarm.scaled_generators  # noqa: B018 - kept from now on
     twin = copied(swarm)
     same_arrays(swarm, twin)
-    assert (twin.robots, twin.robot_label(0)) == (swarm.robots, "ajax")
+    assert (twin, hash(twin), twin.robots) == (swarm, hash(swarm), swarm.robots)
     assert twin.metric_sentence == swarm.metric_sentence
     for array in (twin.scale, *(getattr(twin, name) for name in ARRAYS)):
         assert not array.flags.writeable
@@ -228,10 +226,10 @@ def test_limits_and_mounted_flags_fit_all_robots_or_each():
         (
             ([(1, math.nan), (1, 0)], [0.0, -2e6], [0.0, math.inf]),
             [
-                r"robot 0: the contact is \(1.0, nan\)",
-                "robot 0: the limit is 0.0; it should be 1e-100 <=",
-                "robot 1: the direction is -2000000.0; it should be -1e6 <=",
-                "robot 1: the limit is inf",
+                r"R1: the contact is \(1.0, nan\)",
+                "R1: the limit is 0.0; it should be 1e-100 <=",
+                "R2: the direction is -2000000.0; it should be -1e6 <=",
+                "R2: the limit is inf",
             ],
         ),
     ],
@@ -260,7 +258,7 @@ def test_a_million_faults_make_a_readable_message():
     contacts[:], directions[-3:] = math.nan, math.inf
     with pytest.raises(RobotInvalid) as caught:
         Swarm.from_arrays(outline, contacts, directions)
-    assert caught.value.faults[9].startswith("robot 9: the contact is (nan, nan)")
+    assert caught.value.faults[9].startswith("R10: the contact is (nan, nan)")
     assert caught.value.faults[10:] == (
         "... and 999 990 more; in all, out of range: 1 000 000 contacts, 3 directions",
     )
@@ -278,7 +276,7 @@ def test_a_million_robots_are_practical():
     outline = Outline(SQUARE)
     arrays = crew_on(outline, 1_000_000)
     swarm = Swarm.from_arrays(outline, *arrays).with_robot(Robot((1, 0), 0.0))
-    assert (len(swarm), swarm.robot_label(999_999)) == (1_000_001, "robot 999999")
+    assert (len(swarm), swarm.names[999_999]) == (1_000_001, "R1000000")
     assert "..." in repr(swarm)
     assert sum(getattr(swarm, name).nbytes for name in ARRAYS) < 100e6
     assert "robots" not in vars(swarm)

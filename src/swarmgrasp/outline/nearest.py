@@ -6,6 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.frozen import read_only
+
 PAIRS_AT_ONCE = 32_768
 """Points times edges that are looked at together: what the processor's cache holds."""
 
@@ -94,4 +96,5 @@ def edges_of(corners: Array) -> Edges:
     ends = np.roll(corners, -1, axis=0)
     lengths = np.linalg.norm(ends - corners, axis=1)[:, None]
     units = (ends - corners) / lengths
-    return Edges(*np.hstack([corners, ends, units, lengths]).T.copy()[:, :, None])
+    columns = read_only(np.hstack([corners, ends, units, lengths]).T.copy())
+    return Edges(*columns[:, :, None])

@@ -1,7 +1,7 @@
 """A swarm: the object, the robots holding it, and the metric that makes wrenches comparable."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -397,6 +397,8 @@ class Swarm(Frozen, Plain):
             If there is no robot of a name; all such names are told.
         """
         wanted = (names,) if isinstance(names, str) else items(names)
+        if isinstance(names, Set):
+            wanted = tuple(names)
         if wanted is None:
             raise RobotInvalid(f"the names are {shown(names)}; they should be a name or several")
         faults = [self._stranger(name) for name in wanted if name not in self]
