@@ -48,7 +48,7 @@ MISUSED = [
     (lambda: sg.best_move(None), "ProblemInvalid", "None is no Problem"),
     (lambda: sg.best_move(PROBLEM, robots=[3]), "RobotInvalid", "no robot called 3; there are Aj"),
     (lambda: sg.WrenchSet(None), "SwarmInvalid", "None is no Swarm"),
-    (lambda: sg.write_answer("x.json", "x"), "AnswerInvalid", "'x' is no answer"),
+    (lambda: sg.write_answer("x.json", "x"), "AnswerInvalid", "'x' is no Answer"),
     (lambda: sg.wrench_words(None), "WrenchInvalid", "direction is None"),
     (lambda: sg.wrench_words([1.0]), "WrenchInvalid", "three finite numbers"),
     (lambda: SWARM["R1000000000"], "RobotInvalid", "there are Ajax, R1, R2, R3"),

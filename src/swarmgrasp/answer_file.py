@@ -7,9 +7,10 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.errors import AnswerInvalid, refuse
 from swarmgrasp.files import write_whole
 from swarmgrasp.plain import Answer
+from swarmgrasp.ranges import kind_faults, name_faults, path_faults
 from swarmgrasp.verify.digest import digest_of
 
 REVISION = 3
@@ -32,6 +33,10 @@ def document_of(answer: Answer, name: str = "", date: datetime | None = None) ->
         When it was found, with its time zone; now when left out, or what the environment variable
         SOURCE_DATE_EPOCH says [s since 1970], which makes files reproducible.
     """
+    faults = kind_faults(answer, Answer, "place(...)") + name_faults(name)
+    if date is not None:
+        faults += kind_faults(date, datetime, "datetime.now(UTC)")
+    refuse((AnswerInvalid, faults))
     return sealed(answer.kind, answer.to_data(), name, date)
 
 
@@ -74,6 +79,13 @@ def write_answer(
         The file's own entries: a title, and when the answer was found; now when left out, or what
         the environment variable SOURCE_DATE_EPOCH says.
 
+    Raises
+    ------
+    AnswerInvalid
+        If the answer, the path, the name or the date is none.
+    OSError
+        If the file cannot be written.
+
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
@@ -86,6 +98,7 @@ def write_answer(
     ...     read_answer(f"{folder}/answer.json")["format"]
     'swarmgrasp placements 3'
     """
+    refuse((AnswerInvalid, path_faults(path)))
     write_whole(path, document_text(document_of(answer, name, date)).encode())
 
 
@@ -97,15 +110,12 @@ def read_answer(path: str | Path) -> dict[str, Any]:
     AnswerInvalid
         If it cannot be read, is too large, or is not a JSON object; with file and line.
     """
+    refuse((AnswerInvalid, path_faults(path)))
     try:
         with Path(path).open("rb") as file:
             return parse_answer(file.read(LARGEST_FILE + 1), str(path))
     except OSError as error:
         raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
-    except ValueError as error:
-        if isinstance(error, AnswerInvalid):
-            raise
-        raise AnswerInvalid(f"{str(path)!r}: not a path: {error}") from None
 
 
 def parse_answer(content: bytes, source: str) -> dict[str, Any]:

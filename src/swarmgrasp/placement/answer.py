@@ -16,6 +16,7 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.ranges import items, kind_faults, shown
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.verify import Verdict, verify_document
 
@@ -192,20 +193,24 @@ class Placements(tuple[Placement, ...], Answer):
 
     def __new__(cls, answers: Iterable[Placement]) -> Self:
         """Check that they follow one from the other."""
-        made = super().__new__(cls, answers)
-        if not made:
-            raise AnswerInvalid("there is no answer to write")
+        given = items(answers) or ()
+        faults = [f for answer in given for f in kind_faults(answer, Placement, "place(...)")]
+        if not given:
+            faults.append(f"the answers are {shown(answers)}; give a list of at least one")
+        if faults:
+            raise AnswerInvalid(faults)
+        made = super().__new__(cls, given)
         for before, after in pairwise(made):
             left = before.swarm_after
-            if after.problem.swarm is not left and after.problem.swarm.robots != left.robots:
+            if after.problem.swarm != left:
                 raise AnswerInvalid(
-                    f"{after.robot.name or 'a robot'} was placed in another swarm than the one "
-                    f"that {before.robot.name or 'the robot before it'} joined: write them apart"
+                    f"{after.robot.name} was placed in another swarm than the one that "
+                    f"{before.robot.name} joined: write them apart"
                 )
             if _asked(after) != _asked(before):
                 raise AnswerInvalid(
-                    f"{after.robot.name or 'a robot'} answers another question than "
-                    f"{before.robot.name or 'the robot before it'}: write them apart"
+                    f"{after.robot.name} answers another question than "
+                    f"{before.robot.name}: write them apart"
                 )
         return made
 

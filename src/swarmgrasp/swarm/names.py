@@ -59,9 +59,9 @@ class Names(Frozen):
         return (self[i] for i in range(len(self)))
 
     @cached_property
-    def _indices(self) -> dict[str, int]:
+    def _indices(self) -> Mapping[str, int]:
         """The robots by the names they were given."""
-        return {name: i for i, name in self.given.items()}
+        return MappingProxyType({name: i for i, name in self.given.items()})
 
     def index(self, name: object) -> int | None:
         """Return the index of the robot of a name; None if there is none."""
