@@ -33,9 +33,7 @@ tugs = [
 swarm = sg.Swarm(barge, tugs)
 before = sg.quality(swarm)
 print(f"Five tugs hold {before.value / 1e3:.0f} kN in every direction; weakest is")
-print(
-    f"  {sg.wrench_words(before.direction)}, set by", *before.facet_robots
-)
+print(f"  {sg.wrench_words(before.direction)}, set by", *before.facet_robots)
 
 # The sixth may push onto the fenders of either side, or pull from a bollard at the bow.
 fortuna = sg.Newcomer(60 * TONNE_FORCE, attachment="push", half_angle=pi / 6, name="Fortuna")
