@@ -173,14 +173,12 @@ class Move(Frozen, Answer):
     @property
     def reason(self) -> str:
         """What the best move does, in words."""
-        best, weakest = self.best, self.before.weakest_words
+        best, swarm, weakest = self.best, self.problem.swarm, self.before.weakest_words
         if not self.improves:
             if self._is_open:
                 return f"no move was found that raises what is weakest, {weakest}"
             return f"no robot alone can raise what is weakest, {weakest}, by moving: leave them"
-        after = self.problem.criterion.weakest_words(
-            self.problem.swarm, best.placement.after.normal
-        )
+        after = self.problem.criterion.weakest_words(swarm, best.placement.after.normal)
         away = (
             "nothing is held in some directions" if best.quality_without == 0.0 else "less is held"
         )
