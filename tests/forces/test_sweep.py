@@ -12,6 +12,8 @@ from swarmgrasp import Outline, Robot, Swarm, forces_along
 BARGE = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
 PADS = [((x, y), -math.copysign(math.pi / 2, y)) for x in range(-40, 41, 20) for y in (-10, 10)]
 PADS += [((x, y), math.pi if x > 0 else 0.0) for x in (-40, 40) for y in (-10, 0, 10)]
+ONCE_REFUSED = [2616, 2927, 4409, 5163, 15704, 18448]
+"""Dwarfs beside giants, and a flat set whose plane rounding hides."""
 SIZES = [*range(13), 16, 40]
 ON_ONE_LINE = [((-40, 0), 0.0), ((40, 0), math.pi), ((-40, 0), 0.0)]
 
@@ -64,26 +66,27 @@ def sweep(seeds, check_every):
     """Ask four wrenches of a swarm per seed; return what is wrong with the answers."""
     for seed in seeds:
         rng = np.random.default_rng([seed, 3])
-        swarm = crowd_at_pads(rng, int(rng.choice(SIZES)))
+        swarm, family = crowd_at_pads(rng, int(rng.choice(SIZES))), "pads"
         if rng.random() < 0.5:
             family = FAMILIES[rng.integers(len(FAMILIES))]
             swarm = swarm_of(family, seed, int(rng.choice(SIZES)))
         sizes = np.linalg.norm(swarm.scaled_generators, axis=1)
         is_even = not len(swarm) or sizes.max() < 1e3 * sizes.min()
+        is_even &= family != "nearly parallel"
         wrenches = np.array([wrench_for(rng, swarm) for _ in range(4)])
         load = wrench_for(rng, swarm) * (0.1 if rng.random() < 0.3 else 0.0)
         for k, found in enumerate(forces_along(swarm, wrenches, load=load)):
             yield from (f"seed {seed}, wrench {k}: {fault}" for fault in found.verify().faults)
             wanted = (wrenches[k] - load) * swarm.scale
-            if is_even and seed % check_every == 0 and wanted.any():
+            if is_even and seed % check_every == 0 and np.linalg.norm(wanted) > 1e-9:
                 truth = reference.least_largest_share(swarm.scaled_generators, wanted)
                 if found.needed != pytest.approx(truth, rel=1e-9, abs=1e-9):
                     yield f"seed {seed}, wrench {k}: needed {found.needed}, and it is {truth}"
 
 
 def test_the_first_of_the_sweep():
-    """Two thousand wrenches, every tenth swarm's beside a linear program."""
-    faults = list(sweep(range(500), 10))
+    """Two thousand wrenches, every tenth swarm's beside a linear program, and what was hard."""
+    faults = list(sweep([*range(500), *ONCE_REFUSED], 10))
     assert not faults, "\n".join(faults)
 
 

@@ -5,7 +5,7 @@
 #include "vectors.h"
 
 #define FLAT 1e-12    /* cosine, or share of the height, within which a generator is in the plane */
-#define ROUNDED 2e-15 /* cosine that is rounding */
+#define ROUNDED 2e-15 /* cosine that is rounding; of a part, relative to all robots' total */
 #define EVEN 0.01     /* sine between two directions that say well what plane they are in */
 #define TURNS 400     /* of the plane, far more than it takes */
 #define LARGE 100000  /* robots from which the keyboard is looked at in between */
@@ -66,9 +66,11 @@ static double divide(Turning *t, const double *normal, double height, ptrdiff_t 
     corner[0] = corner[1] = corner[2] = 0.0;
     t->face.count = 0;
     for (ptrdiff_t i = 0; i < t->n; i++) {
-        /* of a giant among dwarfs even a small part is high; of dwarfs no part is */
-        double share = t->sizes[i] > height ? FLAT * height / t->sizes[i] : FLAT;
-        if (i == in || i == also || fabs(t->s[i]) <= larger(share, ROUNDED)) {
+        /* of a giant among dwarfs even a small part is high; of dwarfs no part is, nor is what
+         * rounding of a flat set makes */
+        double size_i = t->sizes[i], share = size_i > height ? FLAT * height / size_i : FLAT;
+        double rounded = smaller(ROUNDED * t->total / size_i, FLAT);
+        if (i == in || i == also || fabs(t->s[i]) <= larger(share, rounded)) {
             t->where[i] = 0;
             t->face.robot[t->face.count++] = i;
         } else if (t->s[i] > 0.0) {
