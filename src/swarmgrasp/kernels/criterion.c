@@ -30,7 +30,8 @@ typedef struct {
     const double *extra;
     Tree white;             /* how directions are whitened; nothing else of it */
     double gap, zero, rounding;
-    double best, normal[3]; /* the least (H + rounding) / D, and its normal */
+    double best, normal[3]; /* the least (H + rounding) / D, and its normal, */
+    double value;           /* and H / D there, or 0 if rounding hides it */
     double polished;        /* the best that is known to be least around its normal */
     double rest;            /* triangles until polishing another is worth it */
     Active *active;  /* those of all triangles on the way to the one at hand */
@@ -204,6 +205,7 @@ static void offer(Hunt *h, const double *normal, double height, double extent) {
     value = (height + h->rounding * size) / extent;
     if (value < h->best) {
         h->best = value;
+        h->value = height <= larger(h->rounding * size, h->zero * extent) ? 0.0 : height / extent;
         memcpy(h->normal, normal, sizeof h->normal);
     }
 }
@@ -370,6 +372,31 @@ static int meet_in_one(const Hunt *h, size_t begin, size_t end, const Active **p
     return count == 2;
 }
 
+/* Offer a normal in a triangle, or next to it, that two robots' planes cross. Next to it others may
+ * change sign: if it looks weakest all robots are asked. */
+static void offer_vertex(Hunt *h, const Place *place, size_t begin, size_t end,
+                         const double *normal, int one, int two) {
+    double extent = criterion_extent(h->aim, normal), size = length(normal);
+    double height = height_at(h, place, begin, end, normal, one, two);
+    if (height + h->rounding * size >= h->best * larger(extent, UNASKED * size))
+        return;
+    height = dot(h->aim->load, normal);
+    clear(h->top, h->aim->losing);
+    for (int i = 0; i < robots_of(h->aim) + (h->extra != NULL); i++)
+        if (i != one && i != two)
+            height += note_largest(h->top, h->aim->losing,
+                                   larger(0.0, low(h->aim, h->extra, i, normal)));
+    offer(h, normal, height, extent);
+}
+
+/* Turn a normal across a generator, where rounding left it next to that: of one much stronger than
+ * the others the rest would count for more than they do. */
+static void lay_across(const double *b, double *normal) {
+    double along = dot(normal, b) / dot(b, b);
+    for (int k = 0; k < 3; k++)
+        normal[k] -= along * b[k];
+}
+
 /* Evaluate H where the planes of two robots meet, if that is in a triangle. */
 static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one,
                        const Active *two) {
@@ -386,8 +413,10 @@ static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, co
     for (int k = 0; k < 3; k++)
         m[k] = side * (m[k] - turn * p[k]);
     tree_normal(&h->white, m, normal);
-    offer(h, normal, height_at(h, place, begin, end, normal, one->robot, two->robot),
-          criterion_extent(h->aim, normal));
+    const double *b = known(h->aim, h->extra, one->robot);
+    const double *c = known(h->aim, h->extra, two->robot);
+    lay_across(dot(b, b) > dot(c, c) ? b : c, normal);
+    offer_vertex(h, place, begin, end, normal, one->robot, two->robot);
 }
 
 /* Evaluate H where the plane of a robot meets the edges of a triangle. */
@@ -400,8 +429,10 @@ static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, con
         for (int k = 0; k < 3; k++)
             normal[k] = fabs(to_low) * place->normal[3 * j + k]
                         + fabs(from_low) * place->normal[3 * to + k];
-        offer(h, normal, height_at(h, place, begin, end, normal, one->robot, one->robot),
-              criterion_extent(h->aim, normal));
+        const double *b = known(h->aim, h->extra, one->robot);
+        if (b)
+            lay_across(b, normal);
+        offer_vertex(h, place, begin, end, normal, one->robot, one->robot);
     }
 }
 
@@ -613,7 +644,6 @@ static Status whiten(Hunt *h) {
 
 Status criterion_search(const Criterion *aim, const double *extra, double gap, double below,
                         double rounding, Work *work, double *value, double *normal) {
-    double height, cap;
     int robots = robots_of(aim);
     Hunt h = {.aim = aim, .extra = extra, .gap = gap, .zero = ZERO / UNASKED * rounding, .best = below,
               .rounding = rounding, .work = work};
@@ -625,15 +655,8 @@ Status criterion_search(const Criterion *aim, const double *extra, double gap, d
     if (status == SOLVED)
         status = explore_all(&h);
     double size = length(h.normal);
-    *value = below;
+    *value = size > 0.0 ? h.value : below;
     for (int k = 0; k < 3; k++)
         normal[k] = size > 0.0 ? h.normal[k] / size : 0.0;
-    if (size > 0.0 && !is_fault(status)) {
-        Status valued = criterion_height(aim, normal, extra, &height, &cap);
-        if (valued != SOLVED)
-            return valued;
-        double extent = larger(criterion_extent(aim, normal), UNASKED);
-        *value = height <= rounding || height <= h.zero * extent ? 0.0 : height / extent;
-    }
     return status;
 }
