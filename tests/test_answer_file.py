@@ -56,6 +56,6 @@ def test_a_sequence_is_one_question(answers):
     other = place_sequence(QUESTION, 1, gap=1e-3)[0]
     with pytest.raises(AnswerInvalid, match="was placed in another swarm"):
         Placements([second, first])
-    with pytest.raises(AnswerInvalid, match="there is no answer"):
+    with pytest.raises(AnswerInvalid, match="give a list of at least one"):
         Placements([])
     assert json.dumps(Placements([other]).to_data()) == json.dumps(other.to_data())

@@ -21,6 +21,7 @@ from swarmgrasp import (
     Polytope,
     Problem,
     Robot,
+    Summary,
     Swarm,
     Tolerance,
     Wind,
@@ -68,8 +69,8 @@ def there_and_back(thing):
 
 
 def assert_same(one, other):
-    """Check that two objects are of one kind and write the same."""
-    assert type(one) is type(other)
+    """Check that two objects are equal, and write the same."""
+    assert one == other
     assert one.to_data() == other.to_data()
 
 
@@ -156,3 +157,16 @@ def test_any_single_key_left_out_or_added_is_refused():
             spot["more"] = 1
         with pytest.raises(DataInvalid):
             Problem.from_data(data)
+
+
+def test_bounds_of_summaries_are_told():
+    """Of a quality and of a placement: by the names of their attributes, as JSON."""
+    scenario = load_example("deck-barge")
+    summary = Summary.of(scenario.swarm)
+    graded = summary.quality()
+    placed = summary.place(scenario.swarm.outline, scenario.newcomer)
+    for bounds in (graded, placed):
+        told = json.loads(json.dumps(bounds.to_data(), allow_nan=False))
+        assert (told["lower"], told["upper"]) == (bounds.lower, bounds.upper)
+        assert told["direction"] == bounds.direction.tolist()
+    assert Robot.from_data(placed.to_data()["robot"]) == placed.robot

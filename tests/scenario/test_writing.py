@@ -32,20 +32,13 @@ SWARM = Swarm(BARGE, [Robot((4, 0.5), 3.0, 1.5, "Ajax")])
 STRONG = Problem(Swarm(BARGE, [Robot((4, 0.5), 3.0, 1e20)]), Newcomer())
 
 
-def same(one, other):
-    """Tell whether two scenarios say the same, but for their names."""
-    asked = one.problem().to_data() == other.problem().to_data()
-    return asked and (one.newcomer, one.environment) == (other.newcomer, other.environment)
-
-
 @pytest.mark.parametrize("name", example_names())
 def test_every_built_in_scenario_comes_back(name, tmp_path):
     """From its file to objects, to a file, to objects, to the same file."""
     first = load_example(name)
     write(first, tmp_path / "again.yaml")
     again = load_scenario(tmp_path / "again.yaml")
-    assert same(first, again)
-    assert (again.name, again.description) == (first.name, first.description)
+    assert again == first
     assert scenario_text(again) == (tmp_path / "again.yaml").read_text()
 
 
@@ -55,7 +48,7 @@ def test_every_problem_comes_back(problem):
     assume(problem.swarm.limits.max(initial=0.0) <= 1e12)
     text = scenario_text(problem, name="asked")
     again = parse_scenario(text)
-    assert again.problem().to_data() == problem.to_data()
+    assert again.problem() == problem
     assert scenario_text(again) == text
 
 
@@ -87,7 +80,7 @@ def test_everything_that_can_be_said_is():
         criterion = Criterion(2, True, (0.0, -0.3, 1e-7), task)
         problem = Problem(swarm, Newcomer(2.0), zones, (Stretch(3.0, 3.5, "!"),), 0.1, criterion)
         again = parse_scenario(scenario_text(problem))
-        assert again.problem().to_data() == problem.to_data()
+        assert again.problem() == problem
 
 
 @pytest.mark.parametrize(
@@ -95,7 +88,7 @@ def test_everything_that_can_be_said_is():
     [
         (
             Problem(Swarm(BARGE, [Robot((4, 0.5), 3.0, 1e20)]), Newcomer()),
-            r"as written:9:46: robots.0.limit: should be at most 1e\+12",
+            r"as written:9:[0-9]+: robots.0.limit: should be at most 1e\+12",
         ),
         (
             Problem(SWARM, Newcomer(), (Zone(Stretch(3.9999999, 5.0)),)),

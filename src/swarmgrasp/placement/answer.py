@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, Self
@@ -207,7 +207,7 @@ class Placements(tuple[Placement, ...], Answer):
                     f"{after.robot.name} was placed in another swarm than the one that "
                     f"{before.robot.name} joined: write them apart"
                 )
-            if _asked(after) != _asked(before):
+            if after.problem != before.problem.with_swarm(left):
                 raise AnswerInvalid(
                     f"{after.robot.name} answers another question than "
                     f"{before.robot.name}: write them apart"
@@ -220,9 +220,3 @@ class Placements(tuple[Placement, ...], Answer):
             "problem": self[0].problem.to_data(),
             "placements": [answer._found_data() for answer in self],
         }
-
-
-def _asked(answer: Placement) -> list[object]:
-    """Return what was asked of a swarm."""
-    problem = answer.problem
-    return [getattr(problem, part.name) for part in fields(problem) if part.name != "swarm"]
