@@ -41,11 +41,11 @@ from swarmgrasp.quality import (
     qualities,
     quality,
     sensitivities,
-    wrench_words,
 )
 from swarmgrasp.summary import Summary
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
 from swarmgrasp.verify import Verdict, verify_document
+from swarmgrasp.words import wrench_words
 from swarmgrasp.wrench_set import WrenchSet
 
 __all__ = [

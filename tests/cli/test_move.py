@@ -46,4 +46,4 @@ def test_nobody_can_move(run):
     """A vessel with its own thrusters only."""
     status, said, complaints = run("move", "supply-vessel")
     assert (status, said) == (2, "")
-    assert complaints.startswith("supply-vessel:1:1: there is no robot that could move")
+    assert complaints.startswith("supply-vessel: there is no robot that could move")

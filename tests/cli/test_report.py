@@ -1,6 +1,6 @@
 import sys
 
-from swarmgrasp.cli.report import Column, Report
+from swarmgrasp.cli.show.report import Column, Report
 
 
 def test_a_narrow_terminal_keeps_the_names(monkeypatch, capsys):

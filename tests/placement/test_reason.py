@@ -5,8 +5,10 @@ import pytest
 
 import reference
 from swarmgrasp import Newcomer, Outline, Polytope, Robot, Swarm, Zone, place, quality
-from swarmgrasp.quality.words import force_words
 from swarmgrasp.scenario import load_example
+from swarmgrasp.words import Unit
+
+KN = Unit(1e3, "kN", figures=4)
 
 
 @pytest.fixture(scope="module")
@@ -22,13 +24,13 @@ def answer():
 def test_what_the_newcomer_adds(answer):
     """Before and after, and what the old weakest direction has with it."""
     before, gain, now, setters, *_ = answer.explanation.splitlines()
-    assert f"the quality is {force_words(answer.quality_before)}" in before
+    assert f"the quality is {KN.text(answer.quality_before)}" in before
     assert "weakest at turning to port while moving to starboard, set by Castor and Dione" in before
     swarm = answer.swarm_after
     there = reference.support(swarm.scaled_generators, np.array(answer.before.normal))[0]
     assert gain.startswith("Fortuna at port aft pads, (-12.19, 10.97) m, its force towards -112.9")
-    assert f"raises that to {force_words(there)}, and the quality to " in gain
-    assert f"{force_words(answer.quality)} (+108 %)" in gain
+    assert f"raises that to {KN.text(there)}, and the quality to " in gain
+    assert f"{KN.text(answer.quality)} (+108 %)" in gain
     assert "now weakest at turning to starboard while moving to starboard" in now
     assert setters.startswith("Castor and Fortuna set this limit")
 
@@ -38,8 +40,8 @@ def test_the_runner_up_and_the_bound(answer):
     *_, runner, bound = answer.explanation.splitlines()
     best = answer.runners_up[0]
     assert runner.startswith(f"The runner-up at {best.place}, ")
-    assert f"would give {force_words(best.quality)}, 97.5 % of it." in runner
-    assert f"No allowed place gives more than {force_words(answer.upper_bound)}" in bound
+    assert f"would give {KN.text(best.quality)}, 97.5 % of it." in runner
+    assert f"No allowed place gives more than {KN.text(answer.upper_bound)}" in bound
 
 
 def test_a_newcomer_that_cannot_help():

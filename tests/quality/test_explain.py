@@ -8,8 +8,8 @@ import pytest
 
 import reference
 from swarmgrasp import Outline, Polytope, Robot, Swarm, quality, wrench_words
-from swarmgrasp.quality.words import force_words
 from swarmgrasp.scenario import load_example
+from swarmgrasp.words import Unit
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 PULLS = [
@@ -47,7 +47,7 @@ def test_an_explanation_names_what_limits_the_swarm():
     swarm = load_example("deck-barge").swarm
     found = quality(swarm)
     first, second, third, fourth, fifth = found.explanation.splitlines()
-    assert force_words(found.value) in first
+    assert Unit.for_size(found.value, figures=4).text(found.value) in first
     assert wrench_words(found.direction) in second
     assert third.startswith("Castor and Dione set this limit")
     products = reference.generators(

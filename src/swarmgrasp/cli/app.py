@@ -19,8 +19,8 @@ from swarmgrasp.cli.paper import paper
 from swarmgrasp.cli.place import place
 from swarmgrasp.cli.plot import plot
 from swarmgrasp.cli.quality import quality
-from swarmgrasp.cli.report import complain
 from swarmgrasp.cli.schema import schema
+from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.verify import verify
 from swarmgrasp.errors import SwarmGraspError
 

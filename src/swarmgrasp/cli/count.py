@@ -1,29 +1,26 @@
 """`swarmgrasp count`: how many robots a required quality takes."""
 
 import math
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from cyclopts import Parameter
 
-from swarmgrasp.cli.criteria import criterion_of, losing_faults, unit_for
+from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     UsageFault,
     asked_before,
+    blaming,
     json_faults,
     read_scenario,
     source_of,
     whole_faults,
 )
-from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.ranges import MOST_PLACED
 
 MOST = 20
 """Robots tried unless told otherwise."""
-
-if TYPE_CHECKING:
-    from swarmgrasp.placement import HowMany
 
 
 def count(
@@ -81,13 +78,10 @@ def count(
 
     required = before["required"] if quality is None else quality
     steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
-    try:
-        problem = scenario.problem(criterion)
-        found = how_many(problem, required, most=tried, effort=steps)
-    except SwarmGraspError as error:
-        source = source_of(file)
-        raise UsageFault(f"{source}:1:1: {fault}" for fault in error.faults) from error
+    with blaming(file):
+        found = how_many(scenario.problem(criterion), required, most=tried, effort=steps)
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.show.count import show
 
     deliver(json, document_of(found, scenario.name), lambda: show(scenario.name, found))
 
@@ -102,38 +96,3 @@ def _number_faults(quality: float | None, most: str | None, effort: str | None) 
         *whole_faults("--most", most, 1, MOST_PLACED),
         *whole_faults("--effort", effort),
     ]
-
-
-def show(name: str, found: "HowMany") -> None:
-    """Write an answer for people."""
-    from swarmgrasp.cli.gains import change, show_robots
-    from swarmgrasp.cli.report import ALONG, NOTES, Report
-
-    report, criterion = Report(), found.problem.criterion
-    unit = unit_for(criterion, found.required, found.quality)
-    wanted = unit.text(found.required)
-    quality = change(found.quality_before, found.quality, unit)
-    if found.count is None:
-        many = f"{found.most} robot{'s' if found.most > 1 else ''}"
-        failed = "is out of reach of" if found.is_proven else "was not reached with up to"
-        report.headline(f"{name}: {wanted} {failed} {many}", "caution")
-        quality = f"{unit.text(found.quality_before)} as it is"
-    else:
-        are = "robot is" if found.count == 1 else "robots are"
-        word = "the fewest" if found.is_proven else "the fewest found"
-        told = f"{found.count} {are} {word} for {wanted}" if found.count else f"{wanted} is there"
-        report.headline(f"{name}: {told}", "good")
-    report.blank()
-    facts = [("Quality", quality)]
-    if criterion.words:
-        facts.append(("", criterion.words))
-    facts.append(("Proven" if found.is_proven else "Open", found.reason))
-    if found.answer is not None:
-        facts.append(("Limit then", found.answer.reason))
-    report.facts(facts)
-    if found.answer is not None:
-        show_robots(report, found.answer)
-    report.blank()
-    report.note(f"Metric: {found.problem.swarm.metric_sentence}.")
-    for note in (*NOTES, ALONG):
-        report.note(note)

@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING
 
 from swarmgrasp.cli.inputs import UsageFault, source_of, whole_faults
-from swarmgrasp.cli.report import Forces
 
 if TYPE_CHECKING:
     from swarmgrasp.quality import Criterion
@@ -53,8 +52,3 @@ def criterion_of(
     if losing is not None:
         criterion = replace(criterion, losing=int(losing))
     return replace(criterion, worst_case=True) if worst_case else criterion
-
-
-def unit_for(criterion: "Criterion", *sizes: float) -> Forces:
-    """Return the unit to show qualities in."""
-    return Forces.for_size(*sizes) if criterion.task is None else Forces(1.0, "times the task")

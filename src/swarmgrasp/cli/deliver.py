@@ -6,7 +6,7 @@ from typing import Any
 
 from swarmgrasp.cli.dash import DASH
 from swarmgrasp.cli.inputs import print_json
-from swarmgrasp.cli.report import told_written
+from swarmgrasp.cli.show.report import told_written
 
 
 def deliver(

@@ -45,7 +45,7 @@ def examples(
 
 def _write(folder: Path, texts: dict[str, str], force: bool) -> None:
     """Write the texts, all or none."""
-    from swarmgrasp.cli.report import told_written
+    from swarmgrasp.cli.show.report import told_written
     from swarmgrasp.files import write_whole
 
     paths = {name: folder / f"{name}.yaml" for name in texts}
@@ -64,7 +64,7 @@ def _write(folder: Path, texts: dict[str, str], force: bool) -> None:
 
 def _list() -> None:
     """List the built-in scenarios."""
-    from swarmgrasp.cli.report import Column, Report
+    from swarmgrasp.cli.show.report import Column, Report
     from swarmgrasp.scenario import example_names, load_example
 
     rows = []

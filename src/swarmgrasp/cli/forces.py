@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -14,10 +14,14 @@ from swarmgrasp.cli.inputs import (
     asked_before,
     json_faults,
     output_faults,
+    print_json,
     read_scenario,
 )
-from swarmgrasp.cli.pushes import Triple, load_of, number_faults, show
+from swarmgrasp.cli.wrenches import Triple, number_faults, read_wrenches
 from swarmgrasp.errors import SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.scenario import Scenario
 
 ThreeNumbers = Annotated[Triple | None, Parameter(metavar="FX FY TZ", negative="")]
 
@@ -68,8 +72,6 @@ def forces(
     faults += json_faults(json) + output_faults(csv, (".csv",)) + output_faults(plot, PICTURES)
     table: tuple[Sequence[int], Sequence[Triple]] | None = None
     if wrenches is not None:
-        from swarmgrasp.cli.trajectory import read_wrenches
-
         try:
             table = read_wrenches(wrenches)
         except SwarmGraspError as error:
@@ -79,17 +81,17 @@ def forces(
         wrench = asked_before(scenario, "forces").get("wanted")
         rows = asked_before(scenario, "forces along").get("wanted")
         table = None if rows is None else (range(2, 2 + len(rows)), rows)
+    load = scenario.criterion.load if load is None else load
     if table is not None:
-        from swarmgrasp.cli.trajectory import tell_trajectory
-
-        tell_trajectory(scenario, *table, load, csv=csv, json=json)
+        _tell_many(scenario, *table, load, csv, json)
         return
     if wrench is None:
         raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.show.forces import show
     from swarmgrasp.forces import forces as forces_of
 
-    found = forces_of(scenario.swarm, wrench, load=load_of(scenario, load))
+    found = forces_of(scenario.swarm, wrench, load=load)
 
     def draw() -> list[Path]:
         if plot is None:
@@ -100,6 +102,33 @@ def forces(
 
     document = document_of(found, scenario.name)
     deliver(json, document, lambda: show(scenario.name, found), draw)
+
+
+def _tell_many(
+    scenario: "Scenario", lines: Sequence[int], rows: Sequence[Triple], load: Triple,
+    csv: str | None, json: str | None,
+) -> None:  # fmt: skip
+    """Find and tell the forces for the wrenches of a table, each with its line there."""
+    from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.show.trajectory import show, table_text
+    from swarmgrasp.files import write_whole
+    from swarmgrasp.forces import forces_along
+
+    found = forces_along(scenario.swarm, rows, load=load)
+
+    def write() -> list[str]:
+        if csv in (None, DASH):
+            return []
+        write_whole(str(csv), table_text(found).encode())
+        return [str(csv)]
+
+    def tell() -> None:
+        if csv == DASH:
+            print_json(table_text(found))
+        else:
+            show(scenario.name, found, lines)
+
+    deliver(json, document_of(found, scenario.name), tell, write, aside=csv == DASH)
 
 
 def _option_faults(

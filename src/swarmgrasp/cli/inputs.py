@@ -4,7 +4,8 @@ import io
 import os
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -92,6 +93,15 @@ def read_stdin(largest: int) -> bytes:
     if len(raw) > largest:
         raise UsageFault(f"{STDIN}:1:1: is too large; it should have at most {largest} bytes")
     return raw
+
+
+@contextmanager
+def blaming(file: str) -> Iterator[None]:
+    """Tell what is wrong with a question as a fault of the file that asks it."""
+    try:
+        yield
+    except SwarmGraspError as error:
+        raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
 
 
 def output_faults(path: str | Path | None, suffixes: tuple[str, ...]) -> list[str]:

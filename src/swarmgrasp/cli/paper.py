@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from swarmgrasp.cli.inputs import UsageFault
-from swarmgrasp.cli.report import told_written
+from swarmgrasp.cli.show.report import told_written
 
 if TYPE_CHECKING:
     from swarmgrasp.paper.report import Report
@@ -67,7 +67,7 @@ def _folder_faults(folder: Path) -> list[str]:
 
 def _show(written: "Report") -> None:
     """Tell how much of what the report states holds."""
-    from swarmgrasp.cli.report import Report
+    from swarmgrasp.cli.show.report import Report
 
     report, count, failed = Report(), len(written.statements), written.failed
     if not failed:

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from swarmgrasp.cli.report import complain
+from swarmgrasp.cli.show.report import complain
 from swarmgrasp.errors import WrenchSetTooLarge
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from swarmgrasp.placement import Placement
+    from swarmgrasp.placement import Placement, Together
     from swarmgrasp.quality import Criterion
     from swarmgrasp.swarm import Swarm
 
@@ -52,6 +52,19 @@ def pictures(
             if len(wanted) == 1:
                 raise
             complain(f"{path}: not drawn: {fault}" for fault in error.faults)
+    return [save(figure, path) for path, figure in drawn.items()]
+
+
+def pictures_together(wanted: dict[Picture, Path], found: "Together") -> list[Path]:
+    """Write the plan and the wrenches of newcomers that are placed together."""
+    from swarmgrasp.plot import plan, save, wrench_sets
+    from swarmgrasp.quality import quality
+
+    criterion, after = found.problem.criterion, found.swarm_after
+    drawn = {
+        wanted["plan"]: plan(after, quality=quality(after, **criterion.terms)),
+        wanted["wrenches"]: wrench_sets(found.problem.swarm, after, criterion=criterion),
+    }
     return [save(figure, path) for path, figure in drawn.items()]
 
 

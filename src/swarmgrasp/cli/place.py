@@ -12,6 +12,7 @@ from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
     asked_before,
+    blaming,
     json_faults,
     output_faults,
     read_scenario,
@@ -19,7 +20,6 @@ from swarmgrasp.cli.inputs import (
     whole_faults,
 )
 from swarmgrasp.cli.pictures import Picture
-from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
@@ -100,17 +100,20 @@ def place(
     from swarmgrasp.answer_file import document_of
 
     if together:
-        from swarmgrasp.cli import jointly
+        from swarmgrasp.cli.pictures import pictures_together
+        from swarmgrasp.cli.show.together import show as show_together
+        from swarmgrasp.placement import place_together
         from swarmgrasp.placement.together.effort import EFFORT
 
         steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
         near = before.get("asked_gap", ROUGH) if gap is None else gap
-        joint = jointly.solve(scenario, file, count, near, steps, criterion)
+        with blaming(file):
+            joint = place_together(scenario.problem(criterion), count, gap=near, effort=steps)
         deliver(
             json,
             document_of(joint, scenario.name),
-            lambda: jointly.show(scenario.name, joint),
-            lambda: jointly.draw(joint, _beside(plot)) if plot else [],
+            lambda: show_together(scenario.name, joint),
+            lambda: pictures_together(_beside(plot), joint) if plot else [],
         )
         return
     first = (before.get("placements") or [{}])[0]
@@ -118,7 +121,7 @@ def place(
     share = first.get("asked_runners_up", SHARE) if runners_up is None else runners_up
     answers = solve(scenario, file, count, near, share, criterion)
     from swarmgrasp.cli.pictures import pictures
-    from swarmgrasp.cli.placed import show
+    from swarmgrasp.cli.show.placement import show
 
     deliver(
         json,
@@ -157,14 +160,10 @@ def solve(
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import place_sequence
 
-    try:
-        problem = scenario.problem(criterion)
-        with shown_progress(robots) as progress:
-            return place_sequence(
-                problem, robots, gap=gap, runners_up=runners_up, progress=progress
-            )
-    except SwarmGraspError as error:
-        raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
+    with blaming(file), shown_progress(robots) as progress:
+        return place_sequence(
+            scenario.problem(criterion), robots, gap=gap, runners_up=runners_up, progress=progress
+        )
 
 
 def check_newcomer(scenario: "Scenario", file: str, robots: int) -> None:

@@ -26,7 +26,7 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
     scenario = read_scenario(file, output_faults(picture, PICTURES))
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.place import solve
-    from swarmgrasp.cli.report import told_written
+    from swarmgrasp.cli.show.report import told_written
 
     alone = scenario.newcomer is None and what != "landscape"
     answers = () if alone else solve(scenario, file)

@@ -72,7 +72,7 @@ def quality(
     lost = losses(scenario.swarm, **rest) if criterion.losing else ()
     slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
     told = {**found.to_data(), "losses": plain(lost), "sensitivities": plain(slopes)}
-    from swarmgrasp.cli.graded import show
+    from swarmgrasp.cli.show.quality import show
 
     deliver(
         json,

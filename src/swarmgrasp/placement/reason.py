@@ -7,14 +7,14 @@ import numpy as np
 
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.explain import (
+    FIGURES,
     crew_words,
     limit_sentences,
     loss_sentences,
-    value_words,
 )
 from swarmgrasp.quality.max_transfer import Quality
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.quality.words import share_words
+from swarmgrasp.words import Unit, degrees, percent
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
@@ -104,7 +104,7 @@ def explain_placement(answer: "Placement") -> str:
     after = _quality_of(answer.swarm_after, answer.after, answer)
     said = [_before(answer), *_gain(answer)]
     if answer.improves:
-        said += limit_sentences(after, answer.swarm_after, now=" now")
+        said += limit_sentences(after, answer.swarm_after, _unit(answer), now=" now")
         said += loss_sentences(after)
     return "\n".join([*said, _runner_up(answer), _bound(answer)])
 
@@ -122,7 +122,13 @@ def _weakest(answer: "Placement", found: Weakest) -> str:
 
 
 def _value(value: float, answer: "Placement") -> str:
-    return value_words(value, answer.problem.criterion)
+    """Say a quality, in the one unit of all of them."""
+    return _unit(answer).text(value)
+
+
+def _unit(answer: "Placement") -> Unit:
+    """Return the unit of the qualities of an answer."""
+    return answer.problem.criterion.unit(answer.upper_bound or answer.noise, figures=FIGURES)
 
 
 def _before(answer: "Placement") -> str:
@@ -143,9 +149,8 @@ def _before(answer: "Placement") -> str:
 
 def _gain(answer: "Placement") -> list[str]:
     """Say what the newcomer adds, or why it adds nothing."""
-    turn = 180.0 - (180.0 - math.degrees(answer.robot.direction)) % 360.0
-    name = _name(answer)
-    robot = f"{_start(name)}{_at(answer.place, answer.robot)}, its force towards {turn:.1f} deg,"
+    name, turn = _name(answer), degrees(answer.robot.direction)
+    robot = f"{_start(name)}{_at(answer.place, answer.robot)}, its force towards {turn} deg,"
     if not answer.improves:
         return [
             f"No allowed place for {name} raises that: {answer.reason}.",
@@ -156,7 +161,7 @@ def _gain(answer: "Placement") -> list[str]:
     if criterion.task is None:  # of a task the same wrench may limit it at another normal
         aim = Aim(answer.swarm_after, criterion)
         there = float(aim.values(np.array([answer.before.normal]))[0])
-    more = f" (+{share_words(after / before - 1.0)})" if before > 0.0 else ""
+    more = f" (+{percent(after / before - 1.0)})" if before > 0.0 else ""
     found = f"{_value(after, answer)}{more}"
     if math.isfinite(there) and there > after * (1.0 + SAME):
         return [f"{robot} raises that to {_value(there, answer)}, and the quality to {found}."]
@@ -172,7 +177,7 @@ def _runner_up(answer: "Placement") -> str:
         value = _value(runner.quality, answer)
         if share >= ALL_OF_IT:
             return f"{said} as much, {value}."
-        return f"{said} {value}, {share_words(share)} of it."
+        return f"{said} {value}, {percent(share)} of it."
     if len({piece.place for piece in answer.problem.pieces().each}) == 1:
         return f"There is no other place for {_name(answer)}."
     return "There is no runner-up: none was asked for, or none comes near enough."
@@ -191,7 +196,7 @@ def _bound(answer: "Placement") -> str:
         return "No allowed place gives any: that is proven."
     if answer.gap <= PROVEN:
         return f"No allowed place is better: that is proven.{early}"
-    above = f", {share_words(answer.gap)} above" if answer.quality else ""
+    above = f", {percent(answer.gap)} above" if answer.quality else ""
     most = f"{_value(answer.upper_bound, answer)}{above}"
     return f"No allowed place gives more than {most}: that is proven.{early}"
 

@@ -25,7 +25,7 @@ from swarmgrasp.plot.plan import (
     outer_spots,
 )
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
-from swarmgrasp.quality import wrench_words
+from swarmgrasp.words import wrench_words
 
 LIMIT: Final = "#C3D3E0"
 """Colour of what a robot could exert."""

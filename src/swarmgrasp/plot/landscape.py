@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Placement, Problem, cell_qualities
 from swarmgrasp.plot import style
+from swarmgrasp.words import TIMES
 
 COLOURS: Final = "cividis"
 """Even in lightness, and the same to every kind of colour vision."""
@@ -173,7 +174,7 @@ def _draw_values(
     room = ax.inset_axes((1.03, 0.0, 0.035, 1.0))
     bar = cast(Figure, ax.figure).colorbar(image, cax=room)
     label = "quality with the newcomer"
-    bar.set_label(label if unit == style.TIMES else f"{label} [{unit}]")
+    bar.set_label(label if unit == TIMES else f"{label} [{unit}]")
     bar.formatter.set_useOffset(False)  # type: ignore[attr-defined]
     _make_room(ax, room)
     levels = np.asarray(MaxNLocator(LEVELS).tick_values(low, high))

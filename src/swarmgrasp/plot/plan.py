@@ -23,6 +23,7 @@ from swarmgrasp.plot.strips import BOLLARD, STRIP, STRIPES, draw_strips, name_bo
 from swarmgrasp.quality import Quality
 from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Robot, Swarm, Zone
+from swarmgrasp.words import TIMES
 
 MOST_LABELS: Final = 40
 """With more robots or named edges than this none is labelled."""
@@ -274,7 +275,7 @@ def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement
             spots, bearing = outer_spots(arrows, runner.robot)
             text = style.quality(
                 runner.quality, placement.problem.criterion, placement.quality
-            ).removesuffix(f" {style.TIMES}")
+            ).removesuffix(f" {TIMES}")
             page.label(
                 text, spots, bearing, optional=True,
                 fontsize=7.0, color=style.GREY, gid="runner-up-label",

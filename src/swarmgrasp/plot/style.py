@@ -10,6 +10,7 @@ import matplotlib as mpl
 
 from swarmgrasp.quality import Criterion
 from swarmgrasp.quality.criterion import NOMINAL
+from swarmgrasp.words import Unit
 
 BLUE: Final = "#0072B2"
 SKY: Final = "#56B4E9"
@@ -58,19 +59,6 @@ RC: Final[Any] = {  # matplotlib types the keys one by one
 }
 """The settings each picture is drawn under; the caller's own are left as they are."""
 
-UNITS: Final = (
-    (1e6, 1e-6, "MN"),
-    (1e3, 1e-3, "kN"),
-    (1e-2, 1.0, "N"),
-    (1e-4, 1e3, "mN"),
-    (1e-7, 1e6, "µN"),
-    (0.0, 1e9, "nN"),
-)
-"""Least force [N] shown in a unit, numbers in it per newton, and its name."""
-
-TIMES: Final = "times the task"
-"""The unit of a quality that has none."""
-
 
 @contextmanager
 def settings() -> Iterator[None]:
@@ -111,8 +99,8 @@ def force_unit(value: float) -> tuple[float, str]:
     >>> force_unit(0.39), force_unit(2e-3), force_unit(0.0)
     ((1.0, 'N'), (1000.0, 'mN'), (1.0, 'N'))
     """
-    size = abs(value) or 1.0
-    return next((factor, unit) for least, factor, unit in UNITS if size >= least)
+    unit = Unit.for_size(value)
+    return 1.0 / unit.newtons, unit.name
 
 
 def number(value: float) -> str:
@@ -167,7 +155,8 @@ def quality_unit(value: float, criterion: Criterion = NOMINAL) -> tuple[float, s
     >>> quality_unit(12_000.0), quality_unit(1.2, Criterion(task=Polytope([(1e3, 0, 0)])))
     ((0.001, 'kN'), (1.0, 'times the task'))
     """
-    return force_unit(value) if criterion.task is None else (1.0, TIMES)
+    unit = criterion.unit(value)
+    return 1.0 / unit.newtons, unit.name
 
 
 def quality(value: float, criterion: Criterion = NOMINAL, reference: float | None = None) -> str:

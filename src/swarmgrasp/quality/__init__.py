@@ -6,7 +6,6 @@ from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
 from swarmgrasp.quality.sensitivity import Sensitivities, sensitivities
 from swarmgrasp.quality.task import Ellipsoid, Polytope
 from swarmgrasp.quality.weakest import qualities
-from swarmgrasp.quality.words import wrench_words
 
 __all__ = [
     "Criterion",
@@ -20,5 +19,4 @@ __all__ = [
     "qualities",
     "quality",
     "sensitivities",
-    "wrench_words",
 ]

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
-from swarmgrasp.quality.words import wrench_words
 from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, numbers, shown
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.words import TIMES, Unit, wrench_words
 
 MOST_LOST = 10**9
 """Robots that may be lost; all there are, if that is more."""
@@ -128,6 +128,18 @@ class Criterion(Plain):
         ask for one way only.
         """
         return self.losing + (1 if self.task is not None else 3 if self.has_load else 4)
+
+    def unit(self, *sizes: float, figures: int = 5) -> Unit:
+        """Return the unit to tell qualities of some sizes [N] in; times the task, if there is one.
+
+        Examples
+        --------
+        >>> NOMINAL.unit(2e3).text(2e3)
+        '2.0000 kN'
+        """
+        if self.task is None:
+            return Unit.for_size(*sizes, figures=figures)
+        return Unit(1.0, TIMES, figures)
 
     def weakest_words(self, swarm: Swarm, normal: ArrayLike) -> str:
         """Say which wrench a swarm reaches least, where a facet with this normal limits it.

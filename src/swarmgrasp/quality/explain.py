@@ -7,15 +7,16 @@ import numpy as np
 
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.heights import ON_FACET
-from swarmgrasp.quality.words import digits, force_words, list_words, share_words
+from swarmgrasp.words import Unit, list_words, percent
 
 if TYPE_CHECKING:
-    from swarmgrasp.quality.criterion import Criterion
     from swarmgrasp.quality.max_transfer import Quality
     from swarmgrasp.swarm import Swarm
 
 MOST_NAMED = 6
 """Robots up to which they are named, and not counted."""
+FIGURES = 4
+"""Significant digits in a sentence."""
 EQUAL = 1e-9
 """Relative difference of two heights that are equal."""
 
@@ -46,33 +47,17 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
     """
     if not len(swarm):
         return "There are no robots."
+    unit = found.criterion.unit(found.value or found.noise, figures=FIGURES)
     return "\n".join(
         [
-            _headline(found),
-            *limit_sentences(found, swarm),
+            _headline(found, unit),
+            *limit_sentences(found, swarm, unit),
             *_work_sentences(found, swarm),
             *loss_sentences(found),
             *_opposite_sentences(found, swarm),
-            *_bound_sentences(found),
+            *_bound_sentences(found, unit),
         ]
     )
-
-
-def value_words(value: float, criterion: "Criterion") -> str:
-    """Say a quality with its unit.
-
-    Examples
-    --------
-    >>> from swarmgrasp.quality.criterion import Criterion
-    >>> from swarmgrasp.quality.task import Polytope
-    >>> value_words(2e3, Criterion())
-    '2.000 kN'
-    >>> value_words(1.25, Criterion(task=Polytope([(1, 0, 0)])))
-    '1.250 times the task'
-    """
-    if criterion.task is None:
-        return force_words(value)
-    return f"{digits(value, value)} times the task"
 
 
 def crew_words(names: Sequence[str]) -> str:
@@ -80,7 +65,7 @@ def crew_words(names: Sequence[str]) -> str:
     return f"{len(names)} robots" if len(names) > MOST_NAMED else list_words(names)
 
 
-def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str]:
+def limit_sentences(found: "Quality", swarm: "Swarm", unit: Unit, now: str = "") -> list[str]:
     """Say which direction is weakest, how large the wrench there is, and who sets it.
 
     Parameters
@@ -88,6 +73,8 @@ def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str
     found : Quality
     swarm : Swarm
         That it is of.
+    unit : Unit
+        Of the quality.
     now : str
         Follows the verb, such as " now".
     """
@@ -95,13 +82,12 @@ def limit_sentences(found: "Quality", swarm: "Swarm", now: str = "") -> list[str
     if found.value == 0.0:
         said = [f"{way}: that way it exerts nothing."]
     else:
-        x, y, turn = (float(part) for part in found.weakest_wrench)
-        length = swarm.characteristic_length
-        size = float(np.linalg.norm(found.weakest_wrench * swarm.scale))
+        if found.criterion.task is not None:
+            size = float(np.linalg.norm(found.weakest_wrench * swarm.scale))
+            unit = Unit.for_size(size, figures=FIGURES)
+        x, y, turn = unit.wrench(found.weakest_wrench.tolist(), swarm.characteristic_length)
         said = [
-            f"{way}: there it exerts at most {force_words(x, size)} along x, "
-            f"{force_words(y, size)} along y and {force_words(turn, size * length, ' m')} of "
-            "torque at once."
+            f"{way}: there it exerts at most {x} along x, {y} along y and {turn} of torque at once."
         ]
     lost = set(found.lost)
     setters = [name for name in found.facet_robots if name not in lost]
@@ -115,18 +101,17 @@ def loss_sentences(found: "Quality") -> list[str]:
     return [f"The worst loss is that of {crew_words(found.lost)}."] if found.lost else []
 
 
-def _headline(found: "Quality") -> str:
+def _headline(found: "Quality", unit: Unit) -> str:
     """Say what the swarm can do in every direction."""
     words = found.criterion.words
     given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
     if 0.0 < found.value <= found.noise:
-        value, noise = (value_words(v, found.criterion) for v in (found.value, found.noise))
         return (
-            f"{given} has {value}, and that may be rounding: the decimals of the outline's "
-            f"coordinates tell it to {noise} only."
+            f"{given} has {unit.text(found.value)}, and that may be rounding: the decimals of the "
+            f"outline's coordinates tell it to {unit.text(found.noise)} only."
         )
     if found.value > 0.0:
-        value = value_words(found.value, found.criterion)
+        value = unit.text(found.value)
         if found.criterion.task is not None:
             return f"{given} manages {value}."
         return f"{given} exerts at least {value} in every direction, turning included."
@@ -173,14 +158,13 @@ def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
     return ["The opposite way is as weak, so that no single newcomer can help: place two."]
 
 
-def _bound_sentences(found: "Quality") -> list[str]:
+def _bound_sentences(found: "Quality", unit: Unit) -> list[str]:
     """Say how near the quality is to what is proven."""
     said = []
     if found.bound < found.value:
-        bound = value_words(found.bound, found.criterion)
-        said.append(f"It is proven to be {bound} or more.")
+        said.append(f"It is proven to be {unit.text(found.bound)} or more.")
     if found.value > 0.0 and found.criterion.is_nominal:
-        share, ceiling = share_words(found.efficiency), force_words(found.ceiling)
+        share, ceiling = percent(found.efficiency), unit.text(found.ceiling)
         said.append(
             f"The quality is {share} of {ceiling}, which robots with these limits could not exceed "
             "wherever they were."

@@ -1,6 +1,5 @@
 """Text for people: colour and tables on a terminal, plain aligned columns in a pipe."""
 
-import math
 import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from swarmgrasp.outline import Outline
+    from swarmgrasp.swarm import Swarm
 
 Mood = Literal["", "good", "caution", "bad"]
 STYLES: dict[Mood, str] = {
@@ -100,6 +99,12 @@ class Report:
         """Write an empty line."""
         self.sentence("")
 
+    def small_print(self, swarm: "Swarm", *notes: str) -> None:
+        """Write what the numbers mean, after an empty line."""
+        self.blank()
+        for note in (f"Metric: {swarm.metric_sentence}.", *NOTES, *notes):
+            self.note(note)
+
     def facts(self, rows: Sequence[tuple[str, str]]) -> None:
         """Write labelled facts; an empty label continues the one above."""
         if self._console is None:
@@ -163,106 +168,6 @@ class Report:
                 for cell, width, right in zip(row, widths, is_number, strict=True)
             ]
             print(GAP.join(cells).rstrip())
-
-
-@dataclass(frozen=True)
-class Forces:
-    """The unit one report shows forces in, chosen by the largest of them.
-
-    Examples
-    --------
-    >>> unit = Forces.for_size(229_220.4)
-    >>> unit.text(229_220.4), unit.number(1200.0)
-    ('229.22 kN', '1.2000')
-    """
-
-    newtons: float
-    name: str
-
-    @classmethod
-    def for_size(cls, *sizes: float) -> "Forces":
-        """Choose the unit."""
-        largest = max(map(abs, sizes), default=1.0)
-        if largest >= 1e6:
-            return cls(1e6, "MN")
-        if largest >= 1e3:
-            return cls(1e3, "kN")
-        return cls(1.0, "N") if largest >= 1e-2 or largest == 0.0 else cls(1e-3, "mN")
-
-    def number(self, force: float) -> str:
-        """Return a force without its unit, five digits."""
-        return digits(force / self.newtons)
-
-    def text(self, force: float) -> str:
-        """Return a force with its unit."""
-        return f"{self.number(force)} {self.name}"
-
-    def part(self, force: float, whole: float, unit: str = "") -> str:
-        """Return a component with its unit, rounded to 1/10 000 of the whole, never -0.
-
-        Parameters
-        ----------
-        force, whole : float [N, or N m for both]
-        unit : str
-            Follows the unit of force: " m" for a torque.
-
-        Examples
-        --------
-        >>> Forces.for_size(2e3).part(-1e-9, 2e3), Forces.for_size(2e3).part(-1500.0, 2e3)
-        ('0 kN', '-1.5000 kN')
-        """
-        held = 0.0 if abs(force) < 1e-4 * abs(whole) else force
-        return f"{digits(held / self.newtons)} {self.name}{unit}"
-
-
-def digits(value: float) -> str:
-    """Return a number to five significant digits, plainly.
-
-    Examples
-    --------
-    >>> [digits(v) for v in (0.0, 123.456, 0.000123456, 1234567.0, -2.5)]
-    ['0', '123.46', '0.00012346', '1234567', '-2.5000']
-    """
-    if value == 0.0:
-        return "0"
-    power = math.floor(math.log10(abs(value)))
-    return f"{value:.{max(0, 4 - power)}f}" if power > -6 else f"{value:.4e}"
-
-
-@dataclass(frozen=True)
-class Lengths:
-    """How many decimals suit the lengths of one outline: some 1/10 000 of its extent."""
-
-    decimals: int
-
-    @classmethod
-    def for_outline(cls, outline: "Outline") -> "Lengths":
-        """Choose the number of decimals."""
-        return cls(max(0, 4 - math.floor(math.log10(outline.extent))))
-
-    def number(self, length: float) -> str:
-        """Return a length [m] without its unit."""
-        return f"{round(length, self.decimals) + 0.0:.{self.decimals}f}"
-
-    def point(self, point: tuple[float, float]) -> str:
-        """Return a point as "(x, y) m"."""
-        return f"({self.number(point[0])}, {self.number(point[1])}) m"
-
-
-def percent(fraction: float) -> str:
-    """Return a share in percent, to three digits.
-
-    Examples
-    --------
-    >>> percent(1.0806), percent(0.0), percent(2.2e-7), percent(0.975)
-    ('108 %', '0 %', '0.000022 %', '97.5 %')
-    """
-    value = 100.0 * fraction
-    if value == 0.0:
-        return "0 %"
-    power = math.floor(math.log10(abs(value)))
-    figures = 2 if power >= -1 else 1
-    return f"{value:.{max(0, figures - power)}f} %"
 
 
 def told_written(paths: Iterable[str | Path], *, aside: bool = False) -> None:

@@ -1,16 +1,16 @@
 """How `swarmgrasp quality` tells its answer."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
-from swarmgrasp.cli.criteria import unit_for
-from swarmgrasp.cli.report import NOTES, Column, Forces, Lengths, Report, percent
-from swarmgrasp.cli.sensitivities import show_sensitivities
-from swarmgrasp.cli.words import degrees, stance
+from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.cli.show.sensitivities import show_sensitivities
 from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities
 from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.stance import stance
+from swarmgrasp.words import Lengths, Unit, degrees, percent
 
 EQUAL = 1e-9
 """Relative difference of two qualities that is none."""
@@ -21,7 +21,7 @@ def show(
 ) -> None:
     """Write a quality for people."""
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
-    unit = unit_for(criterion, found.value or max((r.limit for r in swarm.robots), default=0.0))
+    unit = criterion.unit(found.value or max((r.limit for r in swarm.robots), default=0.0))
     asked = f" {criterion.words}" if criterion.words else ""
     report.headline(
         f"{scenario.name}: quality {unit.text(found.value)}{asked}",
@@ -44,10 +44,7 @@ def show(
     _show_robots(report, swarm, _title(criterion))
     if slopes is not None:
         show_sensitivities(report, slopes, unit)
-    report.blank()
-    report.note(f"Metric: {swarm.metric_sentence}.")
-    for note in NOTES:
-        report.note(note)
+    report.small_print(swarm)
 
 
 _CLOSURE = {
@@ -57,7 +54,7 @@ _CLOSURE = {
 }
 
 
-def _noise(found: Quality, unit: Forces) -> list[tuple[str, str]]:
+def _noise(found: Quality, unit: Unit) -> list[tuple[str, str]]:
     """Tell how far the outline's coordinates tell a quality that is below that."""
     if found.value > found.noise or found.noise == 0.0 or str(found.force_closure) == "no":
         return []
@@ -72,7 +69,7 @@ def _title(criterion: Criterion) -> str:
     return "The robots" if criterion.losing else ""
 
 
-def _efficiency(swarm: Swarm, found: Quality, unit: Forces) -> tuple[str, str]:
+def _efficiency(swarm: Swarm, found: Quality, unit: Unit) -> tuple[str, str]:
     """Tell how much of what the limits allow is reached."""
     weighted = "" if swarm.force_weights == (1.0, 1.0) else "weighted "
     return (
@@ -95,7 +92,7 @@ def _worst_loss(found: Quality, lost: Sequence[Loss]) -> str:
 
 
 def _beside(
-    swarm: Swarm, found: Quality, lost: Sequence[Loss], unit: Forces
+    swarm: Swarm, found: Quality, lost: Sequence[Loss], unit: Unit
 ) -> list[tuple[str, str]]:
     """Tell what else the swarm can do, and who is lost, by a criterion."""
     criterion = found.criterion
@@ -117,7 +114,7 @@ def _beside(
     return facts
 
 
-def _show_losses(report: Report, lost: Sequence[Loss], unit: Forces) -> None:
+def _show_losses(report: Report, lost: Sequence[Loss], unit: Unit) -> None:
     """Write the table of what the loss of each robot leaves."""
     columns = [
         Column("without"),
@@ -139,14 +136,12 @@ def _show_losses(report: Report, lost: Sequence[Loss], unit: Forces) -> None:
     report.table(columns, rows)
 
 
-def _parts(swarm: Swarm, wrench: Iterable[float]) -> str:
+def _parts(swarm: Swarm, wrench: Sequence[float]) -> str:
     """Return the parts of a wrench [N, N, N m] in words, the torque last."""
-    x, y, turn = (float(v) for v in wrench)
     length = swarm.characteristic_length
-    size = math.hypot(x, y, turn / length)
-    unit = Forces.for_size(size)
-    torque = unit.part(turn, size * length, " m")
-    return f"{unit.part(x, size)} along x, {unit.part(y, size)} along y and {torque}"
+    fx, fy, tz = wrench
+    x, y, turn = Unit.for_size(math.hypot(fx, fy, tz / length)).wrench(wrench, length)
+    return f"{x} along x, {y} along y and {turn}"
 
 
 def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
@@ -157,7 +152,7 @@ def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
     words = found.weakest_words
     if found.value > 0.0:
         who = "robots and load come to" if found.criterion.has_load else "the robots exert"
-        told = _parts(swarm, found.weakest_wrench)
+        told = _parts(swarm, found.weakest_wrench.tolist())
         facts = [("Weakest wrench", words), ("", f"{who} at most {told} of torque at once")]
     elif found.criterion.has_load and found.is_force_closure:
         facts = [("Weakest wrench", f"{words}: the robots do not hold the load there")]
@@ -174,8 +169,8 @@ def _show_robots(report: Report, swarm: Swarm, title: str) -> None:
     if not len(swarm):
         return
 
-    unit = Forces.for_size(*(robot.limit for robot in swarm.robots))
-    lengths = Lengths.for_outline(swarm.outline)
+    unit = Unit.for_size(*(robot.limit for robot in swarm.robots))
+    lengths = Lengths.for_extent(swarm.outline.extent)
     columns = [
         Column("robot"),
         *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "to [deg]")),

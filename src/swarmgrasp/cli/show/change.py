@@ -1,10 +1,11 @@
 """What a change of quality is called, and where robots are, in the reports of several commands."""
 
-from swarmgrasp.cli.report import Column, Forces, Lengths, Report, percent
-from swarmgrasp.cli.words import degrees, stance
+from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Together
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.stance import stance
+from swarmgrasp.words import Lengths, Unit, degrees, percent
 
 SAME = 1e-9
 """Relative difference of two qualities that is none."""
@@ -12,7 +13,7 @@ FINE = 1e-6
 """Relative difference, 0.0001 %, below which it is not told to the digit."""
 
 
-def change(before: float, after: float, unit: Forces) -> str:
+def change(before: float, after: float, unit: Unit) -> str:
     """Say how a quality changes."""
     if abs(after - before) <= SAME * before:
         return f"stays {unit.text(before)}"
@@ -20,7 +21,7 @@ def change(before: float, after: float, unit: Forces) -> str:
     return f"{unit.number(before)} -> {unit.text(after)} ({share})"
 
 
-def proven(what: str, bound: float, quality: float, unit: Forces) -> str:
+def proven(what: str, bound: float, quality: float, unit: Unit) -> str:
     """Say how far a bound is above a quality: what else is better by how much at most."""
     told = f"(upper bound {unit.text(bound)})"
     if bound <= quality * (1.0 + SAME):
@@ -33,7 +34,7 @@ def proven(what: str, bound: float, quality: float, unit: Forces) -> str:
 
 def spot(outline: Outline, robot: Robot) -> list[str]:
     """Return x, y, the arc length, the direction and what it is off the normal, for a table."""
-    placed, lengths = stance(outline, robot), Lengths.for_outline(outline)
+    placed, lengths = stance(outline, robot), Lengths.for_extent(outline.extent)
     figures = [lengths.number(v) for v in (*robot.contact, placed.arc_length)]
     return [*figures, degrees(robot.direction), placed.short]
 

@@ -1,10 +1,11 @@
-"""A robot's place and direction in words."""
+"""How a robot stands on the hull, in words."""
 
 import math
 from dataclasses import dataclass
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.robot import Robot
+from swarmgrasp.words import turned
 
 SQUARE = 0.05
 """Angle [deg] below which a force counts as square to the edge."""
@@ -69,19 +70,3 @@ def _ways(way: str, off: float, of_edge: str) -> tuple[str, str]:
         f"{way}, {abs(off):.1f} deg {sense} off the {normal}",
         f"{way[:4]} {abs(off):.1f} {sense}",
     )
-
-
-def turned(angle: float) -> float:
-    """Return an angle [rad] in degrees within (-180, 180].
-
-    Examples
-    --------
-    >>> [round(turned(a), 6) for a in (math.pi, -math.pi, 0.0, 5.5 * math.pi)]
-    [180.0, 180.0, 0.0, -90.0]
-    """
-    return 180.0 - (180.0 - math.degrees(angle)) % 360.0
-
-
-def degrees(angle: float) -> str:
-    """Return a direction [rad] in degrees as text, never -0."""
-    return f"{round(turned(angle), 1) + 0.0:.1f}"

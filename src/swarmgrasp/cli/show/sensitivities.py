@@ -3,27 +3,27 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.cli.report import Column, Forces, Report
+from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.quality import Sensitivities
-from swarmgrasp.quality.words import digits
+from swarmgrasp.words import Unit, digits
 
 WAYS = ("-", "+")
 
 
-def show_sensitivities(report: Report, found: Sensitivities, unit: Forces) -> None:
+def show_sensitivities(report: Report, found: Sensitivities, unit: Unit) -> None:
     """Write the table of what the quality gains when one robot changes and the others stay.
 
     Parameters
     ----------
     report : Report
     found : Sensitivities
-    unit : Forces
+    unit : Unit
         Of the quality.
     """
     swarm, is_force = found.swarm, found.quality.criterion.task is None
     if not len(swarm):
         return
-    limits = Forces.for_size(float(swarm.limits.max()))
+    limits = Unit.for_size(float(swarm.limits.max()))
     of = unit.name if is_force else "1"
     kinds = [
         ("along", f"{of}/m", found.contact / unit.newtons),
@@ -48,6 +48,6 @@ def _columns(slopes: NDArray[np.float64]) -> list[list[str]]:
     """Write slopes (n, 2) as two columns, with the decimals that give the largest four digits."""
     largest = float(np.nanmax(np.abs(slopes), initial=0.0))
     return [
-        ["" if np.isnan(slope) else digits(float(slope), largest) for slope in column]
+        ["" if np.isnan(slope) else digits(float(slope), largest, 4) for slope in column]
         for column in slopes.T
     ]

@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from swarmgrasp.cli.criteria import unit_for
-from swarmgrasp.cli.report import ALONG, NOTES, Column, Forces, Lengths, Report, percent
-from swarmgrasp.cli.words import Stance, degrees, stance
+from swarmgrasp.cli.show.report import ALONG, Column, Report
 from swarmgrasp.placement import Placement
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.stance import Stance, stance
+from swarmgrasp.words import Lengths, Unit, degrees, percent
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -29,19 +29,16 @@ def show(name: str, answers: Sequence[Placement]) -> None:
     """
     report = Report()
     criterion = answers[0].problem.criterion
-    unit = unit_for(criterion, answers[-1].quality, answers[-1].upper_bound)
+    unit = criterion.unit(answers[-1].quality, answers[-1].upper_bound)
     if len(answers) == 1:
         _show_one(report, name, answers[0], unit)
     else:
         _show_sequence(report, name, answers, unit)
     _show_runners_up(report, answers, unit)
-    report.blank()
-    report.note(f"Metric: {answers[0].problem.swarm.metric_sentence}.")
-    for note in (*NOTES, ALONG):
-        report.note(note)
+    report.small_print(answers[0].problem.swarm, ALONG)
 
 
-def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> None:
+def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
     """Tell where one newcomer goes."""
     robot = answer.robot
     if answer.improves:
@@ -68,7 +65,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
             ("Where", _where(answer, placed)),
             ("", _spot(answer, placed)),
             ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
-            ("Force", f"{Forces.for_size(robot.limit).text(robot.limit)}, its limit"),
+            ("Force", f"{Unit.for_size(robot.limit).text(robot.limit)}, its limit"),
             ("Quality", _gain(answer.quality_before, answer.quality, unit)),
             *_beside(answer, answer, unit),
             ("Proven", _sure(answer, unit)),
@@ -77,7 +74,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Forces) -> Non
     )  # fmt: skip
 
 
-def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit: Forces) -> None:
+def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit: Unit) -> None:
     """Tell where several newcomers go, one row each."""
     first, last = answers[0], answers[-1]
     helps = last.quality > first.quality_before and any(a.improves for a in answers)
@@ -88,7 +85,7 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
         "good" if helps else "caution",
     )
     report.blank()
-    lengths = Lengths.for_outline(first.problem.swarm.outline)
+    lengths = Lengths.for_extent(first.problem.swarm.outline.extent)
     columns = [
         *(Column(text) for text in ("robot", "place")),
         *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
@@ -118,12 +115,12 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
     ])  # fmt: skip
 
 
-def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Forces) -> None:
+def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -> None:
     """Tell the best robots in other places, for newcomers that help."""
     told = [answer for answer in answers if answer.improves and answer.runners_up]
     if not told:
         return
-    lengths = Lengths.for_outline(answers[0].problem.swarm.outline)
+    lengths = Lengths.for_extent(answers[0].problem.swarm.outline.extent)
     several = len(answers) > 1
     columns = [
         *([Column("instead of")] if several else []), Column("place"),
@@ -164,7 +161,7 @@ def _where(answer: Placement, placed: Stance) -> str:
 
 def _spot(answer: Placement, placed: Stance) -> str:
     """Return the contact."""
-    lengths = Lengths.for_outline(answer.problem.swarm.outline)
+    lengths = Lengths.for_extent(answer.problem.swarm.outline.extent)
     point = lengths.point(answer.robot.contact)
     return f"contact {point}, {lengths.number(placed.arc_length)} m along the outline"
 
@@ -175,7 +172,7 @@ def _numbers(robot: Robot, placed: Stance, lengths: Lengths) -> list[str]:
     return [*figures, degrees(robot.direction)]
 
 
-def _gain(before: float, after: float, unit: Forces) -> str:
+def _gain(before: float, after: float, unit: Unit) -> str:
     """Say how the quality changes."""
     if after <= before * (1.0 + FEWEST):
         return f"stays {unit.text(before)}"
@@ -183,7 +180,7 @@ def _gain(before: float, after: float, unit: Forces) -> str:
     return f"{change} ({_percent_gain(before, after)})"
 
 
-def _beside(first: Placement, last: Placement, unit: Forces) -> list[tuple[str, str]]:
+def _beside(first: Placement, last: Placement, unit: Unit) -> list[tuple[str, str]]:
     """Say by what criterion the quality is meant, and how it changes as things stand."""
     criterion = first.problem.criterion
     facts = [("", criterion.words)] if criterion.words else []
@@ -203,7 +200,7 @@ def _percent_gain(before: float, after: float) -> str:
     return f"+{percent(after / before - 1.0)}" if after > before else "none"
 
 
-def _sure(answer: Placement, unit: Forces, *, bound: bool = True) -> str:
+def _sure(answer: Placement, unit: Unit, *, bound: bool = True) -> str:
     """Say how far the answer can be from the best."""
     if answer.gap <= FEWEST:
         said = "no allowed place is better"

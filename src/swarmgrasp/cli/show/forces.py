@@ -1,21 +1,19 @@
 """How `swarmgrasp forces` tells what the robots do for a wrench."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import Any
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+import numpy as np
+from numpy.typing import NDArray
 
-    from numpy.typing import NDArray
+from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.forces import Forces
+from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.stance import stance
+from swarmgrasp.words import Lengths, Unit, degrees, percent, wrench_words
 
-    from swarmgrasp.cli.report import Forces as Unit
-    from swarmgrasp.cli.report import Report
-    from swarmgrasp.forces import Forces
-    from swarmgrasp.scenario import Scenario
-    from swarmgrasp.swarm import Swarm
-
-Triple = tuple[float, float, float]
-
+SHARE = "Share: a robot's force as a part of its limit."
 IDLE = 1e-7
 """Share that is told as none."""
 FULL = 1e-9
@@ -26,29 +24,10 @@ MANY = 1000.0
 """Reserve beyond which nobody counts."""
 
 
-def number_faults(triple: Triple) -> list[str]:
-    """Return what is wrong with three numbers of a wrench."""
-    from swarmgrasp.ranges import STRONGEST, WEAKEST
-
-    largest = max(map(abs, triple))
-    if all(map(math.isfinite, triple)) and (largest == 0 or WEAKEST <= largest <= STRONGEST):
-        return []
-    return [
-        f"they should be finite, the largest 0 or {WEAKEST:g} to {STRONGEST:g} in size [N, N, N m]"
-    ]
-
-
-def load_of(scenario: "Scenario", load: Triple | None) -> Triple:
-    """Return the wrench that the environment exerts: the one given, or the scenario's."""
-    return scenario.criterion.load if load is None else load
-
-
-def show(name: str, found: "Forces") -> None:
+def show(name: str, found: Forces) -> None:
     """Write the forces for one wrench for people."""
-    from swarmgrasp.cli.report import NOTES, Forces, Report
-
     report, swarm = Report(), found.swarm
-    unit = Forces.for_size(size_of(swarm, found.wanted), size_of(swarm, found.wrench))
+    unit = Unit.for_size(size_of(swarm, found.wanted), size_of(swarm, found.wrench))
     if found.is_degraded:
         report.headline(f"{name}: out of reach by {unit.text(found.shortfall)}", "caution")
     elif not found.shares.any():
@@ -60,14 +39,10 @@ def show(name: str, found: "Forces") -> None:
     report.blank()
     report.facts(_missed(found, unit) if found.is_degraded else _made(found, unit))
     _show_robots(report, found)
-    report.blank()
-    report.note(f"Metric: {swarm.metric_sentence}.")
-    report.note("Share: a robot's force as a part of its limit.")
-    for note in NOTES:
-        report.note(note)
+    report.small_print(swarm, SHARE)
 
 
-def _made(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+def _made(found: Forces, unit: Unit) -> list[tuple[str, str]]:
     """Tell a wrench that is made, who pushes hardest, and how much larger it might be."""
     facts = _asked(found, unit)
     if not found.shares.any():
@@ -82,10 +57,8 @@ def _made(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
     return facts
 
 
-def _missed(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
     """Tell a wrench that is out of reach: what is made instead, and what would be needed."""
-    from swarmgrasp.cli.report import percent
-
     swarm = found.swarm
     wanted = size_of(swarm, found.wanted - found.load)
     what = "what the robots were to make" if found.load.any() else "it"
@@ -110,29 +83,23 @@ def _missed(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
     ]  # fmt: skip
 
 
-def _asked(found: "Forces", unit: "Unit") -> list[tuple[str, str]]:
+def _asked(found: Forces, unit: Unit) -> list[tuple[str, str]]:
     """Tell the wrench wanted, and the environment's part of it."""
-    from swarmgrasp.cli.report import Forces
-
     swarm = found.swarm
     facts = [("Wanted", wrench_text(swarm, found.wanted, unit))]
     if found.load.any():
-        own = Forces.for_size(size_of(swarm, found.load))
+        own = Unit.for_size(size_of(swarm, found.load))
         facts.append(("Load", f"{wrench_text(swarm, found.load, own)}, by the environment"))
         rest = found.wanted - found.load
-        own = Forces.for_size(size_of(swarm, rest))
+        own = Unit.for_size(size_of(swarm, rest))
         facts.append(("By the robots", wrench_text(swarm, rest, own)))
     return facts
 
 
 def wrench_text(
-    swarm: "Swarm", wrench: "NDArray[Any] | Sequence[float]", unit: "Unit", beside: float = 0.0
+    swarm: Swarm, wrench: NDArray[Any] | Sequence[float], unit: Unit, beside: float = 0.0
 ) -> str:
     """Say what a wrench is, in numbers and in words; beside one of some size [N] it may be none."""
-    import numpy as np
-
-    from swarmgrasp.quality import wrench_words
-
     x, y, turn = (float(part) for part in wrench)
     size = size_of(swarm, wrench)
     if size <= NONE * beside:
@@ -144,10 +111,8 @@ def wrench_text(
     return f"{', '.join(told)}: {wrench_words(np.asarray(wrench) * swarm.scale)}"
 
 
-def size_of(swarm: "Swarm", wrench: "NDArray[Any] | Sequence[float]") -> float:
+def size_of(swarm: Swarm, wrench: NDArray[Any] | Sequence[float]) -> float:
     """Return the length of a wrench in the metric [N]."""
-    import numpy as np
-
     return float(np.linalg.norm(np.asarray(wrench) * swarm.scale))
 
 
@@ -159,32 +124,25 @@ def share(part: float) -> str:
     >>> [share(part) for part in (0.12345, 1.0 - 1e-16, 1e-17)]
     ['12.3 %', '100 %', '0 %']
     """
-    from swarmgrasp.cli.report import percent
-
     return percent(round(part, 9)) if part > IDLE else "0 %"
 
 
-def _hardest(found: "Forces") -> str:
+def _hardest(found: Forces) -> str:
     """Name the robots with the largest share."""
-    import numpy as np
-
     hardest = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
     names = [found.swarm.names[i] for i in hardest[:8]]
     more = f" and {len(hardest) - 8} more" if len(hardest) > 8 else ""
     return ", ".join(names) + more
 
 
-def _show_robots(report: "Report", found: "Forces") -> None:
+def _show_robots(report: Report, found: Forces) -> None:
     """Write the table of robots."""
     swarm = found.swarm
     if not len(swarm):
         return
-    from swarmgrasp.cli.report import Column, Forces, Lengths
-    from swarmgrasp.cli.words import degrees, stance
-
-    unit = Forces.for_size(*swarm.limits.tolist())
-    own = Forces.for_size(*found.forces.tolist()) if found.shares.any() else unit
-    lengths = Lengths.for_outline(swarm.outline)
+    unit = Unit.for_size(*swarm.limits.tolist())
+    own = Unit.for_size(*found.forces.tolist()) if found.shares.any() else unit
+    lengths = Lengths.for_extent(swarm.outline.extent)
     columns = [
         Column("robot"),
         *(Column(text, is_number=True) for text in (

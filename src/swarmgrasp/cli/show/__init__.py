@@ -1,0 +1,1 @@
+"""How answers are told to people: one file per kind of answer."""

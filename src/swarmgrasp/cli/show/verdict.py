@@ -1,0 +1,130 @@
+"""How `swarmgrasp verify` tells its verdict."""
+
+import math
+from typing import Any
+
+from swarmgrasp.cli.show.report import Report
+from swarmgrasp.verify import Verdict
+from swarmgrasp.words import TIMES, Unit, degrees, percent
+
+FEWEST = 1e-12
+"""Relative gap below which bound and answer count as equal."""
+
+
+def largest_gap(document: dict[str, Any], verdict: Verdict) -> float | None:
+    """Return the largest gap of all placements, relative to the answer; None if it is infinite."""
+    pairs = zip(document["placements"], verdict.upper_bounds, strict=True)
+    gap = max(gap_of(claim["quality"], bound) for claim, bound in pairs)
+    return gap if math.isfinite(gap) else None
+
+
+def gap_of(quality: float, bound: float) -> float:
+    """Return by how much a bound exceeds a quality, relative to the quality.
+
+    Examples
+    --------
+    >>> gap_of(2.0, 2.5), gap_of(2.0, 1.9999999), gap_of(0.0, 0.0), gap_of(0.0, 1.0)
+    (0.25, 0.0, 0.0, inf)
+    """
+    if bound <= quality:
+        return 0.0
+    return (bound - quality) / quality if quality > 0.0 else math.inf
+
+
+def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
+    """Write a verdict for people."""
+    report = Report()
+    if verdict:
+        report.headline(f"{name}: verified", "good")
+    else:
+        report.headline(f"{name}: refused, for {_count(len(verdict.faults), 'fault')}", "bad")
+        for fault in verdict.faults:
+            report.sentence(f"- {fault}")
+        return
+    report.blank()
+    placements = document["placements"]
+    problem = document["problem"]
+    facts = _questions(problem)
+    for claim, bound in zip(placements, verdict.upper_bounds, strict=True):
+        unit = Unit.for_size(claim["quality"], bound)
+        if problem["criterion"]["task"]:
+            unit = Unit(1.0, TIMES)
+        robot = claim["robot"]
+        x, y = robot["contact"]
+        before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
+        gap = gap_of(claim["quality"], bound)
+        near = f"the answer is at most {percent(gap)} below the best possible"
+        near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
+        facts += [
+            (robot["name"], f"at ({x:.6g}, {y:.6g}) m, {degrees(robot['direction'])} deg"),
+            ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
+            ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
+            *([("", near)] if math.isfinite(gap) else []),
+        ]
+    report.facts(facts)
+    report.blank()
+    report.sentence(
+        "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
+        "a bound for every allowed place."
+    )
+    for trusted in verdict.unchecked:
+        report.sentence(f"Taken on trust: {trusted}.")
+    report.sentence(
+        "Checked is the answer to the question in the file, not whether the file asks your "
+        "question; reasons given in words are not checked."
+    )
+    metric = problem["swarm"]
+    a1, a2 = metric["force_weights"]
+    report.note(
+        f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
+        f"{metric['characteristic_length']:.6g} m."
+    )
+
+
+def _questions(problem: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return as facts what was asked, and by what criterion if not as things stand."""
+    words = criterion_words(problem["criterion"])
+    return [("Question", _question(problem)), *([("", f"quality {words}")] if words else [])]
+
+
+def criterion_words(criterion: dict[str, Any]) -> str:
+    """Say in words what a criterion asks, as a document has it; nothing if it is nominal.
+
+    Examples
+    --------
+    >>> criterion_words({"losing": 2, "worst_case": False, "load": [0, -5.0, 0], "task": None})
+    'after the worst loss of 2 robots, beside a load of (0, -5) N and 0 N m'
+    """
+    parts, task = [], criterion["task"]
+    if criterion["worst_case"]:
+        parts.append("in the worst poses that the tolerances allow")
+    if criterion["losing"]:
+        parts.append(f"after the worst loss of {_count(criterion['losing'], 'robot')}")
+    x, y, torque = criterion["load"]
+    if (x, y, torque) != (0.0, 0.0, 0.0):
+        parts.append(f"beside a load of ({x:.6g}, {y:.6g}) N and {torque:.6g} N m")
+    if task and "vertices" in task:
+        wrenches = _count(len(task["vertices"]), "wrench", "wrenches")
+        parts.append(f"relative to a polytope of {wrenches}")
+    elif task:
+        parts.append(f"relative to an ellipsoid of {_count(len(task['axes']), 'axis', 'axes')}")
+    return ", ".join(parts)
+
+
+def _question(problem: dict[str, Any]) -> str:
+    """Say what was asked: the newcomer, and where it may attach."""
+    newcomer, zones = problem["newcomer"], problem["zones"]
+    limit = Unit.for_size(newcomer["limit"]).text(newcomer["limit"])
+    attachment, half = newcomer["attachment"], newcomer["half_angle"]
+    way = "pushing any way" if attachment == "free" else f"{attachment}ing"
+    if attachment != "free":
+        within = 90.0 if half is None else math.degrees(half)
+        way += f" within {within:.4g} deg of the normal"
+    where = "the whole boundary" if zones is None else _count(len(zones), "zone")
+    spacing = f"spacing {problem['spacing']:.6g} m" if problem["spacing"] else "no spacing"
+    no_go = _count(len(problem["no_go"]), "no-go stretch", "no-go stretches")
+    return f"a robot of {limit}, {way}; {where}, {no_go}, {spacing}"
+
+
+def _count(number: int, noun: str, several: str = "") -> str:
+    return f"{number or 'no'} {noun if number == 1 else several or noun + 's'}"

@@ -1,0 +1,237 @@
+"""Numbers and units for people: forces, lengths, angles, shares, wrenches, lists of names."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.ranges import array_of, shown
+
+MENTIONED = 0.25
+"""Share of a unit direction below which a component goes unmentioned."""
+WAYS: Final = (("ahead", "aft"), ("to port", "to starboard"))
+UNITS: Final = (
+    (1e6, 1e6, "MN"),
+    (1e3, 1e3, "kN"),
+    (1e-2, 1.0, "N"),
+    (1e-4, 1e-3, "mN"),
+    (1e-7, 1e-6, "µN"),
+    (0.0, 1e-9, "nN"),
+)
+"""Least force [N] told in a unit, its size [N], and its name."""
+TIMES: Final = "times the task"
+"""The unit of a quality relative to a task."""
+PART: Final = 1e-4
+"""Share of a whole below which a part of it is told as 0."""
+
+
+def wrench_words(direction: ArrayLike) -> str:
+    """Say how a wrench would move the object, the strongest part first.
+
+    Parameters
+    ----------
+    direction : (3,)
+        Surge, sway and yaw in the metric's coordinates: x forward, y to port, yaw
+        counter-clockwise. Need not be a unit vector.
+
+    Raises
+    ------
+    WrenchInvalid
+        If it is not three finite numbers.
+
+    Examples
+    --------
+    >>> wrench_words([0.0, -1.0, 0.0])
+    'moving to starboard'
+    >>> wrench_words([-0.5, 0.0, 0.8])
+    'turning to port while moving aft'
+    >>> wrench_words([0.6, -0.7, -0.4])
+    'moving to starboard and ahead while turning to starboard'
+    >>> wrench_words([0.0, 0.0, 0.0])
+    'no wrench'
+    """
+    parts = array_of(direction)
+    if parts is None or parts.shape != (3,) or not np.isfinite(parts).all():
+        raise WrenchInvalid(
+            f"the direction is {shown(direction)}; it should be three finite numbers"
+        )
+    size = float(np.linalg.norm(parts))
+    if size == 0.0:
+        return "no wrench"
+    order = [int(i) for i in np.argsort(-np.abs(parts), kind="stable")]
+    told = [i for i in order if abs(parts[i]) >= MENTIONED * size]
+    moving = " and ".join(WAYS[i][int(parts[i] < 0.0)] for i in told if i < 2)
+    said = [f"moving {moving}"] if moving else []
+    if 2 in told:
+        turning = f"turning to {'port' if parts[2] > 0.0 else 'starboard'}"
+        said.insert(0 if told[0] == 2 else 1, turning)
+    return " while ".join(said)
+
+
+def list_words(names: Sequence[str]) -> str:
+    """Join names as in a sentence.
+
+    Examples
+    --------
+    >>> list_words(["Ajax"]), list_words(["Ajax", "Boreas"]), list_words("abc")
+    ('Ajax', 'Ajax and Boreas', 'a, b and c')
+    """
+    if len(names) < 2:
+        return "".join(names)
+    return f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+@dataclass(frozen=True)
+class Unit:
+    """The unit in which one report tells one quantity, chosen by the largest value of it.
+
+    Attributes
+    ----------
+    newtons : float
+        Its size; 1 for a quality relative to a task.
+    name : str
+    figures : int
+        Significant digits of a number.
+
+    Examples
+    --------
+    >>> unit = Unit.for_size(229_220.4)
+    >>> unit.text(229_220.4), unit.number(1200.0)
+    ('229.22 kN', '1.2000')
+    >>> unit.text(0.0), Unit.for_size(2e-9).text(0.0)
+    ('0 kN', '0 N')
+    """
+
+    newtons: float
+    name: str
+    figures: int = 5
+
+    @classmethod
+    def for_size(cls, *sizes: float, figures: int = 5) -> "Unit":
+        """Choose the unit for forces of some sizes [N]."""
+        size = max(map(abs, sizes), default=0.0) or 1.0
+        newtons, name = next((n, name) for least, n, name in UNITS if size >= least)
+        return cls(newtons, name, figures)
+
+    def number(self, force: float) -> str:
+        """Return a force [N] without its unit."""
+        value = force / self.newtons
+        return digits(value, value, self.figures)
+
+    def text(self, force: float) -> str:
+        """Return a force [N] with its unit, which for nothing is no part of a newton."""
+        name = self.name if force or self.newtons >= 1.0 else "N"
+        return f"{self.number(force)} {name}"
+
+    def part(self, force: float, whole: float, unit: str = "") -> str:
+        """Return a part of a whole with its unit, to the last digit of the whole, never as -0.
+
+        Parameters
+        ----------
+        force, whole : float [N, or N m for both]
+        unit : str
+            Follows the unit of force: " m" for a torque.
+
+        Examples
+        --------
+        >>> unit = Unit.for_size(2e3)
+        >>> unit.part(-1e-9, 2e3), unit.part(-1500.0, 2e3), unit.part(150.0, 2e3, " m")
+        ('0 kN', '-1.5000 kN', '0.1500 kN m')
+        """
+        held = 0.0 if abs(force) < PART * abs(whole) else force
+        number = digits(held / self.newtons, whole / self.newtons, self.figures)
+        return f"{number} {self.name}{unit}"
+
+    def wrench(self, parts: Sequence[float], length: float) -> tuple[str, str, str]:
+        """Return the parts (3,) [N, N, N m] of a wrench whose torque counts by a length [m].
+
+        Examples
+        --------
+        >>> Unit.for_size(5e3, figures=4).wrench((3e3, 0.0, 4e3), 1.0)
+        ('3.000 kN', '0 kN', '4.000 kN m')
+        """
+        x, y, turn = parts
+        size = math.hypot(x, y, turn / length)
+        return self.part(x, size), self.part(y, size), self.part(turn, size * length, " m")
+
+
+def digits(value: float, size: float, figures: int = 5) -> str:
+    """Write a number with the decimals that give a size so many digits, never as -0.
+
+    Examples
+    --------
+    >>> digits(2.0, 2.0, 4), digits(0.5, 100.0, 4), digits(0.0, 0.0), digits(-1e-9, 1.0)
+    ('2.000', '0.5', '0', '0')
+    >>> [digits(v, v) for v in (123.456, 0.000123456, 1234567.0, -2.5, 1.25e-7)]
+    ['123.46', '0.00012346', '1234567', '-2.5000', '1.2500e-07']
+    """
+    if value == 0.0 or size == 0.0:
+        return "0"
+    power = math.floor(math.log10(abs(size)))
+    if power <= -6:
+        return f"{value:.{figures - 1}e}"
+    decimals = max(0, figures - 1 - power)
+    rounded = round(value, decimals)
+    return f"{rounded:.{decimals}f}" if rounded else "0"
+
+
+def percent(share: float) -> str:
+    """Say a share in percent, to three digits, or two where it is tiny.
+
+    Examples
+    --------
+    >>> percent(1.0806), percent(0.975), percent(0.0), percent(2.2e-7)
+    ('108 %', '97.5 %', '0 %', '0.000022 %')
+    """
+    value = 100.0 * share
+    if value == 0.0:
+        return "0 %"
+    power = math.floor(math.log10(abs(value)))
+    figures = 2 if power >= -1 else 1
+    return f"{value:.{max(0, figures - power)}f} %"
+
+
+@dataclass(frozen=True)
+class Lengths:
+    """How many decimals suit the lengths of one object: some 1/10 000 of its extent."""
+
+    decimals: int
+
+    @classmethod
+    def for_extent(cls, extent: float) -> "Lengths":
+        """Choose the number of decimals for an object so many metres across."""
+        return cls(max(0, 4 - math.floor(math.log10(extent))))
+
+    def number(self, length: float) -> str:
+        """Return a length [m] without its unit."""
+        return f"{round(length, self.decimals) + 0.0:.{self.decimals}f}"
+
+    def point(self, point: tuple[float, float]) -> str:
+        """Return a point as "(x, y) m".
+
+        Examples
+        --------
+        >>> Lengths.for_extent(76.2).point((-12.19, 10.9728))
+        '(-12.190, 10.973) m'
+        """
+        return f"({self.number(point[0])}, {self.number(point[1])}) m"
+
+
+def turned(angle: float) -> float:
+    """Return an angle [rad] in degrees within (-180, 180].
+
+    Examples
+    --------
+    >>> [round(turned(a), 6) for a in (math.pi, -math.pi, 0.0, 5.5 * math.pi)]
+    [180.0, 180.0, 0.0, -90.0]
+    """
+    return 180.0 - (180.0 - math.degrees(angle)) % 360.0
+
+
+def degrees(angle: float) -> str:
+    """Return a direction [rad] in degrees as text, never -0."""
+    return f"{round(turned(angle), 1) + 0.0:.1f}"
