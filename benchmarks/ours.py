@@ -1,6 +1,6 @@
 """The parts of the package below its public calls that the benchmarks clock or lend to rivals."""
 
-from swarmgrasp.placement.optimum import Search
+from swarmgrasp.placement.search import Search
 from swarmgrasp.quality.weakest import weakest_of
 
 

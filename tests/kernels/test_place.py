@@ -12,8 +12,8 @@ from alongside import while_it_computes
 from strategies import FAMILIES, problem_of, seeds, swarm_of
 from swarmgrasp import Newcomer, place_sequence
 from swarmgrasp.kernels import core
-from swarmgrasp.placement import Problem, optimum
-from swarmgrasp.placement.optimum import Search
+from swarmgrasp.placement import Problem, search
+from swarmgrasp.placement.search import Search
 
 
 def robots_at(rows, rng):
@@ -49,7 +49,7 @@ def test_bounds_hold_when_the_search_runs_out_of_budget(family, work, n, monkeyp
         problem = problem_of(family, seed, n)
         (fine,) = place_sequence(problem, 1)
         with monkeypatch.context() as patch:
-            patch.setattr(optimum, "WORK", work)
+            patch.setattr(search, "WORK", work)
             (coarse,) = place_sequence(problem, 1)
         slack = 1e-12 * np.linalg.norm(fine.swarm_after.scaled_generators, axis=1).sum()
         assert coarse.quality <= fine.upper_bound * (1.0 + 1e-9) + slack

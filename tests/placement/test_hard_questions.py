@@ -7,7 +7,7 @@ import pytest
 
 import reference
 from swarmgrasp import Newcomer, Outline, Polytope, Robot, Swarm, Tolerance, place, quality
-from swarmgrasp.placement import optimum
+from swarmgrasp.placement import search
 
 BARGE = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -18,7 +18,7 @@ not enough."""
 
 @pytest.fixture(autouse=True)
 def _little_work(monkeypatch):
-    monkeypatch.setattr(optimum, "WORK", LITTLE)
+    monkeypatch.setattr(search, "WORK", LITTLE)
 
 
 def tugs(*poses):

@@ -361,11 +361,11 @@ def test_uncertain_robots_contribute_their_least():
             )  # fmt: skip
             sampled[:, k] = np.minimum(sampled[:, k], (normals @ rows.T).min(axis=1))
     held = np.maximum(sampled, 0.0).sum(axis=1)
-    assert found.levels(team, normals).height == pytest.approx(held, abs=0.03)
-    assert (found.levels(team, normals).height <= held + 1e-12).all()
+    assert found.held(team, normals).height == pytest.approx(held, abs=0.03)
+    assert (found.held(team, normals).height <= held + 1e-12).all()
     for normal in normals:
         worst = np.maximum(team.worst(normal) @ normal, 0.0).sum()
-        assert worst == pytest.approx(found.levels(team, normal[None]).height[0], abs=1e-12)
+        assert worst == pytest.approx(found.held(team, normal[None]).height[0], abs=1e-12)
 
 
 def test_the_boundary_around_a_contact_goes_across_corners():

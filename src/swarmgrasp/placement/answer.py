@@ -11,9 +11,9 @@ from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.certificate import Certificate
-from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
+from swarmgrasp.placement.search import Optimum
 from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import items, kind_faults, shown

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ProblemInvalid, refuse
-from swarmgrasp.placement.optimum import search_for
 from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.search import search_for
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches

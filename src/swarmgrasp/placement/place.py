@@ -8,8 +8,8 @@ from typing import Any, Unpack, overload
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
-from swarmgrasp.placement.optimum import Best, Optimum, search_for
 from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.search import Best, Optimum, search_for
 from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.placement.optimum import Optimum
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import Optimum
 from swarmgrasp.quality.aim import Aim
-from swarmgrasp.quality.poses import spread_at
+from swarmgrasp.quality.poses import poses_at
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Tolerance
 
@@ -148,7 +148,7 @@ class TolerantSearch:
         """Compute the quality with the newcomer aiming at a place."""
         problem = self.problem
         outline, newcomer = problem.swarm.outline, problem.newcomer
-        spread = spread_at(
+        spread = poses_at(
             outline, contact, direction, newcomer.limit, newcomer.tolerance or Tolerance()
         )
         return Aim(problem.swarm, problem.criterion, [spread]).weakest()[0]

@@ -17,7 +17,7 @@ from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.quality import Quality, quality
-from swarmgrasp.quality.poses import Spread, spread_at
+from swarmgrasp.quality.poses import Poses, poses_at
 from swarmgrasp.swarm import Robot, Swarm
 
 BAND: Final[dict[str, Any]] = {"color": "#8CCBF0", "linewidth": 6.0}
@@ -44,7 +44,7 @@ class WorstCase:
 
     Attributes
     ----------
-    spreads : tuple of (Robot, Spread)
+    spreads : tuple of (Robot, Poses)
         The robots that have a tolerance, as they are meant to be, and all their poses.
     poses : tuple of Robot
         They again, in the worst poses, but for those that are not there.
@@ -53,7 +53,7 @@ class WorstCase:
         on from the robots.
     """
 
-    spreads: tuple[tuple[Robot, Spread], ...] = ()
+    spreads: tuple[tuple[Robot, Poses], ...] = ()
     poses: tuple[Robot, ...] = ()
     lost: frozenset[int] = frozenset()
     absent: frozenset[int] = frozenset()
@@ -107,7 +107,7 @@ def worst_case(swarm: Swarm, found: Quality | None, placements: Sequence[Placeme
     for i, tolerance in sorted(tolerances.items()):
         robot = swarm.robots[i]
         pose = (robot.contact, robot.direction, robot.limit)
-        spreads.append((robot, spread_at(swarm.outline, *pose, tolerance)))
+        spreads.append((robot, poses_at(swarm.outline, *pose, tolerance)))
     return WorstCase(
         tuple(spreads), tuple(poses[i] for i in sorted(tolerances) if i in poses), lost, absent
     )
@@ -160,7 +160,7 @@ def pose_entries(case: WorstCase) -> list[Any]:
     return entries
 
 
-def _sector(arrows: Arrows, robot: Robot, spread: Spread) -> NDArray[np.float64]:
+def _sector(arrows: Arrows, robot: Robot, spread: Poses) -> NDArray[np.float64]:
     """Return the corners (k, 2) [m, m] of what a robot's arrow sweeps as it turns."""
     tail, tip = arrows.ends(robot)
     contact = np.array(robot.contact)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from swarmgrasp.kernels import core
 from swarmgrasp.quality.criterion import Criterion
 from swarmgrasp.quality.heights import ON_FACET
-from swarmgrasp.quality.poses import Spread, spreads_of
+from swarmgrasp.quality.poses import Poses, poses_of
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Robot, Swarm
@@ -29,7 +29,7 @@ class Aim:
     ----------
     swarm : Swarm
     criterion : Criterion
-    more : sequence of Spread
+    more : sequence of Poses
         Further robots of uncertain pose.
 
     Attributes
@@ -43,11 +43,11 @@ class Aim:
     unit : float [N]
     """
 
-    def __init__(self, swarm: Swarm, criterion: Criterion, more: Sequence[Spread] = ()) -> None:
+    def __init__(self, swarm: Swarm, criterion: Criterion, more: Sequence[Poses] = ()) -> None:
         self.swarm, self.criterion, self._more = swarm, criterion, tuple(more)
-        self.spreads = spreads_of(swarm) if criterion.worst_case else {}
+        self.spreads = poses_of(swarm) if criterion.worst_case else {}
         certain, known = np.ones(len(swarm), dtype=bool), np.array(swarm.scaled_generators)
-        spread: list[Spread] = []
+        spread: list[Poses] = []
         for i, found in self.spreads.items():
             certain[i] = found is not None and not swarm.tolerances[i].is_spread
             if found is not None and certain[i]:

@@ -15,7 +15,7 @@ TOUCH = 1e-12
 """Length of a straight part of a contact's interval, relative to the outline, that is none."""
 
 
-class Spread(NamedTuple):
+class Poses(NamedTuple):
     """All the poses one robot may have.
 
     Attributes
@@ -64,9 +64,9 @@ class Spread(NamedTuple):
         return pose
 
 
-def spread_at(
+def poses_at(
     outline: Outline, contact: ArrayLike, direction: float, limit: float, tolerance: Tolerance
-) -> Spread:
+) -> Poses:
     """Return all the poses of a robot that is meant to be in one."""
     first, last = tolerance.offsets
     point = tuple(np.asarray(contact, dtype=float).tolist())
@@ -76,7 +76,7 @@ def spread_at(
         parts = tuple(boundary_parts(outline, at + first, at + last))
     lo, hi = tolerance.turns
     least = limit if tolerance.least_limit is None else tolerance.least_limit
-    return Spread(parts, direction + lo, direction + hi, least)
+    return Poses(parts, direction + lo, direction + hi, least)
 
 
 def boundary_parts(outline: Outline, start: float, end: float) -> list[tuple[Point, Point]]:
@@ -112,12 +112,12 @@ def boundary_parts(outline: Outline, start: float, end: float) -> list[tuple[Poi
     return found
 
 
-def spreads_of(swarm: Swarm) -> dict[int, Spread | None]:
+def poses_of(swarm: Swarm) -> dict[int, Poses | None]:
     """Return the poses of all robots that have a tolerance, by index; None if absent at worst."""
     return {
         i: None
         if tolerance.may_be_absent
-        else spread_at(
+        else poses_at(
             swarm.outline,
             swarm.contacts[i],
             float(swarm.directions[i]),

@@ -7,8 +7,8 @@ import numpy as np
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
-from swarmgrasp.placement.optimum import Search
 from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import Search
 from swarmgrasp.plain import Told
 from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible

@@ -23,7 +23,7 @@ MOST_SWEPT, MOST_LISTED = 2000, 400
 seconds, growing with the square and with the cube."""
 MOST_DESCENDED = 100
 """Robots of uncertain poses up to which these are made worse and worse."""
-SPREAD = 500
+AROUND = 500
 """Directions, spread evenly, in which a quality is bounded from above."""
 UNASKED = 4e-15
 """D relative to the task's size, at and below which the task asks for nothing there."""
@@ -36,7 +36,7 @@ BLOCK = 200_000
 """Contributions computed at a time."""
 
 
-class Levels(NamedTuple):
+class Held(NamedTuple):
     """What a newcomer finds at unit normals, (m,) each."""
 
     height: Array
@@ -95,12 +95,12 @@ class Judge:
         found = np.maximum(found, 0.0)
         return np.asarray(np.where(found > UNASKED, found * self.unit, 0.0))
 
-    def levels(self, team: Team, normals: Array) -> Levels:
+    def held(self, team: Team, normals: Array) -> Held:
         """Return what a newcomer to a team finds at unit normals (m, 3)."""
         step = max(1, BLOCK // max(1, len(team)))
         parts = [self._summed(team, normals[k : k + step]) for k in range(0, len(normals), step)]
         height, cap = map(np.concatenate, zip(*parts, strict=True))
-        return Levels(height, cap, self.extents(normals))
+        return Held(height, cap, self.extents(normals))
 
     def _summed(self, team: Team, normals: Array) -> tuple[Array, Array]:
         """Return H and what no newcomer lifts it beyond, at unit normals."""
@@ -128,8 +128,8 @@ class Judge:
         if not team.spread and not self.is_plain and len(team) <= MOST_LISTED:
             low, most, _ = self.listed(team.known)
             return low, most
-        known = np.concatenate([normals, -normals, spiral(SPREAD)])
-        most, at = self.weakest(self.levels(team, known), known, self.size(team))
+        known = np.concatenate([normals, -normals, spiral(AROUND)])
+        most, at = self.weakest(self.held(team, known), known, self.size(team))
         falls = bool(team.spread) and len(team) <= MOST_DESCENDED
         while falls and most > 0.0:
             _, least, place = self.listed(team.worst(at))
@@ -151,7 +151,7 @@ class Judge:
             normals = candidates[self._may_be_below(most, generators, candidates, size)]
             if not len(normals):
                 continue
-            levels = self.levels(team, normals)
+            levels = self.held(team, normals)
             least, place = self.weakest(levels, normals, size)
             at = place if least < most else at
             most = min(most, least)
@@ -175,7 +175,7 @@ class Judge:
         return np.asarray(~above)
 
     @staticmethod
-    def weakest(levels: Levels, normals: Array, size: float) -> tuple[float, Array]:
+    def weakest(levels: Held, normals: Array, size: float) -> tuple[float, Array]:
         """Return the least that H / D certainly does not exceed, and the normal of it."""
         found = over(levels.height + ROUNDED * size, levels.extent, ABSOLUTE * size)
         k = int(np.argmin(found))

@@ -262,7 +262,7 @@ class _Check:
         noise = noise_of(robots, self.boundary, self.judge.scale)
         if noise == 0.0 or self.asked.criterion.task is None or not len(self.normals):
             return noise
-        height, _, extent = self.judge.levels(self.judge.team(robots), self.normals)
+        height, _, extent = self.judge.held(self.judge.team(robots), self.normals)
         asked = float(extent[np.argmin(over(height, extent, 0.0))])
         return noise / asked if asked > 0.0 else 0.0
 
@@ -288,7 +288,7 @@ class _Check:
                 continue
             weights = weights / weights.max()
             weights /= weights.sum()
-            height, cap, extent = self.judge.levels(self.base, normals)
+            height, cap, extent = self.judge.held(self.base, normals)
             covector = (weights @ normals) * self.judge.scale * self.certain_limit
             reach = weights @ height + np.maximum(*(crest(covector, end, lo, hi) for end in (p, q)))
             asked = weights @ extent

@@ -17,7 +17,7 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
     from swarmgrasp.verify.claims import RobotClaim
 
 
-class Spread(NamedTuple):
+class Poses(NamedTuple):
     """All the poses of a robot whose pose is uncertain.
 
     Attributes
@@ -64,13 +64,13 @@ class Team:
         Turns wrenches into the metric's coordinates.
     known : (n, 3) [N]
         Generators of the robots whose wrench is known, in the metric's coordinates.
-    spread : tuple of Spread
+    spread : tuple of Poses
         The others.
     """
 
     scale: Array
     known: Array
-    spread: tuple[Spread, ...]
+    spread: tuple[Poses, ...]
 
     def __add__(self, other: "Team") -> "Team":
         """Return both together."""
@@ -128,7 +128,7 @@ def team_of(
                 points = boundary.around(np.array(robot.contact), *tolerance.contact)
                 arms = points - boundary.origin
             lo, hi = (robot.direction + turn for turn in tolerance.direction)
-            spread.append(Spread(arms, lo, hi, limit))
+            spread.append(Poses(arms, lo, hi, limit))
         elif limit > 0.0:
             known.append(limit * wrench(arm, robot.direction) * scale)
     return Team(scale, np.array(known).reshape(-1, 3), tuple(spread))

@@ -20,7 +20,7 @@ FINE = 0.05
 """Arc of directions [rad] for the bound of the whole."""
 
 
-class Tree:
+class Branches:
     """Shares of newcomers that are still to be looked at, the highest bound first.
 
     Parameters

@@ -212,7 +212,7 @@ class _Count:
             middle = (low + high) // 2
             search = self.search_for(middle, self.budget)
             if search.has_room:
-                search.tree.step(-math.inf)
+                search.branches.step(-math.inf)
             if search.has_room and search.bound < self.enough:
                 low = middle + 1
             else:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.together.branching import Tree
+from swarmgrasp.placement.together.branching import Branches
 from swarmgrasp.placement.together.effort import Budget
 from swarmgrasp.placement.together.gathering import Gathering
 from swarmgrasp.placement.together.gauge import Gauge
@@ -51,7 +51,7 @@ class JointSearch:
         self.budget = budget
         self.ground = Ground(problem)
         self.gauge = Gauge(self.ground)
-        self.tree = Tree(Relaxation(self.gauge, count, budget), whole(self.ground))
+        self.branches = Branches(Relaxation(self.gauge, count, budget), whole(self.ground))
         self.polish = Polish(self.gauge, budget)
         self.gathering = Gathering(self.gauge, budget)
         self.best = Climb(Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))), -1.0)
@@ -65,13 +65,13 @@ class JointSearch:
     @property
     def bound(self) -> float:
         """What no newcomers reach, in the quality's unit."""
-        bound = max(min(self.tree.bound, self.ceiling), self.best.quality)
+        bound = max(min(self.branches.bound, self.ceiling), self.best.quality)
         return bound if bound > self._zero else 0.0
 
     @property
     def has_room(self) -> bool:
         """Whether the spacing may leave room to them all."""
-        return self.tree.bound > -math.inf
+        return self.branches.bound > -math.inf
 
     @property
     def target(self) -> float:
@@ -105,11 +105,11 @@ class JointSearch:
         relaxed: tuple[Share, Relaxed] | None = None
         climbing, bounding = 0, 0
         while not (self.is_over or self.budget.is_spent):
-            if self.tree.is_done and (self.best.quality >= 0.0 or not self.has_room):
+            if self.branches.is_done and (self.best.quality >= 0.0 or not self.has_room):
                 break
             before = self.budget.left
-            if not self.tree.is_done and bounding <= climbing:
-                relaxed = self.tree.step(self.target) or relaxed
+            if not self.branches.is_done and bounding <= climbing:
+                relaxed = self.branches.step(self.target) or relaxed
                 bounding += before - self.budget.left
             else:
                 self._climb(relaxed)

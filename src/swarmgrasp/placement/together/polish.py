@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.linear import Program
-from swarmgrasp.placement.optimum import Search, search_for
+from swarmgrasp.placement.search import Search, search_for
 from swarmgrasp.placement.together.effort import Budget
 from swarmgrasp.placement.together.gauge import Gauge, Levels
 from swarmgrasp.placement.together.stands import Stands
