@@ -40,9 +40,10 @@ anybody can check again.
 - Start a file of your own: `swarmgrasp examples deck-barge > my.yaml`
 - Ask about one command: `swarmgrasp place --help`
 
-FILE is a scenario in YAML, "-" for standard input, or the name of a built-in example
-when there is no such file. Answers are in SI units whatever the file's: metres, newtons
-or kilonewtons, and degrees counter-clockwise from +x; JSON is in radians.
+FILE is a scenario in YAML, an answer in JSON whose question is asked again, "-" for standard
+input, or the name of a built-in example when there is no such file. Answers are in SI units
+whatever the file's: metres, newtons or kilonewtons, and degrees counter-clockwise from +x; JSON
+is in radians.
 """
 
 STATUS = """
