@@ -170,7 +170,7 @@ Status criterion_begin(Criterion *aim, int rows) {
             aim->weight += most;
             most = 0.0;
         }
-        if (row[0] != (double)u)
+        if (u < 0 || row[0] != (double)u)
             return UNSORTED;
         most = larger(most, frame_row(aim, row));
     }
@@ -441,7 +441,7 @@ static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, con
  * change sign; so its least is at a vertex. Those on the triangle's edges count too: there may be no
  * others, if all generators lie in a plane. Returns whether that could be done. */
 static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) {
-    const Active *planes[LISTED], *pair[2];
+    const Active *planes[LISTED], *pair[2] = {NULL, NULL};
     int count = find_planes(h, begin, end, planes);
     charge(h->work, h->each * (double)(end - begin) * larger(1.0, 0.5 * count * count));
     for (int a = 0; a < count; a++)

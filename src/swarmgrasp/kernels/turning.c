@@ -263,7 +263,7 @@ static int straighten(const Turning *t, double *normal) {
     for (ptrdiff_t i = 1; i < face->count; i++)
         if (fabs(face->c[2 * i + 1]) > fabs(face->c[2 * wide + 1]))
             wide = i;
-    if (face->count < 2 || fabs(face->c[2 * wide + 1]) < EVEN * face->size[wide])
+    if (face->count < 2 || fabs(face->c[2 * wide + 1]) <= EVEN * face->size[wide])
         return 0;
     normal_across(t->units + 3 * face->robot[face->largest],
                   t->units + 3 * face->robot[wide], normal, across);
