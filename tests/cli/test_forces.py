@@ -192,3 +192,13 @@ def test_wrong_options_are_told(run, pontoon, options, complaint):
     status, said, complaints = run("forces", pontoon, *options)
     assert (status, said) == (2, "")
     assert complaint in complaints
+
+
+def test_a_wrench_its_load_and_the_rest_are_told_with_one_prefix(run):
+    """The robots make 900 kN of 1.2 MN, and 0.3 MN are the load's."""
+    _, said, _ = run(
+        "forces", "deck-barge", "--wrench", "1.2e6", "0", "0", "--load", "3e5", "0", "0"
+    )
+    told = [line for line in said.splitlines() if line.startswith(("Wanted", "Load ", "By the"))]
+    assert len(told) == 3
+    assert all(" MN along x" in line for line in told)

@@ -27,7 +27,8 @@ MANY = 1000.0
 def show(name: str, found: Forces) -> None:
     """Write the forces for one wrench for people."""
     report, swarm = Report(), found.swarm
-    unit = Unit.for_size(size_of(swarm, found.wanted), size_of(swarm, found.wrench))
+    told = (found.wanted, found.wrench, found.load, found.wanted - found.load)
+    unit = Unit.for_size(*(size_of(swarm, wrench) for wrench in told))
     if found.is_degraded:
         report.headline(f"{name}: out of reach by {unit.text(found.shortfall)}", "caution")
     elif not found.shares.any():
@@ -88,11 +89,9 @@ def _asked(found: Forces, unit: Unit) -> list[tuple[str, str]]:
     swarm = found.swarm
     facts = [("Wanted", wrench_text(swarm, found.wanted, unit))]
     if found.load.any():
-        own = Unit.for_size(size_of(swarm, found.load))
-        facts.append(("Load", f"{wrench_text(swarm, found.load, own)}, by the environment"))
+        facts.append(("Load", f"{wrench_text(swarm, found.load, unit)}, by the environment"))
         rest = found.wanted - found.load
-        own = Unit.for_size(size_of(swarm, rest))
-        facts.append(("By the robots", wrench_text(swarm, rest, own)))
+        facts.append(("By the robots", wrench_text(swarm, rest, unit)))
     return facts
 
 
