@@ -9,6 +9,7 @@ import reference
 from strategies import seeds
 from swarmgrasp import qualities
 from swarmgrasp.errors import WrenchInvalid
+from swarmgrasp.kernels import core
 from swarmgrasp.quality.weakest import weakest_of
 
 
@@ -194,3 +195,14 @@ def test_many_swarms_of_the_wrong_kind():
     ) as caught:
         qualities(B)
     assert len(caught.value.faults) == 2
+
+
+def test_with_little_work_a_bound_is_left():
+    """Of many robots: what was found is too much, the bound too little, and both are told."""
+    B = np.random.default_rng(0).normal(size=(3000, 3))
+    exact = weakest_of(B).quality
+    for work in (0.0, 1e4, 1e5):
+        value, _, bound = core.weakest(B, (0.0, 0.0, 0.0), work)
+        assert bound <= exact <= value
+    value, _, bound = core.weakest(B)
+    assert bound == value == exact

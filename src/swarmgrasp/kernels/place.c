@@ -338,7 +338,7 @@ Status search_quality(Search *s, const double *wrench, double enough, double *qu
 
 Status search_value(Search *s, const double *wrench, double *quality, double *normal) {
     double left = s->work.left;
-    s->work.left = WORK;
+    s->work.left = WORK + PER_ROBOT * s->n;
     Status status = search_quality(s, wrench, -INFINITY, quality, normal);
     s->work.left = left;
     if (!is_fault(status))
@@ -672,7 +672,7 @@ Status search_begin(Search *s, const double *generators, int n, const double *lo
                     const Criterion *criterion, const double *weights, const double *pieces,
                     int many, double units, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .criterion = criterion,
-                  .units = units, .work = work_of(WORK, interrupted)};
+                  .units = units, .work = work_of(WORK + PER_ROBOT * n, interrupted)};
     memcpy(s->weights, weights, sizeof s->weights);
     s->weight = criterion ? criterion->weight : total_size(generators, n);
     take_pieces(s, pieces, many);
@@ -718,7 +718,7 @@ Status search_join(Search *s, const double *wrench, const double *pieces, int ma
     for (int k = 0; k < 3; k++)
         generator[k] = wrench[k] * s->weights[k];
     s->weight += length(generator);
-    s->work.left = WORK;
+    s->work.left = WORK + PER_ROBOT * s->n;
     take_pieces(s, pieces, many);
     if (s->is_small && s->n <= s->few) {
         s->work.left = s->units;

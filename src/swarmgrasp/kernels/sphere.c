@@ -341,7 +341,10 @@ Status sphere_search(Sphere *s, const Tree *tree, const double *extra, int extra
         Local local = {.vectors = room};
         if (s->cell[0].bound >= enough(s) || s->best <= zero)
             break;
-        if ((status = spend(work, BASIC)) != SOLVED)
+        status = spend(work, BASIC);
+        if (status == OUT_OF_BUDGET && s->best == INFINITY)
+            status = SOLVED; /* one direction at least is looked at */
+        if (status != SOLVED)
             break;
         pop(s, &cell);
         if (look_closer(s, &cell, round < LONG ? FEW : LOCAL, &local)) {

@@ -228,8 +228,8 @@ void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count) {
     }
 }
 
-Status tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
-                  Work *work) {
+static Status build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+                    Work *work) {
     Status status = NO_MEMORY;
     memset(tree, 0, sizeof *tree);
     tree_whitening(tree, generators, count);
@@ -289,6 +289,15 @@ done:
     if (is_fault(status))
         tree_free(tree);
     return is_fault(status) ? status : SOLVED;
+}
+
+Status tree_build(Tree *tree, const double *generators, ptrdiff_t count, const double *load,
+                  Work *work) {
+    double left = work->left;
+    work->left = INFINITY;
+    Status status = build(tree, generators, count, load, work);
+    work->left = left;
+    return status;
 }
 
 void tree_free(Tree *tree) {

@@ -17,6 +17,8 @@ from swarmgrasp.swarm import Tolerance
 Array = NDArray[np.float64]
 WORK = 2e6
 """Cells of places times normals looked at, after which a search stops with the bound it has."""
+WORK_PER_PLACE = 1e7
+"""The kernels' units of work for the quality at one place: some 10 ms."""
 BESIDES = 50
 """Normals that a cell takes as long as, besides those looked at."""
 SMALLEST = 1e-12
@@ -145,13 +147,14 @@ class TolerantSearch:
         return bool(along[row] <= SMALLEST * self._lap and across[row] <= SMALLEST)
 
     def quality_at(self, contact: tuple[float, float], direction: float) -> Weakest:
-        """Compute the quality with the newcomer aiming at a place."""
+        """Compute the quality with the newcomer aiming at a place; 0 if it takes too long."""
         problem = self.problem
         outline, newcomer = problem.swarm.outline, problem.newcomer
         spread = poses_at(
             outline, contact, direction, newcomer.limit, newcomer.tolerance or Tolerance()
         )
-        return Aim(problem.swarm, problem.criterion, [spread]).weakest()[0]
+        found, bound = Aim(problem.swarm, problem.criterion, [spread]).weakest(WORK_PER_PLACE)
+        return found if bound > 0.0 else found._replace(quality=0.0)
 
     def _all(self, chosen: set[int] | None) -> Cells:
         """Return one cell for each piece."""

@@ -78,13 +78,13 @@ class Aim:
         x, y, z = (np.array(self.criterion.load) * self.swarm.scale).tolist()
         return x, y, z
 
-    def weakest(self) -> tuple[Weakest, float]:
+    def weakest(self, work: float = core.WORK) -> tuple[Weakest, float]:
         """Find the least H / D, a unit normal that attains it, and what no direction falls below.
 
         With uncertain poses the value comes down, pose by pose, to one that a swarm in its worst
         poses has exactly; the bound is that of the search on all poses.
         """
-        value, normal, is_done = self.core.least(self.gap, np.inf)
+        value, normal, is_done = self.core.least(self.gap, np.inf, work)
         value /= self.unit
         bound = 0.0 if not is_done else value if self.is_exact else value * (1.0 - self.gap)
         return Weakest(value, normal), bound

@@ -16,7 +16,7 @@ from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.opposed import opposition
-from swarmgrasp.quality.weakest import Weakest, weakest_of
+from swarmgrasp.quality.weakest import Weakest, bounded_weakest
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
 
@@ -40,7 +40,8 @@ class Quality(Frozen, Answer):
         Radius of the largest ball in the wrench set, in the metric; with a task the largest
         factor by which it may grow, without a unit.
     bound : float [N]
-        What the quality is at least: the value itself, or next to it with uncertain poses.
+        What the quality is at least: the value itself, or next to it with uncertain poses; less if
+        the search ran out of its budget of work.
     direction : (3,)
         Unit normal of the weakest facet, in the metric's coordinates.
     criterion : Criterion
@@ -214,8 +215,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
 def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
     """Find the weakest normal, and what the quality is at least."""
     if criterion == NOMINAL:
-        found = weakest_of(swarm.scaled_generators)
-        return found, found.quality
+        return bounded_weakest(swarm.scaled_generators)
     return Aim(swarm, criterion).weakest()
 
 

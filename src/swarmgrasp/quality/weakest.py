@@ -52,8 +52,15 @@ def weakest_of(
     >>> round(weakest_of(corners / 3**0.5).quality, 6)
     0.816497
     """
-    quality, normal, _ = core.weakest(np.ascontiguousarray(generators, dtype=float), load)
-    return Weakest(quality, normal)
+    return bounded_weakest(generators, load)[0]
+
+
+def bounded_weakest(
+    generators: NDArray[np.float64], load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> tuple[Weakest, float]:
+    """Find the weakest facet, and what the quality [N] is at least: less if the work is spent."""
+    quality, normal, bound = core.weakest(np.ascontiguousarray(generators, dtype=float), load)
+    return Weakest(quality, normal), bound
 
 
 def qualities(generators: ArrayLike) -> NDArray[np.float64]:

@@ -15,7 +15,7 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
     PyObject *object;
     Py_buffer view;
     Sweep sweep = {0};
-    double quality, bound, units = WORK, n[3], load[3] = {0.0};
+    double quality, bound, units = -1.0, n[3], load[3] = {0.0};
     (void)module;
     if (!PyArg_ParseTuple(args, "O|(ddd)d:weakest", &object, load, load + 1, load + 2, &units)
         || !are_finite(load) || get_doubles(object, &view, 3))
@@ -23,7 +23,7 @@ static PyObject *core_weakest(PyObject *module, PyObject *args) {
     int count = rows_of(&view, 3);
     Status status = sweep_room(&sweep, count <= SWEPT ? count : 0, load);
     if (status == SOLVED) {
-        Work work = work_of(units, interrupted);
+        Work work = work_of(units < 0.0 ? WORK + PER_ROBOT * count : units, interrupted);
         leave(count > SWEPT);
         status = exact_quality(&sweep, view.buf, count, &work, &quality, &bound, n);
         come_back();
