@@ -10,6 +10,7 @@ import pytest
 
 import swarmgrasp as sg
 from swarmgrasp import errors
+from swarmgrasp.answer_file import document_of
 
 SQUARE = sg.Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)], edge_names=["s", "e", "n", "w"])
 CREW = [
@@ -150,6 +151,10 @@ CALLS = [
     (sg.best_move, (PROBLEM,)),
     (sg.verify_document, ({},)),
     (sg.read_answer, ("answer.json",)),
+    (sg.Placements, ([sg.place(PROBLEM)],)),
+    (document_of, (sg.place(PROBLEM), "name", None)),
+    (sg.Swarm.from_data, (SWARM.to_data(),)),
+    (sg.Problem.from_data, (PROBLEM.to_data(),)),
     (WEATHER.load, (SQUARE,)),
     (WEATHER.wind_load, (SQUARE, [0.0], [1.0])),
     (WEATHER.current_load, (SQUARE, [0.0])),

@@ -96,7 +96,7 @@ def place(
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
     criterion = criterion_of(scenario, file, losing, worst_case, count)
-    check_newcomer(scenario, file, count)
+    check_newcomer(scenario, file)
     from swarmgrasp.answer_file import document_of
 
     if together:
@@ -156,7 +156,7 @@ def solve(
     UsageFault
         If the scenario has no newcomer, leaves it no place, or has a robot of its name.
     """
-    check_newcomer(scenario, file, robots)
+    check_newcomer(scenario, file)
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import place_sequence
 
@@ -166,21 +166,12 @@ def solve(
         )
 
 
-def check_newcomer(scenario: "Scenario", file: str, robots: int) -> None:
-    """Raise `UsageFault` if there is no newcomer, or a robot has a name that one would get."""
-    source = source_of(file)
+def check_newcomer(scenario: "Scenario", file: str) -> None:
+    """Raise `UsageFault` if there is no newcomer."""
     if scenario.newcomer is None:
         raise UsageFault(
-            f"{source}:1:1: has no newcomer to place; add one, such as "
+            f"{source_of(file)}:1:1: has no newcomer to place; add one, such as "
             "`newcomer: {limit: 100, attachment: push}`"
-        )
-    called = scenario.newcomer.name or "newcomer"
-    names = {f"{called} {k}" for k in range(1, robots + 1)} if robots > 1 else set()
-    taken = [repr(robot.name) for robot in scenario.swarm.robots if robot.name in names]
-    if taken:
-        raise UsageFault(
-            f"{source}: {', '.join(taken)} is there already, and --robots {robots} gives that name "
-            "to a newcomer; names should differ"
         )
 
 

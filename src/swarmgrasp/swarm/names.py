@@ -115,11 +115,13 @@ class Names(Frozen):
 
     def without(self, gone: Iterable[int]) -> "Names":
         """Return the names of those that stay when robots leave."""
-        kept = np.delete(np.arange(len(self)), list(gone))
+        leaving = set(gone)
+        kept = np.delete(np.arange(len(self)), list(leaving))
         if any(map(_number, self.given.values())):
             return names_of([self[i] for i in kept.tolist()])
-        numbers, staying = self.numbers[kept], set(self.given) & set(kept.tolist())
-        given = {int(np.searchsorted(kept, i)): self.given[i] for i in sorted(staying)}
+        staying = sorted(set(self.given) - leaving)
+        given = {int(np.searchsorted(kept, i)): self.given[i] for i in staying}
+        numbers = self.numbers[kept]
         numbers[list(given)] = 0
         return Names(given, np.maximum.accumulate(numbers))
 

@@ -409,9 +409,13 @@ class Swarm(Frozen, Plain):
     def without_rows(self, rows: Iterable[int]) -> "Swarm":
         """Return the swarm without the robots in some rows of the arrays."""
         gone = set(rows)
-        kept = [i for i in range(len(self)) if i not in gone]
+        kept = np.delete(np.arange(len(self)), list(gone))
         left = {name: getattr(self, name)[kept] for name in (*Columns._fields, "generators")}
-        tolerances = {k: self.tolerances[i] for k, i in enumerate(kept) if i in self.tolerances}
+        tolerances = {
+            int(np.searchsorted(kept, i)): known
+            for i, known in self.tolerances.items()
+            if i not in gone
+        }
         return self._like(left, self.names.without(gone), tolerances)
 
     def _like(
