@@ -6,13 +6,13 @@
 #define MOST 60
 #define TRIALS 400
 
-static double points[3 * MOST], rows[SPREAD * MOST], task[3 * MOST];
+static double points[3 * MOST], rows[SPREAD_ROW * MOST], task[3 * MOST];
 
 /* A row: a robot of limit 1 on an upright stretch, that pushes more or less one way. */
 static void make_row(double *row, double robot) {
     double x = uniform(-1.0, 1.0), y = uniform(-1.0, 1.0), turn = uniform(-3.0, 3.0);
     double lo = turn - 0.2, hi = turn + 0.2;
-    const double made[SPREAD] = {robot, 1.0, x, y - 0.2, x, y + 0.2, lo, hi, cos(lo), sin(lo), cos(hi),
+    const double made[SPREAD_ROW] = {robot, 1.0, x, y - 0.2, x, y + 0.2, lo, hi, cos(lo), sin(lo), cos(hi),
                                  sin(hi)};
     memcpy(row, made, sizeof made);
 }
@@ -21,7 +21,7 @@ static Criterion criterion_of(int known, int spread, int losing, int tasks) {
     fill_uniform(points, 3 * known);
     fill_uniform(task, 3 * tasks);
     for (int r = 0; r < spread; r++)
-        make_row(rows + SPREAD * r, r);
+        make_row(rows + SPREAD_ROW * r, r);
     return (Criterion){.points = known, .point = points, .rows = rows, .scale = {1.0, 1.0, 1.0},
                        .losing = losing, .is_polytope = 1, .tasks = tasks, .task = task};
 }
@@ -71,7 +71,7 @@ static void refuses(void) {
     for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
         Criterion c = criterion_of(0, 3, 0, 0);
         for (int r = 0; r < 3; r++)
-            rows[SPREAD * r] = orders[k][r];
+            rows[SPREAD_ROW * r] = orders[k][r];
         CHECK(criterion_begin(&c, 3) == UNSORTED);
         criterion_end(&c);
     }

@@ -132,11 +132,11 @@ void test_place(void) {
         asked = asks[k];
         fail_each(job);
     }
-    double rows[2 * SPREAD], task[9];
+    double rows[2 * SPREAD_ROW], task[9];
     for (int r = 0; r < 2; r++) {
-        rows[SPREAD * r] = r;
-        rows[SPREAD * r + 1] = 1.0;
-        make_piece(rows + SPREAD * r + 2, 0.3);
+        rows[SPREAD_ROW * r] = r;
+        rows[SPREAD_ROW * r + 1] = 1.0;
+        make_piece(rows + SPREAD_ROW * r + 2, 0.3);
     }
     fill_uniform(task, 9);
     for (int k = 0; k < 9; k++)

@@ -28,18 +28,18 @@ static void counts(int n) {
     Work work = work_of(WORK, look);
     CHECK(tree_build(&tree, generators, n, none, &work) == SOLVED);
     fill_uniform(n_in, 3);
-    tree_direction(&tree, n_in, white);
+    whiten_normal(&tree.white, n_in, white);
     tree_gradient(&tree, white, 0.0, g);
     CHECK_NEAR(dot(g, white), slow_height(generators, n, none, 0, n_in), 1e-12 * n);
     fill_uniform(corner, 9);
     for (int j = 0; j < 3; j++)
-        tree_direction(&tree, corner + 3 * j, white + 3 * j);
+        whiten_normal(&tree.white, corner + 3 * j, white + 3 * j);
     int found = tree_crossed(&tree, white, MOST, listed, g, &looked);
     for (int i = 0; i < n; i++) {
         const double *b = generators + 3 * i;
         int positive = (dot(b, corner) > 0.0) + (dot(b, corner + 3) > 0.0) + (dot(b, corner + 6) > 0.0);
         double c[3];
-        tree_whiten(&tree, b, c);
+        whiten(&tree.white, b, c);
         if (positive == 3)
             add(sum, c);
         crossed += positive == 1 || positive == 2;
@@ -58,7 +58,7 @@ static void goes_on(int n) {
     double extra[3], normal[3];
     Work work = work_of(WORK, look);
     CHECK(tree_build(&tree, generators, n - 1, none, &work) == SOLVED);
-    tree_whiten(&tree, generators + 3 * (n - 1), extra);
+    whiten(&tree.white, generators + 3 * (n - 1), extra);
     CHECK(sphere_search(&first, &tree, NULL, 0, NULL, 2.0, INFINITY, 0.0, &work) == SOLVED);
     CHECK(sphere_keep(&kept, &first, first.best + 2.0) == SOLVED);
     CHECK(sphere_search(&second, &tree, extra, 1, &kept, 0.0, INFINITY, 0.0, &work) == SOLVED);

@@ -22,6 +22,7 @@ static void relaxes(int count) {
         own = larger(own, dot(rows[k], share));
     CHECK(relaxed <= least + 1e-15 && least <= relaxed + 4.0 / GRID);
     CHECK_NEAR(own, relaxed, 1e-15);
+    CHECK_NEAR(hold(rows, count), relaxed, 1e-13); /* duality */
     CHECK_NEAR(share[0] + share[1] + share[2], 1.0, 1e-14);
 }
 

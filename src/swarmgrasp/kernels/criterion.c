@@ -1,3 +1,8 @@
+/* The least H / D by branch and bound over triangles of directions: the robots that matter on a
+ * triangle bound H there from below, and few of them have their vertices listed (T14, T15, T16).
+ * Trusted are the arrays' sizes, finite numbers, 0 <= losing <= robots + 1, and a task whose longest
+ * row is about 1; the order of the rows is checked. Recursion ends DEPTH halvings down; the robots on
+ * the way down are kept, a few times their number in all. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,12 +16,10 @@
 #define TRIES 3         /* cuts made in a triangle before it is split */
 #define TASKS 0.1       /* share of the task's rows in what directions are whitened by */
 #define AROUND 128      /* directions looked at to begin with */
-#define SMALLEST 1e-13  /* edge of a triangle that is a point, */
-#define DEPTH 110       /* halvings until then, and more */
+#define DEPTH 110       /* halvings until a triangle is a point, and more */
 #define BASIC 20.0      /* units of work that a triangle takes besides */
 #define EXACT 1e-12     /* relative gap to which the quality of worst poses is found */
 #define UNKNOWN 1e300   /* a value, as long as there is none */
-#define NO_VERTEX 1e-12 /* sine of the angle between generators that have no vertex */
 
 /* A robot that matters on a triangle: low at its corners. */
 typedef struct {
@@ -28,7 +31,7 @@ typedef struct {
 typedef struct {
     const Criterion *aim;
     const double *extra;
-    Tree white;             /* how directions are whitened; nothing else of it */
+    Whitening white;        /* how directions are whitened */
     double gap, zero, rounding;
     double best, normal[3]; /* the least (H + rounding) / D, and its normal, */
     double value;           /* and H / D there, or 0 if rounding hides it */
@@ -47,7 +50,7 @@ typedef struct {
     double normal[9], white[9];
     double extent[3]; /* D at the corners */
     double fixed[3];  /* the load and known generators that are positive on all of it */
-} Place;
+} Triangle;
 
 /* -- robots ------------------------------------------------------------------------------ */
 
@@ -57,7 +60,7 @@ static int robots_of(const Criterion *aim) { return aim->points + aim->spread; }
 static double spread_low(const Criterion *aim, int u, const double *normal, double *generator) {
     double least = INFINITY, wrench[3];
     for (int r = aim->first[u]; r < aim->first[u + 1]; r++) {
-        const double *row = aim->rows + (ptrdiff_t)SPREAD * r;
+        const double *row = aim->rows + (ptrdiff_t)SPREAD_ROW * r;
         double v[3], value;
         for (int k = 0; k < 3; k++)
             v[k] = -normal[k] * aim->scale[k] * row[1];
@@ -164,7 +167,7 @@ Status criterion_begin(Criterion *aim, int rows) {
     aim->frames = aim->points;
     aim->weight = total_size(aim->point, aim->points) + length(aim->load);
     for (int r = 0; r < rows; r++) {
-        const double *row = aim->rows + (ptrdiff_t)SPREAD * r;
+        const double *row = aim->rows + (ptrdiff_t)SPREAD_ROW * r;
         if (row[0] == u + 1.0) {
             aim->first[++u] = r;
             aim->weight += most;
@@ -211,10 +214,10 @@ static void offer(Hunt *h, const double *normal, double height, double extent) {
 }
 
 /* H from the robots that matter on a triangle, at a normal in it; two of them cross it there. */
-static double height_at(Hunt *h, const Place *place, size_t begin, size_t end,
+static double height_at(Hunt *h, const Triangle *triangle, size_t begin, size_t end,
                         const double *normal, int one, int two) {
     int losing = h->aim->losing;
-    double height = dot(place->fixed, normal);
+    double height = dot(triangle->fixed, normal);
     clear(h->top, losing);
     for (size_t a = begin; a < end; a++) {
         int robot = h->active[a].robot;
@@ -236,12 +239,13 @@ static double wanted(const Hunt *h) {
 /* What the robots that are positive at a mixture of the corners hold at each corner, less the
  * worst loss there and what is wanted. Each low_i is at least the mixture of its values at the
  * corners (T14), whichever robots are lost, and others do not take away: H is nowhere less. */
-static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const double *slack,
+static void cut(Hunt *h, const Triangle *triangle, size_t begin, size_t end, const double *slack,
                 const double *share, double *row) {
     int losing = h->aim->losing;
     double target = wanted(h);
     for (int j = 0; j < 3; j++) {
-        row[j] = dot(place->fixed, place->normal + 3 * j) - target * place->extent[j] + slack[j];
+        row[j] = dot(triangle->fixed, triangle->normal + 3 * j) - target * triangle->extent[j]
+                 + slack[j];
         clear(h->top, losing);
         for (size_t a = begin; a < end; a++) {
             const Active *robot = h->active + a;
@@ -254,16 +258,16 @@ static void cut(Hunt *h, const Place *place, size_t begin, size_t end, const dou
 }
 
 /* Tell whether no normal of a triangle has less than what is wanted. */
-static int is_held(Hunt *h, const Place *place, size_t begin, size_t end) {
+static int is_held(Hunt *h, const Triangle *triangle, size_t begin, size_t end) {
     double rows[TRIES][3], slack[3], middle[3], share[3] = {1.0 / 3, 1.0 / 3, 1.0 / 3};
     /* n is at least as long as its part along the middle; corners may be much longer */
     for (int k = 0; k < 3; k++)
-        middle[k] = place->normal[k] + place->normal[3 + k] + place->normal[6 + k];
+        middle[k] = triangle->normal[k] + triangle->normal[3 + k] + triangle->normal[6 + k];
     for (int j = 0; j < 3; j++)
-        slack[j] = h->rounding * dot(middle, place->normal + 3 * j) / length(middle);
+        slack[j] = h->rounding * dot(middle, triangle->normal + 3 * j) / length(middle);
     for (int t = 0; t < TRIES; t++) {
         double before = t ? relax(rows, t, share) : -INFINITY;
-        cut(h, place, begin, end, slack, share, rows[t]);
+        cut(h, triangle, begin, end, slack, share, rows[t]);
         double value = dot(rows[t], share);
         if (value < 0.0 || value <= before)
             return 0;
@@ -276,13 +280,13 @@ static int is_held(Hunt *h, const Place *place, size_t begin, size_t end) {
 /* -- one triangle -------------------------------------------------------------------------- */
 
 /* Tell whether an uncertain robot can do nothing on a triangle: some wrench of its set cannot. */
-static int is_idle(const Hunt *h, const Place *place, int robot) {
+static int is_idle(const Hunt *h, const Triangle *triangle, int robot) {
     double middle[3], b[3];
     for (int k = 0; k < 3; k++)
-        middle[k] = place->normal[k] + place->normal[3 + k] + place->normal[6 + k];
+        middle[k] = triangle->normal[k] + triangle->normal[3 + k] + triangle->normal[6 + k];
     spread_low(h->aim, robot - h->aim->points, middle, b);
     for (int j = 0; j < 3; j++)
-        if (dot(b, place->normal + 3 * j) > 0.0)
+        if (dot(b, triangle->normal + 3 * j) > 0.0)
             return 0;
     return 1;
 }
@@ -290,7 +294,7 @@ static int is_idle(const Hunt *h, const Place *place, int robot) {
 /* Of the robots on a triangle keep those that matter, and add up those known ones that are
  * positive everywhere and never among the largest. Returns the new end; counts those that change
  * sign and are not known. */
-static size_t sift(Hunt *h, Place *place, size_t begin, size_t end, int *others) {
+static size_t sift(Hunt *h, Triangle *triangle, size_t begin, size_t end, int *others) {
     int losing = h->aim->losing;
     size_t kept = begin;
     clear(h->top, losing);
@@ -306,10 +310,10 @@ static size_t sift(Hunt *h, Place *place, size_t begin, size_t end, int *others)
         double low_end = smaller(at[0], smaller(at[1], at[2]));
         double high_end = larger(at[0], larger(at[1], at[2]));
         double near = b ? ON_PLANE * (fabs(b[0]) + fabs(b[1]) + fabs(b[2])) : 0.0;
-        if (b ? high_end < -near : high_end <= 0.0 && is_idle(h, place, robot.robot))
+        if (b ? high_end < -near : high_end <= 0.0 && is_idle(h, triangle, robot.robot))
             continue;
         if (b && low_end > near && high_end < least) {
-            add(place->fixed, b);
+            add(triangle->fixed, b);
             continue;
         }
         robot.is_crossing = !(low_end > near);
@@ -321,7 +325,7 @@ static size_t sift(Hunt *h, Place *place, size_t begin, size_t end, int *others)
 
 /* The generator of a known robot, whitened. */
 static void whitened(const Hunt *h, const Active *robot, double *c) {
-    tree_whiten(&h->white, known(h->aim, h->extra, robot->robot), c);
+    whiten(&h->white, known(h->aim, h->extra, robot->robot), c);
 }
 
 /* Of the known robots that change sign, find one for each plane, LISTED at most. Returns how many,
@@ -374,10 +378,10 @@ static int meet_in_one(const Hunt *h, size_t begin, size_t end, const Active **p
 
 /* Offer a normal in a triangle, or next to it, that two robots' planes cross. Next to it others may
  * change sign: if it looks weakest all robots are asked. */
-static void offer_vertex(Hunt *h, const Place *place, size_t begin, size_t end,
+static void offer_vertex(Hunt *h, const Triangle *triangle, size_t begin, size_t end,
                          const double *normal, int one, int two) {
     double extent = criterion_extent(h->aim, normal), size = length(normal);
-    double height = height_at(h, place, begin, end, normal, one, two);
+    double height = height_at(h, triangle, begin, end, normal, one, two);
     if (height + h->rounding * size >= h->best * larger(extent, UNASKED * size))
         return;
     height = dot(h->aim->load, normal);
@@ -398,41 +402,42 @@ static void lay_across(const double *b, double *normal) {
 }
 
 /* Evaluate H where the planes of two robots meet, if that is in a triangle. */
-static void try_vertex(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one,
-                       const Active *two) {
+static void try_vertex(Hunt *h, const Triangle *triangle, size_t begin, size_t end,
+                       const Active *one, const Active *two) {
     double p[3], q[3], m[3], normal[3];
     whitened(h, one, p);
     whitened(h, two, q);
     cross(p, q, m);
     if (length(m) <= NO_VERTEX * length(p) * length(q))
         return;
-    int side = is_inside(place->white, m);
+    int side = is_inside(triangle->white, m);
     if (side == 0)
         return;
     double turn = dot(m, p) / dot(p, p);
     for (int k = 0; k < 3; k++)
         m[k] = side * (m[k] - turn * p[k]);
-    tree_normal(&h->white, m, normal);
+    normal_of(&h->white, m, normal);
     const double *b = known(h->aim, h->extra, one->robot);
     const double *c = known(h->aim, h->extra, two->robot);
     lay_across(dot(b, b) > dot(c, c) ? b : c, normal);
-    offer_vertex(h, place, begin, end, normal, one->robot, two->robot);
+    offer_vertex(h, triangle, begin, end, normal, one->robot, two->robot);
 }
 
 /* Evaluate H where the plane of a robot meets the edges of a triangle. */
-static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, const Active *one) {
+static void try_edges(Hunt *h, const Triangle *triangle, size_t begin, size_t end,
+                      const Active *one) {
     for (int j = 0; j < 3; j++) {
         int to = (j + 1) % 3;
         double from_low = one->at[j], to_low = one->at[to], normal[3];
         if (from_low * to_low >= 0.0)
             continue;
         for (int k = 0; k < 3; k++)
-            normal[k] = fabs(to_low) * place->normal[3 * j + k]
-                        + fabs(from_low) * place->normal[3 * to + k];
+            normal[k] = fabs(to_low) * triangle->normal[3 * j + k]
+                        + fabs(from_low) * triangle->normal[3 * to + k];
         const double *b = known(h->aim, h->extra, one->robot);
         if (b)
             lay_across(b, normal);
-        offer_vertex(h, place, begin, end, normal, one->robot, one->robot);
+        offer_vertex(h, triangle, begin, end, normal, one->robot, one->robot);
     }
 }
 
@@ -440,31 +445,31 @@ static void try_edges(Hunt *h, const Place *place, size_t begin, size_t end, con
  * vertices: H is concave between the planes of the known robots, as long as the others do not
  * change sign; so its least is at a vertex. Those on the triangle's edges count too: there may be no
  * others, if all generators lie in a plane. Returns whether that could be done. */
-static int list_vertices(Hunt *h, const Place *place, size_t begin, size_t end) {
+static int list_vertices(Hunt *h, const Triangle *triangle, size_t begin, size_t end) {
     const Active *planes[LISTED], *pair[2] = {NULL, NULL};
     int count = find_planes(h, begin, end, planes);
     charge(h->work, h->each * (double)(end - begin) * larger(1.0, 0.5 * count * count));
     for (int a = 0; a < count; a++)
         for (int b = a + 1; b < count; b++)
-            try_vertex(h, place, begin, end, planes[a], planes[b]);
+            try_vertex(h, triangle, begin, end, planes[a], planes[b]);
     if (count < 0) {
         if (!meet_in_one(h, begin, end, pair))
             return 0;
-        try_vertex(h, place, begin, end, pair[0], pair[1]);
+        try_vertex(h, triangle, begin, end, pair[0], pair[1]);
     }
     for (size_t a = begin; a < end; a++)
         if (h->active[a].is_crossing)
-            try_edges(h, place, begin, end, h->active + a);
+            try_edges(h, triangle, begin, end, h->active + a);
     return 1;
 }
 
-static Status explore(Hunt *h, Place *place, size_t begin, size_t end, int depth);
+static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int depth);
 static Status polish(Hunt *h);
 
 /* Search the half of a triangle in which the middle of an edge replaces a corner. */
-static Status explore_half(Hunt *h, const Place *whole, size_t begin, size_t end, int corner,
+static Status explore_half(Hunt *h, const Triangle *whole, size_t begin, size_t end, int corner,
                            const double *white, const double *normal, int depth) {
-    Place half = *whole;
+    Triangle half = *whole;
     size_t wanted_room = end + (end - begin);
     if (wanted_room > h->room) {
         Active *grown = realloc(h->active, 2 * wanted_room * sizeof *grown);
@@ -485,7 +490,7 @@ static Status explore_half(Hunt *h, const Place *whole, size_t begin, size_t end
 }
 
 /* Search a triangle for normals with less than the best. */
-static Status explore(Hunt *h, Place *place, size_t begin, size_t end, int depth) {
+static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int depth) {
     int others, losing = h->aim->losing;
     double height[3];
     h->triangles += 1.0;
@@ -494,36 +499,36 @@ static Status explore(Hunt *h, Place *place, size_t begin, size_t end, int depth
         status = polish(h);
     if (status != SOLVED)
         return status;
-    end = sift(h, place, begin, end, &others);
+    end = sift(h, triangle, begin, end, &others);
     for (int j = 0; j < 3; j++) {
-        height[j] = dot(place->fixed, place->normal + 3 * j);
+        height[j] = dot(triangle->fixed, triangle->normal + 3 * j);
         clear(h->top, losing);
         for (size_t a = begin; a < end; a++)
             height[j] += note_largest(h->top, losing, larger(0.0, h->active[a].at[j]));
-        offer(h, place->normal + 3 * j, height[j], place->extent[j]);
+        offer(h, triangle->normal + 3 * j, height[j], triangle->extent[j]);
     }
-    if (h->best <= h->zero || is_held(h, place, begin, end))
+    if (h->best <= h->zero || is_held(h, triangle, begin, end))
         return SOLVED;
-    if (others == 0 && list_vertices(h, place, begin, end))
+    if (others == 0 && list_vertices(h, triangle, begin, end))
         return SOLVED;
     double edge, white[3], normal[3], size;
-    int from = longest_edge(place->white, &edge), to = (from + 1) % 3;
+    int from = longest_edge(triangle->white, &edge), to = (from + 1) % 3;
     if (depth == 0 || edge <= SMALLEST)
         return SOLVED;
     for (int k = 0; k < 3; k++)
-        white[k] = place->white[3 * from + k] + place->white[3 * to + k];
+        white[k] = triangle->white[3 * from + k] + triangle->white[3 * to + k];
     size = length(white);
     for (int k = 0; k < 3; k++) {
         white[k] /= size;
-        normal[k] = (place->normal[3 * from + k] + place->normal[3 * to + k]) / size;
+        normal[k] = (triangle->normal[3 * from + k] + triangle->normal[3 * to + k]) / size;
     }
     /* the half with the weaker end first: a low value early saves the rest */
     double target = wanted(h);
-    int is_first = height[from] - target * place->extent[from]
-                   > height[to] - target * place->extent[to];
-    status = explore_half(h, place, begin, end, is_first ? from : to, white, normal, depth);
+    int is_first = height[from] - target * triangle->extent[from]
+                   > height[to] - target * triangle->extent[to];
+    status = explore_half(h, triangle, begin, end, is_first ? from : to, white, normal, depth);
     if (status == SOLVED && h->best > h->zero)
-        status = explore_half(h, place, begin, end, is_first ? to : from, white, normal, depth);
+        status = explore_half(h, triangle, begin, end, is_first ? to : from, white, normal, depth);
     return status;
 }
 
@@ -533,7 +538,7 @@ static Status look_around(Hunt *h) {
     for (int k = 0; k < AROUND && h->best > h->zero; k++) {
         double white[3], normal[3], height, cap;
         on_spiral(k, AROUND, white);
-        tree_normal(&h->white, white, normal);
+        normal_of(&h->white, white, normal);
         Status status = criterion_height(h->aim, normal, h->extra, &height, &cap);
         if (status != SOLVED)
             return status;
@@ -553,24 +558,24 @@ static void swap_corners(double *corners, int width) {
 /* Search one of the eight triangles that all directions are divided into. */
 static Status explore_octant(Hunt *h, int octant, int count) {
     const Criterion *aim = h->aim;
-    Place place = {.white = {0.0}};
-    memcpy(place.fixed, aim->load, sizeof place.fixed);
+    Triangle triangle = {.white = {0.0}};
+    memcpy(triangle.fixed, aim->load, sizeof triangle.fixed);
     for (int j = 0; j < 3; j++) {
-        place.white[3 * j + j] = octant >> j & 1 ? -1.0 : 1.0;
-        tree_normal(&h->white, place.white + 3 * j, place.normal + 3 * j);
-        place.extent[j] = criterion_extent(aim, place.normal + 3 * j);
+        triangle.white[3 * j + j] = octant >> j & 1 ? -1.0 : 1.0;
+        normal_of(&h->white, triangle.white + 3 * j, triangle.normal + 3 * j);
+        triangle.extent[j] = criterion_extent(aim, triangle.normal + 3 * j);
     }
     if ((octant ^ octant >> 1 ^ octant >> 2) & 1) { /* counter-clockwise */
-        swap_corners(place.white, 3);
-        swap_corners(place.normal, 3);
-        swap_corners(place.extent, 1);
+        swap_corners(triangle.white, 3);
+        swap_corners(triangle.normal, 3);
+        swap_corners(triangle.extent, 1);
     }
     for (int i = 0; i < count; i++) {
         h->active[i] = (Active){.robot = i};
         for (int j = 0; j < 3; j++)
-            h->active[i].at[j] = low(aim, h->extra, i, place.normal + 3 * j);
+            h->active[i].at[j] = low(aim, h->extra, i, triangle.normal + 3 * j);
     }
-    return explore(h, &place, 0, (size_t)count, DEPTH);
+    return explore(h, &triangle, 0, (size_t)count, DEPTH);
 }
 
 /* Search all directions for values below the best. */
@@ -628,7 +633,7 @@ static Status polish(Hunt *h) {
 }
 
 /* Whiten directions by what matters: the robots, uncertain ones by their ends, task and load. */
-static Status whiten(Hunt *h) {
+static Status choose_whitening(Hunt *h) {
     const Criterion *aim = h->aim;
     size_t size = 3 * (size_t)aim->frames;
     double *frame = malloc((size + 3) * sizeof *frame);
@@ -637,7 +642,7 @@ static Status whiten(Hunt *h) {
     memcpy(frame, aim->frame, size * sizeof *frame);
     if (h->extra)
         memcpy(frame + size, h->extra, 3 * sizeof *frame);
-    tree_whitening(&h->white, frame, aim->frames + (h->extra != NULL));
+    whitening_of(&h->white, frame, aim->frames + (h->extra != NULL));
     free(frame);
     return SOLVED;
 }
@@ -649,7 +654,7 @@ Status criterion_search(const Criterion *aim, const double *extra, double gap, d
               .rounding = rounding, .work = work};
     h.polished = aim->spread ? below : -INFINITY;
     h.each = robots ? (aim->points + TURNED * aim->first[aim->spread]) / robots : 1.0;
-    Status status = whiten(&h);
+    Status status = choose_whitening(&h);
     if (status == SOLVED)
         status = look_around(&h);
     if (status == SOLVED)

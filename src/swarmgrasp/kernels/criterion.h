@@ -16,14 +16,14 @@
  * exceeds, and where D is no larger, relative to the normal and to the task's size, the task asks
  * for nothing. */
 #define UNASKED 4e-15
-#define SPREAD (PIECE + 2) /* numbers in a row of a robot whose pose is uncertain */
+#define SPREAD_ROW (PIECE + 2) /* numbers in a row of a robot whose pose is uncertain */
 
 typedef struct {
     int points;           /* robots whose wrench is known */
     const double *point;  /* (points, 3) [N] in the metric's coordinates */
     int spread;           /* robots whose wrench is one of a set */
     int *first;           /* (spread + 1,) their rows: robot u has those from first[u] on */
-    const double *rows;   /* (..., SPREAD): the robot, its limit [N], and a piece (see sector.h) */
+    const double *rows;   /* (..., SPREAD_ROW): the robot, its limit [N], and a piece (see sector.h) */
     double scale[3];      /* turns wrenches into the metric's coordinates [1, 1, 1/m] */
     int losing;
     double load[3];       /* [N] in the metric's coordinates */

@@ -1,3 +1,7 @@
+/* Sides of a zonogon, and the shares of least squares that make a point of it (T18). Trusted are the
+ * room for n generators, unit vectors, and that the point is in the face, but for rounding. Up to FEW
+ * generators all sides are looked at, quadratic; more are sorted. Newton's method takes a few steps,
+ * each linear but for a sort. Memory: 12 words a generator. */
 #include <stdlib.h>
 
 #include "face.h"
@@ -9,7 +13,7 @@
 #define SLIVER 100.0   /* length to width of a face that ends like a segment */
 #define STEPS 100      /* of Newton's method, far more than it takes */
 #define PASSES 3       /* of refinement */
-#define SETTLED 4e-16  /* relative residual that is rounding */
+#define RESIDUAL 4e-16 /* relative residual that is rounding */
 #define SINGULAR 1e-14 /* of a pivot: what rounding leaves of 0 */
 
 Status face_room(Face *face, ptrdiff_t n) {
@@ -282,7 +286,7 @@ static void share_inside(Face *face, const double *q, double *y) {
                 blur += face->size[i] * face->size[i];
         }
         whole = missing(face, q, left);
-        rounding = SETTLED * (whole + blur * sqrt(dot2(y, y)));
+        rounding = RESIDUAL * (whole + blur * sqrt(dot2(y, y)));
         /* what is rounding to giants may be much to dwarfs: some steps more */
         if (sqrt(dot2(left, left)) <= rounding && settled++ == PASSES)
             break;
@@ -294,7 +298,7 @@ static void share_inside(Face *face, const double *q, double *y) {
         y[1] += step * d[1];
     }
     /* the shares take up what a large y leaves */
-    for (int k = 0; k < PASSES && newton_direction(face, left, SETTLED * whole, d); k++) {
+    for (int k = 0; k < PASSES && newton_direction(face, left, RESIDUAL * whole, d); k++) {
         for (ptrdiff_t i = 0; i < face->count; i++)
             if (face->share[i] > 0.0 && face->share[i] < 1.0)
                 face->share[i] = clip(face->share[i] + dot2(d, face->c + 2 * i));

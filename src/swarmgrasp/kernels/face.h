@@ -1,4 +1,5 @@
-/* A face of a wrench set: the zonogon of those generators that lie in one plane. */
+/* A face of a wrench set: the zonogon of those generators that lie in one plane. The caller says which
+ * do, and gives units and sizes that are finite. */
 #ifndef SWARMGRASP_FACE_H
 #define SWARMGRASP_FACE_H
 

@@ -1,3 +1,7 @@
+/* Sweeps round an axis: the generators' rays in the plane across it, sorted by angle, give h at all
+ * normals in that plane from running sums (T2, T11). Trusted are room for n generators, finite numbers
+ * and an axis that is not 0. Sorting is quadratic, at its best for n up to a few hundred; all planes
+ * take n of that, and have n (n - 1) facets. Memory: 16 words a generator. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,7 +10,7 @@
 
 #define PARALLEL 1e-14  /* sine of the angle below which two generators count as parallel */
 #define SUM_ERROR 1e-15 /* of sum |b_i|: the error of the running sums */
-#define COARSE 1e-12    /* of h: the error that calls for a direct sum instead */
+#define INEXACT 1e-12   /* of h: the error that calls for a direct sum instead */
 
 Status sweep_room(Sweep *sweep, ptrdiff_t n, const double *load) {
     size_t room = n > 0 ? (size_t)n : 1;
@@ -126,7 +130,7 @@ int sweep_plane(Sweep *sweep, const double *generators, int n, const double *axi
             sweep->heights[found] = width + skew;
             sweep->heights[found + 1] = width - skew;
             for (int k = found; k < found + 2; k++)
-                if (error > COARSE * sweep->heights[k])
+                if (error > INEXACT * sweep->heights[k])
                     sweep->heights[k] = direct_height(sweep, generators, n,
                                                       sweep->normals + 3 * k);
             found += 2;
@@ -149,7 +153,7 @@ double sweep_least(Sweep *sweep, const double *generators, int n, const double *
         if (ray->index >= first && twice < limit * (fabs(ray->u) + ray->v)) {
             double height = 0.5 * twice / sqrt(ray->u * ray->u + ray->v * ray->v), trial[3];
             normal_across(&plane, ray, skew > 0.0 ? -1.0 : 1.0, trial);
-            if (error > COARSE * least)
+            if (error > INEXACT * least)
                 height = direct_height(sweep, generators, n, trial);
             if (height < least) {
                 least = height;

@@ -1,4 +1,5 @@
-/* Facets of a wrench set, one plane across a generator at a time (T2, T11). */
+/* Facets of a wrench set, one plane across a generator at a time (T2, T11). Numbers are finite, and the
+ * room is for as many generators as are given: nothing is checked. For up to a few hundred. */
 #ifndef SWARMGRASP_FACETS_H
 #define SWARMGRASP_FACETS_H
 

@@ -1,3 +1,6 @@
+/* The least shares of a wrench: along the ray to it if it is in reach, else of the nearest wrench
+ * (T18). Trusted are finite numbers and a `Turning` with room. A wrench that only the robots in a
+ * plane make is asked of those alone, then perhaps of those on a line: three deep at most. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
-/* The least shares that make a wrench, or the nearest wrench there is (T18). */
+/* The least shares that make a wrench, or the nearest wrench there is (T18). Numbers are finite; time
+ * is linear in the robots, times the turns of a plane. */
 #ifndef SWARMGRASP_FORCES_H
 #define SWARMGRASP_FORCES_H
 

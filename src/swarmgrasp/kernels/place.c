@@ -1,3 +1,7 @@
+/* The best robot over pieces by bisection on its level, with a proof for each piece; see place.h.
+ * Trusted are pieces as sector.h has them, one at least, finite numbers and weights above 0. The pool
+ * has some to a few thousand rows; swarms of SMALL robots or fewer have all n (n - 1) facets listed,
+ * with GIANT for a strong newcomer, and larger ones a tree and a heap of cells. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,7 +99,7 @@ double search_total(const Search *s, const double *normal) {
     if (s->is_small)
         return dot(s->sweep.load, normal) + support(s->generators, s->n, normal);
     double m[3], g[3];
-    tree_direction(&s->tree, normal, m);
+    whiten_normal(&s->tree.white, normal, m);
     tree_gradient(&s->tree, m, 0.0, g);
     return dot(g, m) + support(s->extra, s->n - s->in_tree, m);
 }
@@ -327,7 +331,7 @@ Status search_quality(Search *s, const double *wrench, double enough, double *qu
     }
     Sphere sphere;
     int extras = s->n - s->in_tree + 1;
-    tree_whiten(&s->tree, generator, s->extra + 3 * (extras - 1));
+    whiten(&s->tree.white, generator, s->extra + 3 * (extras - 1));
     Status status = sphere_search(&sphere, &s->tree, s->extra, extras, &s->open, 0.0, *quality,
                                   ZERO * s->size, &s->work);
     if (sphere.best < *quality)
@@ -608,7 +612,7 @@ static Status pool_from_sphere(Search *s, const Sphere *from, double margin) {
     if (status != SOLVED)
         return status;
     if (most > s->covered && from)
-        return pool_from_sphere(s, NULL, AHEAD * s->reach);
+        return pool_from_sphere(s, NULL, AHEAD * s->strength);
     return sphere_keep(&s->open, &s->base, smaller(most, s->covered));
 }
 
@@ -635,7 +639,7 @@ static Status list_or_build(Search *s) {
         Status status = tree_build(&s->tree, s->generators, s->n, s->sweep.load, &s->work);
         if (status != SOLVED)
             return status;
-        return pool_from_sphere(s, NULL, s->reach);
+        return pool_from_sphere(s, NULL, s->strength);
     }
     size_t room = (size_t)s->n * (size_t)(s->n > 1 ? s->n - 1 : 1) + 1;
     free(s->normals);
@@ -662,8 +666,8 @@ static void take_pieces(Search *s, const double *pieces, int many) {
     for (int k = 0; k < many; k++)
         for (int j = 0; j < 4; j += 2)
             arm = larger(arm, hypot(pieces[PIECE * k + j], pieces[PIECE * k + j + 1]));
-    s->reach = hypot(larger(s->weights[0], s->weights[1]), arm * s->weights[2]) * (1.0 + MARGIN);
-    s->size = s->weight + s->reach;
+    s->strength = hypot(larger(s->weights[0], s->weights[1]), arm * s->weights[2]) * (1.0 + MARGIN);
+    s->size = s->weight + s->strength;
     s->error = sweep_error(s->weight);
     s->rounding = STRICT * UNASKED * s->size;
 }
@@ -677,7 +681,7 @@ Status search_begin(Search *s, const double *generators, int n, const double *lo
     s->weight = criterion ? criterion->weight : total_size(generators, n);
     take_pieces(s, pieces, many);
     /* one stronger than all the others together takes many exact qualities to place */
-    s->few = s->reach > s->weight ? GIANT : SMALL;
+    s->few = s->strength > s->weight ? GIANT : SMALL;
     s->room = 256;
     s->pool = calloc((size_t)s->room, sizeof *s->pool);
     if (s->pool)
@@ -726,7 +730,7 @@ Status search_join(Search *s, const double *wrench, const double *pieces, int ma
     }
     if (s->is_small || s->n - s->in_tree > EXTRAS)
         return start(s);
-    tree_whiten(&s->tree, generator, s->extra + 3 * (s->n - s->in_tree - 1));
+    whiten(&s->tree.white, generator, s->extra + 3 * (s->n - s->in_tree - 1));
     Sphere before = s->base;
     s->base = (Sphere){0};
     Status status = pool_from_sphere(s, &before, INFINITY);

@@ -42,7 +42,7 @@ typedef struct {
     int many;
     double weights[3];          /* turn its unit wrench [1, 1, m] into the metric's coordinates */
     double weight;              /* sum |b_i| [N] */
-    double reach;               /* the newcomer's largest wrench [N] */
+    double strength;            /* the newcomer's largest wrench [N] */
     double size;                /* both together */
     double error;               /* of a sum over the generators [N] */
     double quality, weakest[3]; /* of the base swarm */

@@ -6,7 +6,6 @@
 
 #define RELATIVE 5e-10 /* difference that counts as rounding */
 #define BLURRED 5e-15  /* relative error of a product of a price and a generator */
-#define FLAT 1e-12     /* cosine within which a generator may be at right angles to a normal */
 
 /* The proof and what is made, in the robots' unit. */
 typedef struct {

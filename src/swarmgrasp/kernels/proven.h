@@ -1,4 +1,5 @@
-/* A quick check of shares and of the proof that they are the least, before they are handed out. */
+/* A quick check of shares and of the proof that they are the least, before they are handed out;
+ * proven.c says what it trusts. */
 #ifndef SWARMGRASP_PROVEN_H
 #define SWARMGRASP_PROVEN_H
 

@@ -1,3 +1,5 @@
+/* The exact quality: all planes swept for small swarms, a search on the sphere for large ones (T1).
+ * Trusted are finite numbers, and room in the sweep if it is used. */
 #include "quality.h"
 #include "vectors.h"
 

@@ -1,3 +1,7 @@
+/* Branch and bound over triangles of directions, least bound first, with gradients of h as cuts (T12).
+ * Trusted are a tree that is built, and whitened generators beside it. Some hundred to some thousand
+ * cells of 160 bytes, as many as facets nearly as weak as the weakest; below a cell that few
+ * generators cross, recursion DEPTH deep in room of 0.6 MB. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,9 +20,7 @@
 #define CLOSE 1e-13      /* of h: how near a bound comes to the best */
 #define EVALUATION 4e-15 /* of sum |c_i|: what evaluations may differ by; */
 #define IDLE 100.0       /* times that: below the bound by more, a cut holds nothing up */
-#define NO_VERTEX 1e-12  /* sine of the angle between generators that have no vertex */
-#define SMALLEST 1e-13   /* edge of a triangle that is a point, */
-#define DEPTH 100        /* halvings until then, and more */
+#define DEPTH 100        /* halvings until a cell is a point, and more */
 
 /* What matters on a cell: the generators that change sign on it, and the sum of those that are
  * positive on all of it. */
@@ -31,7 +33,7 @@ typedef struct {
 /* |M' m|: the length of the normal that m stands for. */
 static double size_of(const Tree *tree, const double *m) {
     double n[3];
-    tree_normal(tree, m, n);
+    normal_of(&tree->white, m, n);
     return length(n);
 }
 
@@ -95,7 +97,7 @@ static double evaluate(Sphere *s, const Local *local, const double *m, double ro
     double value = larger(0.0, dot(g, m)), size = size_of(s->tree, m);
     if (value / size < s->best) {
         s->best = value / size;
-        s->tolerance = EVALUATION * s->weight * length(m) / size;
+        s->error = EVALUATION * s->weight * length(m) / size;
         memcpy(s->normal, m, sizeof s->normal);
     }
     return value;
@@ -111,10 +113,10 @@ static void at_corners(const double *scaled, const double *g, double *row) {
 
 /* Keep the cuts that hold the bound up. */
 static void drop_idle(Cell *cell, double cuts[][3], double rows[][3], int count,
-                      const double *share, double bound, double tolerance) {
+                      const double *share, double bound, double error) {
     cell->cuts = 0;
     for (int k = 0; k < count; k++)
-        if (cell->cuts < PLANES && dot(rows[k], share) >= bound - IDLE * tolerance) {
+        if (cell->cuts < PLANES && dot(rows[k], share) >= bound - IDLE * error) {
             memcpy(cell->cut[cell->cuts], cuts[k], sizeof cuts[k]);
             memmove(rows[cell->cuts++], rows[k], sizeof rows[k]);
         }
@@ -141,10 +143,10 @@ static void tighten(Sphere *s, Cell *cell, const Local *local, const double *sca
         evaluate(s, local, m, 0.0, cuts[count]);
         at_corners(scaled, cuts[count], rows[count]);
         value = dot(rows[count], share);
-        if (value <= bound + s->tolerance)
+        if (value <= bound + s->error)
             break; /* the cuts meet h here */
         bound = relax(rows, count + 1, share);
-        drop_idle(cell, cuts, rows, count + 1, share, bound, s->tolerance);
+        drop_idle(cell, cuts, rows, count + 1, share, bound, s->error);
         cell->bound = larger(cell->bound, bound);
         if (value - before < WORTH * (wanted - before))
             break;
@@ -230,7 +232,7 @@ static void scale_corners(const Tree *tree, const Cell *cell, double *scaled) {
     }
 }
 
-static double extent(const Cell *cell) {
+static double edge_of(const Cell *cell) {
     double edge;
     longest_edge(cell->corner, &edge);
     return edge;
@@ -238,13 +240,13 @@ static double extent(const Cell *cell) {
 
 /* The tries that a cell is worth: none if only splitting can close the gap. */
 static int tries_for(const Sphere *s, const Cell *cell) {
-    double edge = extent(cell);
+    double edge = edge_of(cell);
     return s->best - cell->bound < FUTILE * s->best * edge * edge ? 0 : TRIES;
 }
 
 /* The bound at which a cell is done. */
 static double enough(const Sphere *s) {
-    return s->best - larger(CLOSE * s->best, s->tolerance);
+    return s->best - larger(CLOSE * s->best, s->error);
 }
 
 /* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts,
@@ -259,7 +261,7 @@ static Status finish(Sphere *s, const Cell *cell, const Local *local, double *ro
     }
     scale_corners(s->tree, cell, scaled);
     tighten(s, &own, local, scaled, s->best, tries_for(s, cell));
-    if (own.bound >= enough(s) || extent(cell) <= SMALLEST || depth == 0)
+    if (own.bound >= enough(s) || edge_of(cell) <= SMALLEST || depth == 0)
         return status;
     halve(&own, halves, halves + 1);
     for (int k = 0; k < 2; k++) {
@@ -355,7 +357,7 @@ Status sphere_search(Sphere *s, const Tree *tree, const double *extra, int extra
         }
         scale_corners(tree, &cell, scaled);
         tighten(s, &cell, NULL, scaled, s->best, tries_for(s, &cell));
-        if (cell.bound >= s->best || extent(&cell) <= SMALLEST) {
+        if (cell.bound >= s->best || edge_of(&cell) <= SMALLEST) {
             if (cell.bound < s->best + margin)
                 status = push(&kept, &cell);
             continue;
@@ -379,7 +381,7 @@ Status sphere_search(Sphere *s, const Tree *tree, const double *extra, int extra
 }
 
 double sphere_best(const Sphere *s, double *normal) {
-    tree_normal(s->tree, s->normal, normal);
+    normal_of(&s->tree->white, s->normal, normal);
     double size = length(normal);
     for (int k = 0; k < 3; k++)
         normal[k] /= size;

@@ -1,4 +1,5 @@
-/* The least of a support function over all directions, by branch and bound (T12). */
+/* The least of a support function over all directions, by branch and bound (T12). The tree outlives the
+ * search; nothing is checked. For tens to 10^6 generators. */
 #ifndef SWARMGRASP_SPHERE_H
 #define SWARMGRASP_SPHERE_H
 
@@ -21,7 +22,7 @@ typedef struct {
     const double *extra;    /* (extras, 3) more generators, whitened */
     int extras;
     double weight;          /* sum |c_i|, with them */
-    double tolerance;       /* of h near the best normal, that is rounding */
+    double error;           /* of h near the best normal, that is rounding */
     double best, normal[3]; /* least h so far, and the normal, whitened */
     double bound;           /* what no direction falls below, but for rounding */
     Work *work;

@@ -1,3 +1,6 @@
+/* Of robots as good as the best, the one that lifts the rest of h most, by a grid over the rival
+ * pieces and finer ones around the best of it (T17). Trusted are the proofs and the best robot that
+ * `search_solve` wrote. A few hundred candidates, or one for each piece, each worth DIRECTIONS numbers. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +10,7 @@
 
 #define CANDIDATES 144   /* size of the first grid over all tied pieces together */
 #define ZOOMS 3          /* how often a finer grid is laid around the best candidate */
-#define AROUND 5         /* side of the finer grid */
+#define FINE_SIDE 5      /* side of the finer grid */
 #define FINER 0.4        /* its step, relative to the one before */
 #define DIRECTIONS 64    /* number of directions the soft minimum is taken over */
 #define LANES 8          /* of them at a time */
@@ -121,12 +124,12 @@ static int lay_grid(const Search *s, const Field *field, const int *rivals, int 
 static int lay_finer(const Search *s, const Field *field, const Candidate *at, double step,
                      Candidate *grid) {
     int found = 0;
-    for (int i = 0; i < AROUND; i++)
-        for (int j = 0; j < AROUND; j++) {
+    for (int i = 0; i < FINE_SIDE; i++)
+        for (int j = 0; j < FINE_SIDE; j++) {
             Candidate *c = grid + found++;
             *c = *at;
-            c->along += step * (2.0 * share_of(i, AROUND) - 1.0);
-            c->across += step * (2.0 * share_of(j, AROUND) - 1.0);
+            c->along += step * (2.0 * share_of(i, FINE_SIDE) - 1.0);
+            c->across += step * (2.0 * share_of(j, FINE_SIDE) - 1.0);
             c->along = smaller(larger(c->along, 0.0), 1.0);
             c->across = smaller(larger(c->across, 0.0), 1.0);
             place_candidate(s, field, c);

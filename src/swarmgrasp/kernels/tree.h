@@ -27,12 +27,17 @@ typedef struct {
     int first, count;  /* generators; count is 0 for a node with nodes below */
 } Node;
 
+/* M: m00, m10, m11, m20, m21, m22. */
+typedef struct {
+    double m[6];
+} Whitening;
+
 typedef struct {
     int size;             /* generators that are left: not zero, parallel neighbours added up */
     double *vectors;      /* (size, 3) whitened, sorted */
     int nodes;
     Node *node;           /* (nodes,) each before those below it */
-    double whiten[6];     /* M: m00, m10, m11, m20, m21, m22 */
+    Whitening white;
     double load[3];       /* a steady wrench, whitened: h(n) = n . load + sum max(0, n . b_i) */
     double weight;        /* sum |c_i|, and the load's size */
 } Tree;
@@ -44,12 +49,12 @@ Status tree_build(Tree *tree, const double *generators, ptrdiff_t count, const d
 void tree_free(Tree *tree);
 
 /* Find M for generators (count, 3). */
-void tree_whitening(Tree *tree, const double *generators, ptrdiff_t count);
+void whitening_of(Whitening *white, const double *generators, ptrdiff_t count);
 
 /* Turn a generator to whitened coordinates; a whitened normal back; and a normal there. */
-void tree_whiten(const Tree *tree, const double *b, double *c);
-void tree_normal(const Tree *tree, const double *m, double *n);
-void tree_direction(const Tree *tree, const double *n, double *m);
+void whiten(const Whitening *white, const double *b, double *c);
+void normal_of(const Whitening *white, const double *m, double *n);
+void whiten_normal(const Whitening *white, const double *n, double *m);
 
 /* Write the gradient of h at m, the load and the sum of the c_i with m . c_i > 0, to g. Of generators in
  * crossed leaves those count as 0 that are so but for `rounding`, relative to their terms. Returns how

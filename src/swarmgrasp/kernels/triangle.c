@@ -1,3 +1,5 @@
+/* Small things about triangles of directions. Trusted are counts of a few rows, and corners that are
+ * units or nearly. The linear program is cubic in its rows, of which there are 4 at most. */
 #include <string.h>
 
 #include "triangle.h"

@@ -1,6 +1,10 @@
-/* Triangles of directions, three corners (3, 3) each, for searches that split them. */
+/* Triangles of directions, three corners (3, 3) each, for searches that split them. Nothing is
+ * checked: corners are units or nearly, counter-clockwise. */
 #ifndef SWARMGRASP_TRIANGLE_H
 #define SWARMGRASP_TRIANGLE_H
+
+#define NO_VERTEX 1e-12 /* sine of the angle between generators that have no vertex */
+#define SMALLEST 1e-13  /* edge of a triangle that is a point */
 
 /* Minimise the greatest of some rows over shares of the corners: a linear program of three
  * unknowns, solved by looking at all its vertices. */

@@ -1,12 +1,15 @@
+/* Turns a plane that touches a wrench set until a goal is on the face across its normal, as the
+ * simplex method would, but to the best normal of each turn (T18). Trusted are finite numbers and
+ * units for normals. A turn is linear in the robots, and a few to some twenty are enough; TURNS end
+ * what rounding keeps from it. Memory: 21 words a robot. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "turning.h"
 #include "vectors.h"
 
-#define FLAT 1e-12    /* cosine, or share of the height, within which a generator is in the plane */
 #define ROUNDED 2e-15 /* cosine that is rounding; of a part, relative to all robots' total */
-#define EVEN 0.01     /* sine between two directions that say well what plane they are in */
+#define WIDE 0.01     /* sine between two directions that say well what plane they are in */
 #define TURNS 400     /* of the plane, far more than it takes */
 #define LARGE 100000  /* robots from which the keyboard is looked at in between */
 
@@ -263,7 +266,7 @@ static int straighten(const Turning *t, double *normal) {
     for (ptrdiff_t i = 1; i < face->count; i++)
         if (fabs(face->c[2 * i + 1]) > fabs(face->c[2 * wide + 1]))
             wide = i;
-    if (face->count < 2 || fabs(face->c[2 * wide + 1]) <= EVEN * face->size[wide])
+    if (face->count < 2 || fabs(face->c[2 * wide + 1]) <= WIDE * face->size[wide])
         return 0;
     normal_across(t->units + 3 * face->robot[face->largest],
                   t->units + 3 * face->robot[wide], normal, across);

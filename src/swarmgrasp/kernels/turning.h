@@ -1,9 +1,11 @@
-/* Robots, and the face of their wrench set that a ray leaves by or that is nearest to a wrench. */
+/* A plane that turns about the wrench set of robots, to the face that a ray leaves by or that is
+ * nearest to a wrench. Generators are finite, normals units: nothing is checked. */
 #ifndef SWARMGRASP_TURNING_H
 #define SWARMGRASP_TURNING_H
 
 #include "face.h"
 
+#define FLAT 1e-12  /* cosine, or share of the height, within which a generator is in the plane */
 #define PATIENCE 20 /* steps after which a search begins to take more for rounding */
 
 /* Where the plane across a turning normal meets a generator. */
@@ -36,13 +38,15 @@ typedef struct {
     double least;     /* cosine between a normal and the ray below which rounding decides */
 } Goal;
 
-Status turning_room(Turning *turning, const double *generators, ptrdiff_t n, int (*interrupted)(void));
+Status turning_room(Turning *turning, const double *generators, ptrdiff_t n,
+                    int (*interrupted)(void));
 void turning_free(Turning *turning);
 
 /* Turn the normal until the goal is on the face across it; a ray may be moved by what is rounding.
  * Leaves the robots divided by the plane across the normal. q (2,) is where the goal meets the face,
  * seen from the corner; `extent` is what its rounding is relative to, and `reach` how far
  * out the goal is: along the ray, or from the face to the wrench. */
-Status find_face(Turning *turning, Goal *goal, double *normal, double *q, double *extent, double *reach);
+Status find_face(Turning *turning, Goal *goal, double *normal, double *q, double *extent,
+                 double *reach);
 
 #endif

@@ -1,4 +1,4 @@
-/* Vectors in three dimensions. */
+/* Vectors in three dimensions, and a few numbers. Nothing is checked. */
 #ifndef SWARMGRASP_VECTORS_H
 #define SWARMGRASP_VECTORS_H
 

@@ -1,3 +1,5 @@
+/* Buffers, threads, the keyboard and statuses, for all files here. What callers of Python may get
+ * wrong is checked here and in the files beside, so that kernels can trust it. */
 #include <math.h>
 
 #include "binding.h"

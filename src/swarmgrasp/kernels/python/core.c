@@ -1,4 +1,5 @@
-/* The kernels as a Python module: arrays in, numbers and bytes out. */
+/* The kernels as a Python module: arrays in, numbers and bytes out. Checked are sizes, finite numbers
+ * and who uses a search; the objects keep the arrays that they were given. */
 #include "../place.h"
 #include "../quality.h"
 #include "../sector.h"

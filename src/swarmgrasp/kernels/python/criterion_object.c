@@ -1,3 +1,5 @@
+/* Criteria as Python objects. Checked are widths, finite numbers, and that losses are no more than
+ * robots; the arrays are kept for as long as the object is. */
 #include "criterion_object.h"
 
 typedef struct {
@@ -40,7 +42,7 @@ static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwa
     if (!self)
         return NULL;
     self->criterion = given;
-    if (get_doubles(points, &self->points, 3) || get_doubles(rows, &self->rows, SPREAD)
+    if (get_doubles(points, &self->points, 3) || get_doubles(rows, &self->rows, SPREAD_ROW)
         || get_doubles(task, &self->task, 3)) {
         Py_DECREF(self);
         return NULL;
@@ -51,7 +53,7 @@ static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwa
     criterion->rows = self->rows.buf;
     criterion->task = self->task.buf;
     criterion->tasks = rows_of(&self->task, 3);
-    Status status = criterion_begin(criterion, rows_of(&self->rows, SPREAD));
+    Status status = criterion_begin(criterion, rows_of(&self->rows, SPREAD_ROW));
     /* more than all are as good as all */
     int robots = criterion->points + criterion->spread;
     if (criterion->losing > robots + 1)

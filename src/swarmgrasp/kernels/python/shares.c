@@ -1,4 +1,5 @@
-/* The least shares as a Python module. */
+/* The least shares as a Python module. Checked are sizes and finite numbers; what is returned has
+ * 8 (n + 15) bytes a wrench. */
 #include "../forces.h"
 #include "../proven.h"
 #include "binding.h"
