@@ -3,14 +3,14 @@
 `swarmgrasp.paper.report` writes the report; it is left out here because it draws.
 """
 
-from swarmgrasp.paper.algorithm_1 import Answer, Printed, algorithm_1
+from swarmgrasp.paper.algorithm_1 import Printed, Promise, algorithm_1
 from swarmgrasp.paper.attachment import Attachment, nearest_attachment
 from swarmgrasp.paper.relaxed import Relaxed, relaxed_optimum
 
 __all__ = [
-    "Answer",
     "Attachment",
     "Printed",
+    "Promise",
     "Relaxed",
     "algorithm_1",
     "nearest_attachment",

@@ -48,7 +48,7 @@ class Printed(Flag):
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class Promise:
     """What Algorithm 1 found.
 
     Attributes
@@ -89,7 +89,7 @@ class Answer:
 
 def algorithm_1(
     problem: Problem, precision: float = PRECISION, printed: Printed = Printed.NOTHING
-) -> Answer:
+) -> Promise:
     """Place a newcomer as the paper does; see `place` for the true optimum.
 
     Parameters
@@ -103,8 +103,8 @@ def algorithm_1(
 
     Returns
     -------
-    Answer
-        Its wrench is in the cylinder; `Answer.attach` turns it into a robot.
+    Promise
+        Its wrench is in the cylinder; `Promise.attach` turns it into a robot.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def algorithm_1(
         best = best if found is None else found
     ended = not _goes_on(low, high, epsilon, printed)
     wrench, iterations = query.cylinder.wrench(best), query.iterations
-    return Answer(problem, wrench, low, high, queries, iterations, ended)
+    return Promise(problem, wrench, low, high, queries, iterations, ended)
 
 
 def _goes_on(low: float, high: float, epsilon: float, printed: Printed) -> bool:
