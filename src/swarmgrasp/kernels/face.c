@@ -12,6 +12,7 @@
 #define ON_SIDE 1e-13  /* relative distance from a side that is none */
 #define SLIVER 100.0   /* length to width of a face that ends like a segment */
 #define STEPS 100      /* of Newton's method, far more than it takes */
+#define DWARF 1e-4     /* size, of the largest, to which what is rounding to it may be much */
 #define PASSES 3       /* of refinement */
 #define RESIDUAL 4e-16 /* relative residual that is rounding */
 #define SINGULAR 1e-14 /* of a pivot: what rounding leaves of 0 */
@@ -278,7 +279,11 @@ static double best_step(Face *face, const double *y, const double *left, const d
 /* Share out a point inside the face, by Newton's method on the dual: x_i = clip(y.c_i). */
 static void share_inside(Face *face, const double *q, double *y) {
     double left[2], d[2], whole, rounding;
-    for (int k = 0, settled = 0; k < STEPS; k++) {
+    int more = 0; /* steps after what is rounding to giants, and may be much to dwarfs */
+    for (ptrdiff_t i = 0; i < face->count; i++)
+        if (face->size[i] < DWARF)
+            more = PASSES;
+    for (int k = 0; k < STEPS; k++) {
         double blur = 0.0; /* what rounding of y does */
         for (ptrdiff_t i = 0; i < face->count; i++) {
             face->share[i] = clip(dot2(y, face->c + 2 * i));
@@ -287,8 +292,7 @@ static void share_inside(Face *face, const double *q, double *y) {
         }
         whole = missing(face, q, left);
         rounding = RESIDUAL * (whole + blur * sqrt(dot2(y, y)));
-        /* what is rounding to giants may be much to dwarfs: some steps more */
-        if (sqrt(dot2(left, left)) <= rounding && settled++ == PASSES)
+        if (sqrt(dot2(left, left)) <= rounding && more-- == 0)
             break;
         newton_direction(face, left, rounding, d);
         double step = best_step(face, y, left, d);
