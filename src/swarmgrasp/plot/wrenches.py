@@ -106,6 +106,7 @@ def wrench_sets(
         )
         elevation, azimuth = _eye(last.weakest) if eye is None else eye
         ax.view_init(elevation, azimuth)
+        ax.autoscale(enable=False)  # from data limits that matplotlib has not set yet
         towards = _towards(elevation, azimuth)
         colour = {"color": style.VERMILION if after is not None else style.BLUE}
         if wires is not None:
