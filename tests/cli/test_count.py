@@ -50,7 +50,7 @@ def test_none_is_needed(run):
 @pytest.mark.parametrize(
     ("options", "fault"),
     [
-        (["--quality", "0"], "--quality is 0; it should be greater than 0 [N]"),
+        (["--quality", "0"], "--quality is 0; it should be 0 < quality <= 1e+100 [N]"),
         (["--quality", "1", "--most", "1.5"], "--most is 1.5; it should be a whole number"),
         (["--quality", "1", "--effort", "1.5"], "--effort is 1.5; it should be a whole number"),
     ],

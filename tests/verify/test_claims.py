@@ -9,6 +9,7 @@ from answers import first, honest_document
 from swarmgrasp import read_answer
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.verify import verify_document
+from swarmgrasp.verify.digest import digest_of
 
 TOLERANCE = {
     "contact": [-0.1, 0.1], "direction": [0.0, 0.0], "least_limit": None, "may_be_absent": False
@@ -154,3 +155,12 @@ def test_a_file_that_is_not_there_or_not_text(tmp_path):
     for name in ("none.json", "bytes.json", "."):
         with pytest.raises(AnswerInvalid):
             read_answer(tmp_path / name)
+
+
+def test_a_number_beyond_all_others_has_a_digest_and_is_refused():
+    """Also in a document that no file was read for."""
+    document = honest_document()
+    document["placements"][0]["quality"] = 10**400
+    assert digest_of(document).startswith("sha256:")
+    with pytest.raises(AnswerInvalid):
+        verify_document(document)

@@ -1,6 +1,5 @@
 """`swarmgrasp count`: how many robots a required quality takes."""
 
-import math
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -17,7 +16,7 @@ from swarmgrasp.cli.inputs import (
     source_of,
     whole_faults,
 )
-from swarmgrasp.ranges import MOST_PLACED
+from swarmgrasp.ranges import MOST_PLACED, STRONGEST
 
 MOST = 20
 """Robots tried unless told otherwise."""
@@ -89,8 +88,8 @@ def count(
 def _number_faults(quality: float | None, most: str | None, effort: str | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
     faults = []
-    if quality is not None and not 0.0 < quality < math.inf:
-        faults.append(f"--quality is {quality:g}; it should be greater than 0 [N]")
+    if quality is not None and not 0.0 < quality <= STRONGEST:
+        faults.append(f"--quality is {quality:g}; it should be 0 < quality <= {STRONGEST:g} [N]")
     return [
         *faults,
         *whole_faults("--most", most, 1, MOST_PLACED),

@@ -59,7 +59,7 @@ def reason_of(answer: "Placement") -> str:
             "one is not settled: ask for a smaller gap, or place several"
         )
     if criterion.has_load and answer.quality == 0.0:
-        return "no allowed robot makes the swarm hold the load"
+        return "with none of the allowed robots has the swarm force closure beside the load"
     return (
         f"no allowed robot raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"
