@@ -159,7 +159,7 @@ def test_a_file_that_is_not_there_or_not_text(tmp_path):
 
 def test_a_number_beyond_all_others_has_a_digest_and_is_refused():
     """Also in a document that no file was read for."""
-    document = honest_document()
+    document = copy.deepcopy(honest_document())
     document["placements"][0]["quality"] = 10**400
     assert digest_of(document).startswith("sha256:")
     with pytest.raises(AnswerInvalid):
