@@ -1,7 +1,5 @@
 """Thousands of random and degenerate placements: each closes its gap and proves its bound."""
 
-import time
-
 import numpy as np
 import pytest
 
@@ -12,21 +10,19 @@ from swarmgrasp.errors import NowhereToAttach
 
 
 def sweep(seeds, verify_every):
-    """Answer one problem per family and seed; return the failures and the slowest time [s]."""
-    failures, slowest = [], (0.0, "", 0)
+    """Answer one problem per family and seed; return the failures."""
+    failures = []
     for seed in seeds:
         n = int(np.random.default_rng([seed, 2]).integers(0, 17))
         for family in FAMILIES:
             problem = problem_of(family, seed, n)
-            start = time.perf_counter()
             try:
                 (answer,) = place_sequence(problem, 1)
             except NowhereToAttach:
                 continue
-            slowest = max(slowest, (time.perf_counter() - start, family, seed))
             faults = faults_of(answer, (seed % verify_every) == 0)
             failures += [f"problem_of({family!r}, {seed}, {n}): {fault}" for fault in faults]
-    return failures, slowest
+    return failures
 
 
 def faults_of(answer, thorough):
@@ -45,13 +41,12 @@ def faults_of(answer, thorough):
 
 def test_a_few_hundred():
     """The first of the long sweep."""
-    failures, _ = sweep(range(30), 3)
+    failures = sweep(range(30), 3)
     assert not failures, "\n".join(failures)
 
 
 @pytest.mark.long
 def test_ten_thousand():
     """All families, 0 to 16 robots (balanced ones in pairs), newcomers of any strength."""
-    failures, (seconds, family, seed) = sweep(range(30, 30 + 10_000 // len(FAMILIES)), 10)
-    print(f"slowest {1e3 * seconds:.2f} ms: {family}, seed {seed}")  # noqa: T201
+    failures = sweep(range(30, 30 + 10_000 // len(FAMILIES)), 10)
     assert not failures, "\n".join(failures)
