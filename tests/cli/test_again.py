@@ -90,3 +90,58 @@ def test_a_question_with_faults_is_refused(run, answer_of, tmp_path, change, sai
     assert (status, printed) == (2, "")
     assert said in complaints
     assert complaints.startswith(str(path))
+
+
+@pytest.mark.parametrize(
+    ("asked", "command", "holds", "needs"),
+    [
+        ("forces", ["place"], "push forces, with no newcomer", "`swarmgrasp place` needs one"),
+        ("quality", ["count", "--quality", 3], "quality, with no newcomer", "`swarmgrasp count`"),
+        ("forces along", ["plot", "a.svg", "--what", "landscape"], "push forces", "needs one"),
+        ("capability", ["place"], "the largest wind held, with no newcomer", "needs one"),
+        ("move", ["capability"], "which robot should move, with no environment", "needs one"),
+        ("place", ["place", "--worst-case"], "where robots go, with no tolerance", "--worst-case"),
+    ],
+)
+def test_another_command_may_need_more(run, answer_of, tmp_path, asked, command, holds, needs):
+    """Said of the answer's question; nothing is advised that only scenario files can hold."""
+    (tmp_path / "first.json").write_bytes(answer_of(*ASKED[asked])[0])
+    status, said, complaints = run(command[0], "first.json", *command[1:])
+    assert (status, said) == (2, "")
+    assert complaints.startswith("first.json holds a question about ")
+    assert complaints.endswith("; ask it of the scenario\n")
+    assert holds in complaints
+    assert needs in complaints
+
+
+@pytest.mark.parametrize(
+    ("asked", "command", "lacking"),
+    [
+        ("capability", ["quality"], "load or task"),
+        ("capability", ["forces", "--wrench", 1, 0, 0], "load"),
+        ("capability", ["forces", "--wrench", 1, 0, 0, "--load", 0, 0, 0], ""),
+        ("forces", ["quality"], "loss, worst case or task"),
+        ("forces along", ["quality", "--losing", 1], "worst case or task"),
+        ("quality", ["move"], "newcomer"),
+        ("quality", ["forces", "--wrench", 1, 0, 0], ""),
+        ("move", ["quality"], ""),
+        ("quality", ["plot", "a.svg"], "newcomer"),
+    ],
+)
+def test_what_another_command_goes_without_is_said(
+    run, answer_of, tmp_path, asked, command, lacking
+):
+    """In one line on standard error, unless an option says it instead."""
+    (tmp_path / "first.json").write_bytes(answer_of(*ASKED[asked])[0])
+    status, _, complaints = run(command[0], "first.json", *command[1:])
+    assert status == 0
+    line = f", with no {lacking}: `swarmgrasp {command[0]}` goes without\n"
+    assert complaints.endswith(line if lacking else "")
+    assert complaints.count("holds a question") == bool(lacking)
+
+
+def test_what_another_question_holds_is_kept(run, answer_of, tmp_path):
+    """The load of push forces counts in the quality that is left beside it."""
+    (tmp_path / "first.json").write_bytes(answer_of(*ASKED["forces"])[0])
+    told = json.loads(run("quality", "first.json", "--json", "-")[1])
+    assert told["criterion"]["load"] == [0, 30, 0]

@@ -134,3 +134,8 @@ def test_faults_come_before_any_work(run, pontoon, windy):
     status, _, complaints = run("capability", windy(), "--current", 1)
     assert status == 2
     assert "environment.current: is missing, so --current has nothing to set" in complaints
+    answer = pontoon.with_name("answer.json")
+    assert run("capability", windy(), "--step", 90, "--json", answer)[0] == 0
+    status, _, complaints = run("capability", answer, "--current", 1)
+    assert status == 2
+    assert "the largest wind held, with no current: --current needs one; ask it" in complaints

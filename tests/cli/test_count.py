@@ -67,4 +67,4 @@ def test_a_scenario_without_a_newcomer(run, pontoon):
     pontoon.write_text("".join(pontoon.read_text().splitlines(keepends=True)[:-1]))
     status, _, complaints = run("count", pontoon, "--quality", "1")
     assert status == 2
-    assert "there is no newcomer to count" in complaints
+    assert "has no newcomer, and `swarmgrasp count` needs one; add one" in complaints

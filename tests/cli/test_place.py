@@ -157,7 +157,7 @@ def test_a_scenario_without_newcomer_has_nobody_to_place(run, pontoon):
     pontoon.write_text("\n".join(pontoon.read_text().splitlines()[:-1]))
     status, said, complaints = run("place", pontoon)
     assert (status, said) == (2, "")
-    assert "has no newcomer to place; add one" in complaints
+    assert "has no newcomer, and `swarmgrasp place` needs one; add one" in complaints
 
 
 def test_names_cannot_play_tricks(run, pontoon):

@@ -10,15 +10,8 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
-from swarmgrasp.cli.inputs import (
-    PICTURES,
-    UsageFault,
-    asked_before,
-    json_faults,
-    output_faults,
-    read_scenario,
-    source_of,
-)
+from swarmgrasp.cli.inputs import PICTURES, json_faults, output_faults, read_scenario
+from swarmgrasp.cli.question import asked_before, missing
 
 if TYPE_CHECKING:
     from swarmgrasp.environment import Environment
@@ -72,7 +65,7 @@ def capability(
     """
     faults = _number_faults(losing, step, current) + json_faults(json)
     scenario = read_scenario(file, faults + output_faults(plot, PICTURES))
-    environment = _environment(scenario, source_of(file), current)
+    environment = _environment(scenario, file, current)
     criterion = criterion_of(scenario, file, losing, worst_case)
     import numpy as np
 
@@ -111,7 +104,7 @@ def _number_faults(losing: str | None, step: float | None, current: float | None
     return faults
 
 
-def _environment(scenario: "Scenario", source: str, current: float | None) -> "Environment":
+def _environment(scenario: "Scenario", file: str, current: float | None) -> "Environment":
     """Return the environment to compute with.
 
     Raises
@@ -121,18 +114,20 @@ def _environment(scenario: "Scenario", source: str, current: float | None) -> "E
     """
     environment = scenario.environment
     if environment is None:
-        raise UsageFault(
-            f"{source}:1:1: environment: is missing; say what the object shows to the wind, such "
-            "as `environment: {wind: {vessel: offshore supply vessel, frontal_area: 280, "
+        advice = (
+            "environment: is missing; say what the object shows to the wind, such as "
+            "`environment: {wind: {vessel: offshore supply vessel, frontal_area: 280, "
             "lateral_area: 700}}`"
         )
+        raise missing(scenario, file, "environment", "`swarmgrasp capability`", advice)
     if current is None:
         return environment
     if environment.current is None:
-        raise UsageFault(
-            f"{source}:1:1: environment.current: is missing, so --current has nothing to set; say "
-            "what the object shows to it, such as `current: {frontal_area: 110, lateral_area: 465}`"
+        advice = (
+            "environment.current: is missing, so --current has nothing to set; say what the object "
+            "shows to it, such as `current: {frontal_area: 110, lateral_area: 465}`"
         )
+        raise missing(scenario, file, "current", "--current", advice)
     from swarmgrasp.environment import KNOT
 
     return replace(environment, current=replace(environment.current, speed=current * KNOT))

@@ -9,13 +9,12 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     UsageFault,
-    asked_before,
     blaming,
     json_faults,
     read_scenario,
-    source_of,
     whole_faults,
 )
+from swarmgrasp.cli.question import asked_before, check_newcomer
 from swarmgrasp.ranges import MOST_PLACED, STRONGEST
 
 MOST = 20
@@ -62,16 +61,12 @@ def count(
     """
     faults = _number_faults(quality, most, effort) + losing_faults(losing) + json_faults(json)
     scenario = read_scenario(file, faults)
+    check_newcomer(scenario, file, "count")
     before = asked_before(scenario, "count")
     if quality is None and not before:
         raise UsageFault("--quality is missing; give the quality required, such as 600e3")
     tried = before.get("most", MOST) if most is None else int(most)
     criterion = criterion_of(scenario, file, losing, worst_case, tried)
-    if scenario.newcomer is None:
-        raise UsageFault(
-            f"{source_of(file)}:1:1: there is no newcomer to count; add one, such as "
-            "`newcomer: {limit: 1000, attachment: push}`"
-        )
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 

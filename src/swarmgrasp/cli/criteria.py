@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from swarmgrasp.cli.inputs import UsageFault, source_of, whole_faults
+from swarmgrasp.cli.inputs import UsageFault, whole_faults
+from swarmgrasp.cli.question import missing
 
 if TYPE_CHECKING:
     from swarmgrasp.quality import Criterion
@@ -40,10 +41,11 @@ def criterion_of(
     newcomer = scenario.newcomer
     is_sure = not scenario.swarm.tolerances and not (newcomer and newcomer.tolerance)
     if worst_case and is_sure:
-        raise UsageFault(
-            f"{source_of(file)}:1:1: no robot has a tolerance, so --worst-case asks for nothing; "
-            "give some, such as `tolerance: {contact: 2, direction: 5}`"
+        advice = (
+            "no robot has a tolerance, so --worst-case asks for nothing; give some, such as "
+            "`tolerance: {contact: 2, direction: 5}`"
         )
+        raise missing(scenario, file, "tolerance", "--worst-case", advice)
     robots = len(scenario.swarm) + more
     if losing is not None and int(losing) >= max(robots, 1):
         raise UsageFault(

@@ -11,12 +11,12 @@ from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
-    asked_before,
     json_faults,
     output_faults,
     print_json,
     read_scenario,
 )
+from swarmgrasp.cli.question import asked_before, tell_omitted
 from swarmgrasp.cli.wrenches import Triple, number_faults, read_wrenches
 from swarmgrasp.errors import SwarmGraspError
 
@@ -81,6 +81,7 @@ def forces(
         wrench = asked_before(scenario, "forces").get("wanted")
         rows = asked_before(scenario, "forces along").get("wanted")
         table = None if rows is None else (range(2, 2 + len(rows)), rows)
+    tell_omitted(scenario, file, "forces", load=load)
     load = scenario.criterion.load if load is None else load
     if table is not None:
         _tell_many(scenario, *table, load, csv, json)

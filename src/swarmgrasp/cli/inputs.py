@@ -4,10 +4,10 @@ import io
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from swarmgrasp.cli.dash import DASH
 from swarmgrasp.errors import SwarmGraspError
@@ -64,14 +64,6 @@ def _scenario(file: str) -> "Scenario":
             f"{nearest_name(file, known)}"
         )
     return load_scenario(file)
-
-
-def asked_before(scenario: "Scenario", *kinds: str) -> Mapping[str, Any]:
-    """Return the answer that a scenario was read from if it is of such a kind, else nothing."""
-    from swarmgrasp.answer_file import format_of
-
-    answer = scenario.answer or {}
-    return answer if answer.get("format") in [format_of(kind) for kind in kinds] else {}
 
 
 def source_of(file: str) -> str:

@@ -8,6 +8,7 @@ from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import blaming, json_faults, read_scenario
+from swarmgrasp.cli.question import tell_omitted
 
 
 def move(
@@ -41,6 +42,10 @@ def move(
     """
     scenario = read_scenario(file, losing_faults(losing) + json_faults(json))
     criterion = criterion_of(scenario, file, losing, worst_case)
+    tell_omitted(
+        scenario, file, "move",
+        newcomer=None, losing=losing, worst_case=worst_case, load=None, task=None,
+    )  # fmt: skip
     from swarmgrasp.placement import best_move
 
     with blaming(file):

@@ -10,16 +10,14 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
-    UsageFault,
-    asked_before,
     blaming,
     json_faults,
     output_faults,
     read_scenario,
-    source_of,
     whole_faults,
 )
 from swarmgrasp.cli.pictures import Picture
+from swarmgrasp.cli.question import asked_before, check_newcomer
 from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
@@ -92,11 +90,11 @@ def place(
     faults += _together_faults(robots, together, effort, runners_up)
     faults += losing_faults(losing) + json_faults(json) + output_faults(plot, PICTURES)
     scenario = read_scenario(file, faults)
+    check_newcomer(scenario, file, "place")
     before = asked_before(scenario, "placements", "together")
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
     criterion = criterion_of(scenario, file, losing, worst_case, count)
-    check_newcomer(scenario, file)
     from swarmgrasp.answer_file import document_of
 
     if together:
@@ -154,24 +152,14 @@ def solve(
     Raises
     ------
     UsageFault
-        If the scenario has no newcomer, leaves it no place, or has a robot of its name.
+        If the scenario leaves its newcomer no place, or has a robot of its name.
     """
-    check_newcomer(scenario, file)
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import place_sequence
 
     with blaming(file), shown_progress(robots) as progress:
         return place_sequence(
             scenario.problem(criterion), robots, gap=gap, runners_up=runners_up, progress=progress
-        )
-
-
-def check_newcomer(scenario: "Scenario", file: str) -> None:
-    """Raise `UsageFault` if there is no newcomer."""
-    if scenario.newcomer is None:
-        raise UsageFault(
-            f"{source_of(file)}:1:1: has no newcomer to place; add one, such as "
-            "`newcomer: {limit: 100, attachment: push}`"
         )
 
 

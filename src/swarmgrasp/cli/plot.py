@@ -5,6 +5,7 @@ from pathlib import Path
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import PICTURES, output_faults, read_scenario
 from swarmgrasp.cli.pictures import Picture
+from swarmgrasp.cli.question import check_newcomer, tell_omitted
 
 
 def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
@@ -24,11 +25,15 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
         contact and direction of the newcomer.
     """
     scenario = read_scenario(file, output_faults(picture, PICTURES))
+    if what == "landscape":
+        check_newcomer(scenario, file, "plot --what landscape")
+    tell_omitted(
+        scenario, file, "plot", newcomer=None, losing=None, worst_case=None, load=None, task=None
+    )
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.place import solve
     from swarmgrasp.cli.show.report import told_written
 
-    alone = scenario.newcomer is None and what != "landscape"
-    answers = () if alone else solve(scenario, file)
+    answers = solve(scenario, file) if scenario.newcomer else ()
     written = pictures({what: picture}, scenario.swarm, answers, scenario.criterion)
     told_written(written)

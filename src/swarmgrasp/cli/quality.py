@@ -8,13 +8,8 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
-from swarmgrasp.cli.inputs import (
-    UsageFault,
-    asked_before,
-    json_faults,
-    read_scenario,
-    source_of,
-)
+from swarmgrasp.cli.inputs import UsageFault, json_faults, read_scenario, source_of
+from swarmgrasp.cli.question import asked_before, tell_omitted
 
 
 def quality(
@@ -61,6 +56,9 @@ def quality(
             f"{source_of(file)}: its criterion is the worst case, and --sensitivities are of known "
             "poses"
         )
+    tell_omitted(
+        scenario, file, "quality", losing=losing, worst_case=worst_case, load=None, task=None
+    )
     from swarmgrasp.answer_file import sealed
     from swarmgrasp.plain import plain
     from swarmgrasp.quality import losses
