@@ -2,13 +2,14 @@
 
 import json
 import os
+import sys
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from swarmgrasp.errors import AnswerInvalid, refuse
-from swarmgrasp.files import write_whole
+from swarmgrasp.files import MOST_DEPTH, write_whole
 from swarmgrasp.plain import Answer
 from swarmgrasp.ranges import kind_faults, name_faults, path_faults
 from swarmgrasp.verify.digest import digest_of
@@ -108,7 +109,8 @@ def read_answer(path: str | Path) -> dict[str, Any]:
     Raises
     ------
     AnswerInvalid
-        If it cannot be read, is too large, or is not a JSON object; with file and line.
+        If it cannot be read, is too large or nested too deep, or is not a JSON object; with file
+        and line.
     """
     refuse((AnswerInvalid, path_faults(path)))
     try:
@@ -128,17 +130,32 @@ def parse_answer(content: bytes, source: str) -> dict[str, Any]:
     """
     if len(content) > LARGEST_FILE:
         raise AnswerInvalid(f"{source}: more than {LARGEST_FILE} bytes, too many for an answer")
+    deep = f"{source}: nested too deep; at most {MOST_DEPTH} levels are read"
     try:
         document = json.loads(content.decode())
     except UnicodeDecodeError as error:
         raise AnswerInvalid(f"{source}: not UTF-8 text (byte {error.start})") from None
     except json.JSONDecodeError as error:
         raise AnswerInvalid(f"{source}:{error.lineno}:{error.colno}: {error.msg}") from None
-    except (RecursionError, ValueError) as error:  # nested too deeply, or a number too long
-        raise AnswerInvalid(f"{source}: not an answer: {error}") from None
+    except ValueError:
+        digits = sys.get_int_max_str_digits()
+        raise AnswerInvalid(f"{source}: holds a number of more than {digits} digits") from None
+    except RecursionError:
+        raise AnswerInvalid(deep) from None
     if not isinstance(document, dict):
         raise AnswerInvalid(f"{source}:1:1: an answer is a JSON object")
+    if _is_deep(document):
+        raise AnswerInvalid(deep)
     return document
+
+
+def _is_deep(document: dict[str, Any]) -> bool:
+    """Tell whether data nest deeper than `MOST_DEPTH`."""
+    level: list[Any] = [document]
+    for _ in range(MOST_DEPTH):
+        parts = (each.values() if isinstance(each, dict) else each for each in level)
+        level = [part for row in parts for part in row if isinstance(part, dict | list)]
+    return bool(level)
 
 
 def _now() -> datetime:

@@ -1,9 +1,12 @@
-"""Writing files whole or not at all."""
+"""Writing files whole or not at all, and reading them within bounds."""
 
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+MOST_DEPTH = 20
+"""Levels of nesting that are read; a scenario needs 5, an answer 8."""
 
 
 @contextmanager

@@ -1,6 +1,8 @@
 """An answer file can be asked again: the same answer comes out, to the last byte."""
 
+import io
 import json
+import sys
 
 import pytest
 
@@ -145,3 +147,29 @@ def test_what_another_question_holds_is_kept(run, answer_of, tmp_path):
     (tmp_path / "first.json").write_bytes(answer_of(*ASKED["forces"])[0])
     told = json.loads(run("quality", "first.json", "--json", "-")[1])
     assert told["criterion"]["load"] == [0, 30, 0]
+
+
+@pytest.mark.parametrize(
+    ("tail", "said"),
+    [
+        ('"a": ' + "[" * 19 + "]" * 19 + "}", "holds no question"),
+        ('"a": ' + "[" * 20 + "]" * 20 + "}", "nested too deep; at most 20 levels are read"),
+        ('"a": ' + "[" * 100_000, "nested too deep; at most 20 levels are read"),
+        ('"a": 1' + "0" * 4300 + "}", "holds a number of more than 4300 digits"),
+        ('"a": 1', "Expecting ',' delimiter"),
+    ],
+)
+@pytest.mark.parametrize("source", ["file", "-"])
+def test_an_answer_that_cannot_be_read_is_no_scenario(
+    run, tmp_path, monkeypatch, tail, said, source
+):
+    """Told in one sentence by every command, the check included; never as keys of a scenario."""
+    path = tmp_path / "answer.json"
+    path.write_text('{"format": "swarmgrasp placements 3", ' + tail)
+    for command in ("place", "quality", "verify"):
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(path.read_bytes())))
+        status, printed, complaints = run(command, path if source == "file" else source)
+        assert (status, printed) == (2, "")
+        assert all(line.startswith(("<stdin>", str(path))) for line in complaints.splitlines())
+        assert "unknown key" not in complaints
+        assert said in complaints or (command, said) == ("verify", "holds no question")

@@ -1,10 +1,11 @@
 """The question of an answer file, to be asked again."""
 
-import json
+import re
 from typing import Any
 
+from swarmgrasp.answer_file import parse_answer
 from swarmgrasp.environment import Environment
-from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.errors import AnswerInvalid, ScenarioInvalid
 from swarmgrasp.placement import Problem
 from swarmgrasp.plain import read
 from swarmgrasp.quality import Criterion
@@ -23,24 +24,31 @@ _OPTIONS = {
 }
 """What else answers were asked, and what it is: how many robots, which wrenches, which bearings."""
 
+_FORMAT = re.compile(rb'"format"\s*:\s*"swarmgrasp ')
+"""What an answer says of itself."""
 
-def answer_in(text: str | bytes) -> dict[str, Any] | None:
+
+def answer_in(text: str | bytes, source: str = "<text>") -> dict[str, Any] | None:
     """Return the answer that the text of a file holds, None if it is none but perhaps a scenario.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If it calls itself an answer and cannot be read as one.
 
     Examples
     --------
     >>> answer_in('{"format": "swarmgrasp quality 3"}'), answer_in('{"robots": []}')
     ({'format': 'swarmgrasp quality 3'}, None)
     """
-    opening = "{" if isinstance(text, str) else b"{"
-    if not text.lstrip().startswith(opening):  # type: ignore[arg-type]
+    raw = text.encode(errors="surrogatepass") if isinstance(text, str) else text
+    if not raw.lstrip().startswith(b"{") or not _FORMAT.search(raw):
         return None
     try:
-        document = json.loads(text)
-    except (ValueError, RecursionError):
-        return None
-    is_answer = isinstance(document, dict) and str(document.get("format")).startswith("swarmgrasp ")
-    return document if is_answer else None
+        document = parse_answer(raw, source)
+    except AnswerInvalid as error:
+        raise ScenarioInvalid(error.faults) from None
+    return document if str(document.get("format")).startswith("swarmgrasp ") else None
 
 
 def scenario_of(document: dict[str, Any], source: str) -> Scenario:

@@ -25,13 +25,11 @@ from ruamel.yaml.events import (
 from ruamel.yaml.reader import ReaderError
 
 from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.files import MOST_DEPTH
 from swarmgrasp.scenario.faults import Faults, Path
 
 MOST_NODES = 100_000
 """Largest number of values in a file, every alias counted as what it stands for."""
-
-MOST_DEPTH = 20
-"""Deepest nesting; a scenario needs 5."""
 
 Scalar = str | int | float | bool | None
 Mark = tuple[int, int]

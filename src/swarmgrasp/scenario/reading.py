@@ -81,7 +81,7 @@ def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
     Traceback (most recent call last):
     swarmgrasp.errors.ScenarioInvalid: a.yaml:2:15: robots.0.at: ...
     """
-    answer = answer_in(text) if len(text) <= LARGEST_ANSWER else None
+    answer = answer_in(text, source)
     if answer is not None:
         return scenario_of(answer, source)
     if len(text) > LARGEST_FILE:
