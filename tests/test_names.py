@@ -9,11 +9,22 @@ from swarmgrasp.cli import main
 from swarmgrasp.scenario import example_text
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
-ESCAPE, BELL, LINE, LONE, NOTHING = "\x1b[31mred", "\x07", "two\u2028lines", "\ud800", "\uffff"
+CONTROLS = ["\x1b[31mred", "\x07", "two\u2028lines", "\ud800", "\uffff"]
+HIDDEN = [
+    "\u200bA",
+    "A\u2060",
+    "A\ufeffB",
+    "so\xadft",
+    "A\u200dB",
+    "\u200d\u200d",
+    "\ufe0fA",
+    "A\U000e0041",
+]
+TURNED = ["\u202eA", "A\u200f", "\u2066A\u2069"]
+BLANK = [" ", " \u3000\xa0", "\u2800", "\u3164", "\u0301"]
 
 
-@pytest.mark.parametrize("name", [ESCAPE, BELL, LINE, LONE, NOTHING])
-@pytest.mark.parametrize(
+NAMED = pytest.mark.parametrize(
     "named",
     [
         lambda name: Robot((1, 0), 0.0, name=name),
@@ -23,16 +34,51 @@ ESCAPE, BELL, LINE, LONE, NOTHING = "\x1b[31mred", "\x07", "two\u2028lines", "\u
     ],
     ids=["robot", "newcomer", "stretch", "edge"],
 )
-def test_a_name_with_a_control_character_is_refused(named, name: str) -> None:
-    """The message shows the character escaped, and holds none itself."""
-    with pytest.raises(SwarmGraspError, match="holds the control character") as caught:
+
+
+@pytest.mark.parametrize("name", CONTROLS + HIDDEN + TURNED)
+@NAMED
+def test_a_name_with_a_character_that_is_not_seen_is_refused(named, name: str) -> None:
+    """The message names the character, and holds none itself."""
+    with pytest.raises(SwarmGraspError, match=r"holds U\+[0-9A-F]{4}") as caught:
         named(name)
     assert str(caught.value).isprintable()
 
 
+@pytest.mark.parametrize("name", BLANK)
+@NAMED
+def test_a_blank_name_is_refused(named, name: str) -> None:
+    """Of spaces, fillers, or marks without a letter."""
+    with pytest.raises(SwarmGraspError, match="shows nothing; give it a letter"):
+        named(name)
+
+
 def test_every_other_name_is_taken() -> None:
-    """Letters of any script, spaces of any width, joined emoji."""
-    for name in ("Zoë", "拖轮 七", "tug\u00a0one", "👩\u200d🚒", "$x$", "<b>&"):
+    """Letters of any script, joined or not; spaces of any width; emoji joined, coloured, of flags.
+
+    And no name at all.
+    """
+    england = "🏴" + "".join(chr(0xE0000 + ord(c)) for c in "gbeng") + "\U000e007f"
+    scripts = [
+        "Zoë",
+        "Zoe\u0308",
+        "拖轮 七",
+        "\u0647\u200c\u0627",
+        "क्\u200dष",
+        "שלום",
+        "$x$",
+        "<b>&",
+    ]
+    for name in [
+        *scripts,
+        "tug\u00a0one",
+        "👩\u200d🚒",
+        "❤\ufe0f\u200d🔥",
+        "👍🏽",
+        "1\ufe0f\u20e3",
+        england,
+        "",
+    ]:
         assert Robot((1, 0), 0.0, name=name).name == name
 
 

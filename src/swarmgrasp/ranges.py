@@ -7,6 +7,7 @@ a sentence for each fault, so that all of them can be told at once.
 
 import math
 import re
+import unicodedata
 from collections.abc import Iterable, Mapping, Set
 from numbers import Integral, Number, Real
 from pathlib import Path
@@ -19,8 +20,22 @@ MOST_TURNED = 1e6
 """Largest angle [rad]: beyond it, rounding eats the direction."""
 WEAKEST, STRONGEST = 1e-100, 1e100
 """Range of force limits [N] whose squares and cubes are still numbers."""
-_CONTROL = re.compile("[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff\\ufffe\\uffff]")
-"""What steers a terminal, breaks a line, or may not stand in XML or UTF-8."""
+_JOINED = "[^\\0-\\u02af\\u2000-\\u206f]"
+"""What joiners stand between: letters that change when they meet, and emoji."""
+_ODD = re.compile(
+    "[\\x00-\\x1f\\x7f-\\x9f\\u2028\\u2029\\ud800-\\udfff\\ufffe\\uffff]"  # controls
+    "|[\\xad\\u034f\\u180e\\u200b\\u2060-\\u2064\\ufeff\\ufff9-\\ufffb]"  # of no width
+    "|[\\u061c\\u200e\\u200f\\u202a-\\u202e\\u2066-\\u206f]"  # of direction
+    f"|(?<!{_JOINED})[\\u200c\\u200d]|[\\u200c\\u200d](?!{_JOINED})"
+    "|(?<![^\\sA-Za-z\\xc0-\\u02af])[\\ufe00-\\ufe0f]"  # that choose a shape, where there is one
+    "|(?<![\U0001f3f4\U000e0020-\U000e007f])[\U000e0001-\U000e007f]"  # that make flags, elsewhere
+)
+"""What steers a terminal, breaks a line, may not stand in XML or UTF-8, hides in a name so that two
+look the same, or turns text around."""
+_UNSEEN = {"Cf", "Mn", "Zs"}
+"""Other categories of characters that show nothing by themselves."""
+_FILLERS = "\u115f\u1160\u2800\u3164\uffa0"
+"""Letters and signs that show nothing all the same."""
 MOST_SHOWN = 60
 """Characters of a wrong value that a message shows."""
 MOST_PLACED = 1000
@@ -169,24 +184,40 @@ def limit_faults(limit: object) -> list[str]:
 
 
 def name_faults(name: object) -> list[str]:
-    r"""Return what is wrong with a name: it should be text that every terminal and picture takes.
+    r"""Return what is wrong with a name: it should be text that every terminal and picture shows.
 
     Examples
     --------
-    >>> name_faults("Zoë"), name_faults("\x1b[31mZoë")
-    ([], ["the name '\\x1b[31mZoë' holds the control character '\\x1b'; leave it out"])
+    >>> name_faults("Zoë"), name_faults("Zoë\u200b")
+    ([], ["the name 'Zoë\\u200b' holds U+200B ZERO WIDTH SPACE; leave it out"])
     """
     if not isinstance(name, str):
         return [f"the name is {shown(name)}; it should be text"]
-    found = _CONTROL.search(name)
-    if found is None:
-        return []
-    return [f"the name {shown(name)} holds the control character {found[0]!r}; leave it out"]
+    fault = name_fault(name)
+    return [f"the name {shown(name)} {fault}"] if fault else []
+
+
+def name_fault(name: str) -> str:
+    r"""Return what is wrong with text as a name, as the rest of a sentence; "" if nothing is.
+
+    Examples
+    --------
+    >>> name_fault("\x07"), name_fault("\u3000"), name_fault("")
+    ('holds U+0007, a control character; leave it out', 'shows nothing; give it a letter', '')
+    """
+    odd = _ODD.search(name)
+    if odd:
+        called = unicodedata.name(odd[0], "")
+        called = f" {called}" if called else ", a control character"
+        return f"holds U+{ord(odd[0]):04X}{called}; leave it out"
+    shows = (c not in _FILLERS and unicodedata.category(c) not in _UNSEEN for c in name)
+    return "shows nothing; give it a letter" if name and not any(shows) else ""
 
 
 def plain_name(name: str) -> str:
     """Return a name that `name_faults` takes, made of one that may have come from anywhere."""
-    return _CONTROL.sub("?", name)
+    plain = _ODD.sub("?", name)
+    return "?" if name_fault(plain) else plain
 
 
 def path_faults(path: object) -> list[str]:

@@ -147,10 +147,16 @@ REST = {
     "spacing: -1": "4:10: spacing: should be at least 0 (got -1)",
     f"spacing: {'9' * 400}": f"4:10: spacing: should be a finite number (got {'9' * 37}...)",
     'zones: [{at: 1, name: "\\e[31mred"}]': (
-        r"4:23: zones.0.name: should have no control characters (got '\x1b[31mred')"
+        r"4:23: zones.0.name: holds U+001B, a control character; leave it out (got '\x1b[31mred')"
     ),
     'newcomer: {limit: 1, name: "a\\ud800"}': (
-        r"4:28: newcomer.name: should have no control characters (got 'a\ud800')"
+        r"4:28: newcomer.name: holds a control character; leave it out (got 'a\ud800')"
+    ),
+    'newcomer: {limit: 1, name: "a\\u200bb"}': (
+        r"4:28: newcomer.name: holds U+200B ZERO WIDTH SPACE; leave it out (got 'a\u200bb')"
+    ),
+    'newcomer: {limit: 1, name: " "}': (
+        "4:28: newcomer.name: shows nothing; give it a letter (got ' ')"
     ),
     "metric: {force_weights: [1, 0]}": (
         "4:29: metric.force_weights.1: should be greater than 0 (got 0)"

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
 from pydantic_core import PydanticCustomError
 
-from swarmgrasp.ranges import name_faults
+from swarmgrasp.ranges import name_fault
 
 FARTHEST = 1e9
 """Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
@@ -26,8 +26,9 @@ Range = Annotated[list[Angle], Field(min_length=2, max_length=2)]
 
 def _plain(name: str) -> str:
     """Return a name that may stand anywhere."""
-    if name_faults(name):
-        raise PydanticCustomError("control_character", "should have no control characters")
+    fault = name_fault(name)
+    if fault:
+        raise PydanticCustomError("name_fault", fault)
     return name
 
 

@@ -218,7 +218,7 @@ _SENTENCES = {
     "list_type": "should be a list",
     "literal_error": "should be {expected}",
     "model_type": "should be a mapping of keys to values",
-    "string_unicode": "should have no control characters",
+    "string_unicode": "holds a control character; leave it out",
     "string_too_long": "should be at most {max_length} characters long",
     "string_type": "should be text; put it in quotes if it is",
     "too_long": "should hold {max_length} values, not {actual_length}",
