@@ -1,7 +1,8 @@
 """Robots as arrays: a million of them, checked at once and described a few at a time."""
 
+import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,11 +11,16 @@ from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
 from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST, items, kind_faults, shown
 from swarmgrasp.swarm.names import Names
-from swarmgrasp.swarm.robot import Robot
+from swarmgrasp.swarm.robot import MOST_FRICTION, Robot
 
 MOST_LISTED = 10
 """Robots at fault that a message describes; it counts the others."""
 MADE_BY = "Robot(contact, direction, limit)"
+FLAGS = "mounted flags"
+SAID = (
+    "contacts", "directions", "limits", FLAGS, "reverse limits", "steers", "frictions", "leasts"
+)  # fmt: skip
+"""What messages call the columns, in their order."""
 
 
 class Columns(NamedTuple):
@@ -28,6 +34,14 @@ class Columns(NamedTuple):
     """(n,) [N]"""
     mounted: NDArray[np.bool_]
     """(n,)"""
+    reverse_limits: NDArray[np.float64]
+    """(n,) [N]"""
+    steers: NDArray[np.float64]
+    """(n,) [rad]"""
+    frictions: NDArray[np.float64]
+    """(n,): 0 for robots without."""
+    leasts: NDArray[np.float64]
+    """(n,) [N]"""
 
 
 def columns_of(robots: Iterable[Robot]) -> Columns:
@@ -49,20 +63,28 @@ def columns_of(robots: Iterable[Robot]) -> Columns:
         np.array([robot.direction for robot in found], dtype=float),
         np.array([robot.limit for robot in found], dtype=float),
         np.array([robot.mounted for robot in found], dtype=bool),
+        np.array([robot.reverse_limit for robot in found], dtype=float),
+        np.array([robot.steers for robot in found], dtype=float),
+        np.array([robot.friction or 0.0 for robot in found], dtype=float),
+        np.array([robot.least for robot in found], dtype=float),
     )
 
 
 def checked_columns(
-    contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike, mounted: ArrayLike
-) -> Columns:
+    contacts: ArrayLike, directions: ArrayLike, limits: ArrayLike = 1.0,
+    mounted: ArrayLike = False, reverse_limits: ArrayLike = 0.0, steers: ArrayLike = 0.0,
+    frictions: ArrayLike = 0.0, leasts: ArrayLike = 0.0,
+) -> Columns:  # fmt: skip
     """Return copies of arrays of the right type and shape, in the ranges of a `Robot`.
 
     Parameters
     ----------
     contacts : (n, 2) [m, m]
     directions : (n,) [rad]
-    limits : float or (n,) [N]
+    limits, reverse_limits, leasts : float or (n,) [N]
     mounted : bool or (n,)
+    steers : float or (n,) [rad]
+    frictions : float or (n,)
 
     Raises
     ------
@@ -71,22 +93,23 @@ def checked_columns(
 
     Examples
     --------
-    >>> checked_columns([(0, 1), (2, 3)], [0.5, 0.6], 7.0, False).limits.tolist()
+    >>> checked_columns([(0, 1), (2, 3)], [0.5, 0.6], 7.0).limits.tolist()
     [7.0, 7.0]
-    >>> checked_columns([(0, 1), (2, 3)], [0.5, 2e6], 7.0, False)
+    >>> checked_columns([(0, 1), (2, 3)], [0.5, 2e6], 7.0)
     Traceback (most recent call last):
     ...
     swarmgrasp.errors.RobotInvalid: R2: the direction is 2000000.0; it should be ...
     """
-    points, *columns = _arrays(contacts, directions, limits, mounted)
+    given = (contacts, directions, limits, mounted, reverse_limits, steers, frictions, leasts)
+    points, turns, *others = _arrays(*given)
     count = len(points) if points.size and points.ndim else 0
     if points.size and (points.ndim != 2 or points.shape[1] != 2):
         raise RobotInvalid(f"the contacts have shape {points.shape}; it should be (n, 2)")
-    turns, forces, flags = (c if c.size or count else c.ravel() for c in columns)
+    turns, *others = (c if c.size or count else c.ravel() for c in (turns, *others))
     faults = []
     if turns.shape != (count,):
         faults.append(f"the directions have shape {turns.shape}; it should be ({count},)")
-    for name, array in (("limits", forces), ("mounted flags", flags)):
+    for name, array in zip(SAID[2:], others, strict=True):
         if array.shape not in ((), (1,), (count,)):
             faults.append(f"the {name} have shape {array.shape}; it should be () or ({count},)")
     if faults:
@@ -94,8 +117,10 @@ def checked_columns(
     found = Columns(
         np.array(points, dtype=float, order="C").reshape(count, 2),
         np.array(turns, dtype=float),
-        np.array(np.broadcast_to(forces, count), dtype=float),
-        np.array(np.broadcast_to(flags, count), dtype=bool),
+        *(
+            np.array(np.broadcast_to(array, count), dtype=bool if name == FLAGS else float)
+            for name, array in zip(SAID[2:], others, strict=True)
+        ),
     )
     _check_values(found)
     return found
@@ -125,11 +150,10 @@ def check_contacts(outline: Outline, columns: Columns, names: Names) -> None:
 
 
 def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
-    """Return values as arrays of numbers, and the last one of flags."""
-    names = ("contacts", "directions", "limits", "mounted flags")
+    """Return values as arrays of numbers, or of flags."""
     arrays, faults = [], []
-    for name, given in zip(names, values, strict=True):
-        kinds, meant = ("b", "True or False") if name == names[-1] else ("iuf", "numbers")
+    for name, given in zip(SAID, values, strict=True):
+        kinds, meant = ("b", "True or False") if name == FLAGS else ("iuf", "numbers")
         try:
             arrays.append(array := np.asarray(given))
         except ValueError:
@@ -142,22 +166,40 @@ def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
     return arrays
 
 
+def robot_of(columns: Columns, i: int, name: str, **more: Any) -> Robot:
+    """Return a robot of the arrays, which checks its values."""
+    contact, direction, limit, mounted, reverse, steers, friction, least = (
+        column[i].tolist() for column in columns
+    )
+    return Robot(
+        tuple(contact), direction, limit, name, mounted, reverse_limit=reverse, steers=steers,
+        friction=friction or None, least=least, **more,
+    )  # fmt: skip
+
+
 def _check_values(columns: Columns) -> None:
     """Raise `RobotInvalid`, in the words of `Robot`, for values outside its ranges."""
     x, y = columns.contacts.T
+    limits, reverse, steers = columns.limits, columns.reverse_limits, columns.steers
+    frictions, leasts = columns.frictions, columns.leasts
     wrong = {
         "contacts": ~(np.isfinite(x) & np.isfinite(y)),
         "directions": ~(np.abs(columns.directions) <= MOST_TURNED),
-        "limits": ~((columns.limits >= WEAKEST) & (columns.limits <= STRONGEST)),
+        "limits": ~((limits >= WEAKEST) & (limits <= STRONGEST)),
+        "reverse limits": ~((reverse == 0.0) | ((reverse >= WEAKEST) & (reverse <= STRONGEST))),
+        "steers": ~((steers >= 0.0) & (steers <= math.pi)),
+        "frictions": ~((frictions >= 0.0) & (frictions <= MOST_FRICTION)),
+        "leasts": ~((leasts == 0.0) | ((leasts >= WEAKEST) & (leasts <= limits))),
+        "kinds": (frictions > 0.0) & ((reverse > 0.0) | (steers > 0.0))
+        | (leasts > 0.0) & (reverse > 0.0),
     }
     found = np.flatnonzero(np.logical_or.reduce(list(wrong.values())))
     if not len(found):
         return
     faults: list[str] = []
     for i in found[:MOST_LISTED].tolist():
-        point, direction, limit = (column[i].tolist() for column in columns[:3])
         try:
-            Robot(tuple(point), direction, limit, name=f"R{i + 1}")
+            robot_of(columns, i, f"R{i + 1}")
         except RobotInvalid as error:
             faults += error.faults
     counts = (f"{_grouped(flags.sum())} {name}" for name, flags in wrong.items() if flags.any())

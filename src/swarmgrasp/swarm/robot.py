@@ -8,9 +8,12 @@ from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import (
+    STRONGEST,
+    WEAKEST,
     angles,
     flag_faults,
     is_flag,
+    items,
     kind_faults,
     limit_faults,
     name_faults,
@@ -28,9 +31,20 @@ SAME_ANGLE = 1e-9
 """Angle [rad] that counts as none."""
 
 
+MOST_FRICTION = 1e6
+"""Largest coefficient of friction."""
+SAME_SIZE = 1e-9
+"""Relative difference of two forces that is rounding."""
+
+Envelope = tuple[tuple[float, float], ...]
+
+
 @dataclass(frozen=True)
 class Robot(Plain):
-    """A robot that pushes one way, and only so hard.
+    """A robot in contact with the object, and the forces that it can exert there.
+
+    Without more it pushes along one ray, from nothing to its limit. The forces of any robot are a
+    convex set, the hull of what is said here (T20).
 
     Attributes
     ----------
@@ -46,17 +60,39 @@ class Robot(Plain):
         A vessel's own thruster: it may sit anywhere inside the outline.
     tolerance : Tolerance, optional
         How far it may be from all this; only a criterion of the worst case looks at it.
+    reverse_limit : float [N]
+        Largest force the other way, such as that of a propeller going astern.
+    steers : float [rad]
+        It turns its force at any time within so much either side of `direction`: a tug alongside;
+        pi for an azimuth thruster, whose direction is then without meaning.
+    friction : float, optional
+        It is a finger whose normal force, along `direction`, is at most `limit`; the force across
+        it is at most so many times the normal force.
+    least : float [N]
+        The force, along `direction`, that it always exerts at least: a cable that must stay taut.
+    envelope : tuple of (float, float) [N, N], optional
+        The corners of all forces it can exert, along `direction` and to the left of it, instead of
+        all the above. `limit` is then that of the largest, and may be left out.
+    group : str
+        Robots of one group fail together: a switchboard's thrusters, the two lines of a tug.
 
     Raises
     ------
     RobotInvalid
-        If a number is not finite or the limit is not positive, or the tolerance does not go
-        with the rest; all faults at once.
+        If a number is not finite or outside its range, or what it is said to be does not go
+        together; all faults at once.
 
     Examples
     --------
     >>> Robot((2.0, 0.5), direction=3.14, limit=600e3, name="Ajax").limit
     600000.0
+
+    A tug that steers 30 degrees either side, and a thruster that is weaker astern:
+
+    >>> tug = Robot((2.0, 0.5), direction=3.14, limit=600e3, steers=0.52)
+    >>> tunnel = Robot((1.0, 0.0), 1.57, limit=51e3, reverse_limit=40e3, mounted=True)
+    >>> tug.is_ray, tunnel.is_ray
+    (False, False)
     """
 
     contact: tuple[float, float]
@@ -65,10 +101,25 @@ class Robot(Plain):
     name: str = ""
     mounted: bool = False
     tolerance: Tolerance | None = None
+    reverse_limit: float = 0.0
+    steers: float = 0.0
+    friction: float | None = None
+    least: float = 0.0
+    envelope: Envelope | None = None
+    group: str = ""
 
     def __post_init__(self) -> None:
         """Check the values."""
         faults = []
+        corners = _corners(self.envelope)
+        if corners:
+            reach = max(math.hypot(*corner) for corner in corners)
+            if self.limit != 1.0 and not abs(number(self.limit) - reach) <= SAME_SIZE * reach:
+                faults.append(
+                    f"the limit is {shown(self.limit)}; with an envelope it is the size of the "
+                    f"largest force, {reach:.9g} [N], and may be left out"
+                )
+            vars(self).update(envelope=corners, limit=reach)
         point = numbers(self.contact)
         if len(point) != 2:
             faults.append(
@@ -80,7 +131,8 @@ class Robot(Plain):
                 "-1e6 <= direction <= 1e6 [rad]"
             )
         faults += limit_faults(self.limit) + name_faults(self.name)
-        faults += _tolerance_faults(self.tolerance, self.limit)
+        faults += _tolerance_faults(self.tolerance, self.limit) + self._kind_faults()
+        faults += [fault.replace("name", "group", 1) for fault in name_faults(self.group)]
         if not is_flag(self.mounted):
             faults += flag_faults(self.mounted, "mounted")
         elif self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
@@ -93,7 +145,53 @@ class Robot(Plain):
             limit=float(self.limit),
             name=str(self.name),
             mounted=bool(self.mounted),
+            reverse_limit=float(self.reverse_limit),
+            steers=float(self.steers),
+            friction=float(self.friction) if self.friction else None,
+            least=float(self.least),
+            group=str(self.group),
         )
+
+    @property
+    def is_ray(self) -> bool:
+        """Whether it pushes along one ray only, from nothing to its limit."""
+        more = (self.reverse_limit, self.steers, self.friction or 0.0, self.least)
+        return self.envelope is None and not any(more)
+
+    def _kind_faults(self) -> list[str]:
+        """Return what is wrong with what it can exert beside its limit."""
+        faults = kind_of_force_faults(self.reverse_limit, self.friction)
+        limit, least = number(self.limit), number(self.least)
+        if not 0.0 <= number(self.steers) <= math.pi:
+            faults.append(
+                f"it steers {shown(self.steers)}; that should be 0 <= steers <= pi [rad], either "
+                "side of its direction"
+            )
+        if least != 0.0 and not WEAKEST <= least <= limit:
+            faults.append(
+                f"the least force is {shown(self.least)}; it should be 0, or {WEAKEST:g} <= least "
+                f"<= {shown(self.limit)}, the limit [N]"
+            )
+        said = {
+            "a reverse limit": self.reverse_limit != 0.0,
+            "steering": self.steers != 0.0,
+            "friction": bool(self.friction),
+            "a least force": self.least != 0.0,
+        }
+        together = [what for what, is_said in said.items() if is_said]
+        if self.envelope is not None:
+            if not _corners(self.envelope):
+                faults.append(
+                    f"the envelope is {shown(self.envelope)}; it should be two or more points of "
+                    f"finite numbers, the largest of size {WEAKEST:g} to {STRONGEST:g} [N, N]"
+                )
+            if together:
+                faults.append(f"an envelope says everything: leave out {' and '.join(together)}")
+        elif said["friction"] and (said["a reverse limit"] or said["steering"]):
+            faults.append("friction goes with neither steering nor a reverse limit")
+        elif said["a least force"] and said["a reverse limit"]:
+            faults.append("what exerts a least force always has no reverse limit")
+        return faults
 
 
 @dataclass(frozen=True)
@@ -114,6 +212,15 @@ class Newcomer(Plain):
     tolerance : Tolerance, optional
         How far it may end up from the place it aims at; only a criterion of the worst case looks
         at it.
+    steers : bool
+        It keeps the whole sector of its attachment at all times, and only its contact is chosen; a
+        free one is an azimuth thruster. Otherwise it pushes along the one direction that is best.
+    reverse_limit : float [N]
+        Largest force the other way.
+    friction : float, optional
+        It is a finger along the inward normal: see `Robot`. Its attachment is "push".
+    mounted : bool
+        It goes anywhere inside the outline, or on the areas of its zones.
 
     Raises
     ------
@@ -133,11 +240,23 @@ class Newcomer(Plain):
     half_angle: float | None = None
     name: str = ""
     tolerance: Tolerance | None = None
+    steers: bool = False
+    reverse_limit: float = 0.0
+    friction: float | None = None
+    mounted: bool = False
 
     def __post_init__(self) -> None:
         """Check the values."""
         faults = limit_faults(self.limit) + attachment_faults(self.attachment, self.half_angle)
         faults += name_faults(self.name) + _tolerance_faults(self.tolerance, self.limit)
+        faults += kind_of_force_faults(self.reverse_limit, self.friction)
+        faults += flag_faults(self.steers, "steers") + flag_faults(self.mounted, "mounted")
+        if self.friction and (self.steers is True or self.reverse_limit != 0.0):
+            faults.append("friction goes with neither steering nor a reverse limit")
+        if self.friction and self.attachment != "push":
+            faults.append("a finger with friction pushes: its attachment should be push")
+        if self.mounted is True and self.attachment != "free":
+            faults.append("a mounted newcomer touches no edge: its attachment should be free")
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
         vars(self).update(
@@ -145,7 +264,16 @@ class Newcomer(Plain):
             attachment=str(self.attachment),
             half_angle=None if self.half_angle is None else float(self.half_angle),
             name=str(self.name),
+            steers=bool(self.steers),
+            reverse_limit=float(self.reverse_limit),
+            friction=float(self.friction) if self.friction else None,
+            mounted=bool(self.mounted),
         )
+
+    @property
+    def is_ray(self) -> bool:
+        """Whether it pushes along one ray only, from a place on the boundary."""
+        return not (self.steers or self.reverse_limit or self.friction or self.mounted)
 
 
 @dataclass(frozen=True)
@@ -248,6 +376,30 @@ def attachment_faults(attachment: object, half_angle: object) -> list[str]:
                 f"the half angle is {shown(half_angle)}; it should be 0 <= half angle <= pi/2 [rad]"
             )
     return faults
+
+
+def kind_of_force_faults(reverse_limit: object, friction: object) -> list[str]:
+    """Return what is wrong with a reverse limit [N] and a coefficient of friction."""
+    faults = []
+    if number(reverse_limit) != 0.0 and not WEAKEST <= number(reverse_limit) <= STRONGEST:
+        faults.append(
+            f"the reverse limit is {shown(reverse_limit)}; it should be 0, or {WEAKEST:g} <= "
+            f"reverse limit <= {STRONGEST:g} [N]"
+        )
+    if friction is not None and not 0.0 <= number(friction) <= MOST_FRICTION:
+        faults.append(
+            f"the friction is {shown(friction)}; it should be 0 <= friction <= {MOST_FRICTION:g}"
+        )
+    return faults
+
+
+def _corners(envelope: object) -> Envelope:
+    """Return the corners of an envelope; nothing if it is none."""
+    points = [numbers(point) for point in items(envelope) or ()]
+    if len(points) < 2 or any(len(point) != 2 for point in points):
+        return ()
+    reach = max(math.hypot(*point) for point in points)
+    return tuple((p[0], p[1]) for p in points) if WEAKEST <= reach <= STRONGEST else ()
 
 
 def _tolerance_faults(tolerance: object, limit: object) -> list[str]:

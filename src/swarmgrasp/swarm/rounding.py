@@ -39,7 +39,7 @@ def generator_errors(
     (n,) [N]
         Of |b_i|, in these coordinates.
     """
-    contacts, directions, limits, mounted = columns
+    contacts, directions, limits, mounted = columns[:4]
     errors, edges = outline.normal_errors, len(outline)
     if not errors.any() or not len(limits):
         return np.zeros(len(limits))

@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -35,15 +34,14 @@ from swarmgrasp.swarm.columns import (
     check_contacts,
     checked_columns,
     columns_of,
+    robot_of,
 )
+from swarmgrasp.swarm.force_set import ForceSets, force_sets_of, rays_among
 from swarmgrasp.swarm.names import Names, names_of, numbered
+from swarmgrasp.swarm.rare import Rare
 from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.swarm.rounding import generator_errors
 from swarmgrasp.swarm.tolerance import Tolerance
-
-Tolerances = Mapping[int, Tolerance]
-"""The tolerances of those robots that have one, by index."""
-CERTAIN: Tolerances = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,12 +93,20 @@ class Swarm(Frozen, Plain):
     """(n,) [N]: the largest forces they can exert."""
     mounted: NDArray[np.bool_] = field(repr=False)
     """(n,): which are a vessel's own thrusters."""
+    reverse_limits: NDArray[np.float64] = field(repr=False)
+    """(n,) [N]: the largest forces they can exert the other way."""
+    steers: NDArray[np.float64] = field(repr=False)
+    """(n,) [rad]: how far either side of their directions they turn their forces at any time."""
+    frictions: NDArray[np.float64] = field(repr=False)
+    """(n,): of fingers; 0 for other robots."""
+    leasts: NDArray[np.float64] = field(repr=False)
+    """(n,) [N]: the forces they always exert at least."""
     generators: NDArray[np.float64] = field(repr=False, compare=False)
-    """(n, 3) [N, N, N m]: the wrench of each robot at its limit, about the origin."""
+    """(n, 3) [N, N, N m]: the wrench of each at its limit in its direction, about the origin."""
     characteristic_length: float
     force_weights: tuple[float, float]
-    tolerances: Tolerances = field(repr=False)
-    """Of those robots that have one, by index."""
+    rare: Rare = field(repr=False)
+    """What only some robots have: tolerances, envelopes and groups."""
     names: Names = field(repr=False)
     """Of the robots, in the order of the arrays: ``swarm.names[i]``."""
 
@@ -115,8 +121,8 @@ class Swarm(Frozen, Plain):
         columns = columns_of(robots if given is None else given)
         kept: tuple[Robot, ...] = given or ()
         names = names_of([robot.name for robot in kept])
-        tolerances = {i: robot.tolerance for i, robot in enumerate(kept) if robot.tolerance}
-        self._fill(outline, columns, names, tolerances, characteristic_length, force_weights)
+        rare = Rare.of(kept)
+        self._fill(outline, columns, names, rare, characteristic_length, force_weights)
         if all(robot.name for robot in kept):
             vars(self)["robots"] = kept
 
@@ -131,6 +137,10 @@ class Swarm(Frozen, Plain):
         characteristic_length: float | None = None,
         force_weights: tuple[float, float] = (1.0, 1.0),
         mounted: ArrayLike = False,
+        reverse_limits: ArrayLike = 0.0,
+        steers: ArrayLike = 0.0,
+        frictions: ArrayLike = 0.0,
+        leasts: ArrayLike = 0.0,
     ) -> "Swarm":
         """Make a swarm of nameless robots from arrays, which are copied.
 
@@ -148,6 +158,10 @@ class Swarm(Frozen, Plain):
             The metric, as for any `Swarm`.
         mounted : bool or (n,)
             Which are a vessel's own thrusters, anywhere inside the outline.
+        reverse_limits, leasts : float or (n,) [N]
+        steers : float or (n,) [rad]
+        frictions : float or (n,)
+            As for `Robot`; a friction of 0 is none.
 
         Raises
         ------
@@ -166,10 +180,12 @@ class Swarm(Frozen, Plain):
         >>> swarm["R2"]
         Robot(contact=(0.0, -1.0), direction=0.0, limit=2.0, name='R2', mounted=False, ...)
         """
-        columns = checked_columns(contacts, directions, limits, mounted)
+        columns = checked_columns(
+            contacts, directions, limits, mounted, reverse_limits, steers, frictions, leasts
+        )
         swarm = cls.__new__(cls)
         names = numbered(len(columns.limits))
-        swarm._fill(outline, columns, names, CERTAIN, characteristic_length, force_weights)
+        swarm._fill(outline, columns, names, Rare(), characteristic_length, force_weights)
         return swarm
 
     def _fill(
@@ -177,7 +193,7 @@ class Swarm(Frozen, Plain):
         outline: Outline,
         columns: Columns,
         names: Names,
-        tolerances: Tolerances,
+        rare: Rare,
         length: float | None,
         force_weights: tuple[float, float],
     ) -> None:
@@ -186,7 +202,7 @@ class Swarm(Frozen, Plain):
         length = outline.radius if length is None else length
         check_metric(length, force_weights)
         check_contacts(outline, columns, names)
-        check_tolerances(outline, tolerances, names)
+        check_tolerances(outline, rare, names)
         generators = wrenches(columns.contacts - outline.origin, columns.directions, columns.limits)
         a1, a2 = numbers(force_weights)
         vars(self).update(
@@ -195,7 +211,7 @@ class Swarm(Frozen, Plain):
             generators=generators,
             characteristic_length=float(length),
             force_weights=(a1, a2),
-            tolerances=tolerances,
+            rare=rare,
             names=names,
         )
         self._freeze()
@@ -245,20 +261,47 @@ class Swarm(Frozen, Plain):
         """Return a robot of the arrays."""
         if "robots" in vars(self):
             return self.robots[i]
-        x, y = self.contacts[i].tolist()
-        return Robot(
-            (x, y),
-            self.directions[i],
-            self.limits[i],
-            self.names[i],
-            self.mounted[i],
-            self.tolerances.get(i),
-        )
+        return robot_of(self._columns, i, self.names[i], **self.rare.of_robot(i))
+
+    @property
+    def _columns(self) -> Columns:
+        """The values of the robots, one array each."""
+        return Columns(*(getattr(self, name) for name in Columns._fields))
 
     @cached_property
     def robots(self) -> tuple[Robot, ...]:
         """The robots one by one; those of a swarm made from arrays are made when asked for."""
         return tuple(map(self._robot, range(len(self))))
+
+    @property
+    def tolerances(self) -> Mapping[int, Tolerance]:
+        """Of those robots that have one, by index."""
+        return self.rare.tolerances
+
+    @cached_property
+    def is_ray(self) -> NDArray[np.bool_]:
+        """(n,): which robots push along one ray only, from nothing to their limit."""
+        return read_only(rays_among(self._columns, self.rare.envelopes))
+
+    @cached_property
+    def has_rays_only(self) -> bool:
+        """Whether all robots push along one ray each, so that their wrenches span a zonotope."""
+        return bool(self.is_ray.all())
+
+    @cached_property
+    def force_sets(self) -> ForceSets:
+        """What each robot can exert at its contact, in the object's frame (T20)."""
+        elements, counts = force_sets_of(self._columns, self.rare.envelopes)
+        return ForceSets(read_only(elements), read_only(counts))
+
+    @cached_property
+    def machines(self) -> NDArray[np.intp]:
+        """(n,): the machine that each robot is part of, 0 1 2 ...: robots of a group are one."""
+        first: dict[str, int] = {}
+        same = np.arange(len(self))
+        for i, group in sorted(self.rare.groups.items()):
+            same[i] = first.setdefault(group, i)
+        return read_only(np.unique(same, return_inverse=True)[1].reshape(-1))
 
     @cached_property
     def scale(self) -> NDArray[np.float64]:
@@ -274,8 +317,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def errors(self) -> NDArray[np.float64]:
         """(n,) [N]: by how much the scaled generators may be off, by the outline's `precision`."""
-        columns = Columns(self.contacts, self.directions, self.limits, self.mounted)
-        return read_only(generator_errors(self.outline, columns, self.scale))
+        return read_only(generator_errors(self.outline, self._columns, self.scale))
 
     @cached_property
     def noise(self) -> float:
@@ -308,13 +350,11 @@ class Swarm(Frozen, Plain):
         1
         """
         one = columns_of((robot,))
-        names, tolerances = self.names.joined(robot.name), self.tolerances
+        names = self.names.joined(robot.name)
         rows = self._rows(one, names[len(self)])
-        if robot.tolerance:
-            tolerances = MappingProxyType({**tolerances, len(self): robot.tolerance})
-            check_tolerances(self.outline, {len(self): robot.tolerance}, names)
+        check_tolerances(self.outline, Rare.of((robot,), first=len(self)), names)
         joined = {name: np.concatenate([getattr(self, name), row]) for name, row in rows.items()}
-        swarm = self._like(joined, names, tolerances)
+        swarm = self._like(joined, names, self.rare.with_robot(len(self), robot))
         if "robots" in vars(self) and robot.name:
             vars(swarm)["robots"] = (*self.robots, robot)
         return swarm
@@ -357,7 +397,7 @@ class Swarm(Frozen, Plain):
         moved = {column: np.array(getattr(self, column)) for column in rows}
         for column, row in rows.items():
             moved[column][i] = row[0]
-        swarm = self._like(moved, self.names, self.tolerances)
+        swarm = self._like(moved, self.names, self.rare)
         if "robots" in vars(self):
             vars(swarm)["robots"] = (*self.robots[:i], robot, *self.robots[i + 1 :])
         return swarm
@@ -411,16 +451,10 @@ class Swarm(Frozen, Plain):
         gone = set(rows)
         kept = np.delete(np.arange(len(self)), list(gone))
         left = {name: getattr(self, name)[kept] for name in (*Columns._fields, "generators")}
-        tolerances = {
-            int(np.searchsorted(kept, i)): known
-            for i, known in self.tolerances.items()
-            if i not in gone
-        }
-        return self._like(left, self.names.without(gone), tolerances)
+        rare = self.rare.without(gone, lambda i: int(np.searchsorted(kept, i)))
+        return self._like(left, self.names.without(gone), rare)
 
-    def _like(
-        self, columns: dict[str, NDArray[Any]], names: Names, tolerances: Tolerances
-    ) -> "Swarm":
+    def _like(self, columns: dict[str, NDArray[Any]], names: Names, rare: Rare) -> "Swarm":
         """Return a swarm of other robots, which are known to be right, in the same metric."""
         swarm = Swarm.__new__(Swarm)
         vars(swarm).update(
@@ -429,7 +463,7 @@ class Swarm(Frozen, Plain):
             characteristic_length=self.characteristic_length,
             force_weights=self.force_weights,
             scale=self.scale,
-            tolerances=tolerances,
+            rare=rare,
             names=names,
         )
         swarm._freeze()
@@ -497,12 +531,12 @@ def check_swarm(swarm: object) -> None:
     refuse((SwarmInvalid, swarm_faults(swarm)))
 
 
-def check_tolerances(outline: Outline, tolerances: Tolerances, names: Names) -> None:
+def check_tolerances(outline: Outline, rare: Rare, names: Names) -> None:
     """Raise `RobotInvalid` where a contact may be anywhere more than once around the boundary."""
     faults = [
         f"{names[i]}: its contact may lie on {last - first:.6g} m of the boundary; "
         f"that should be at most the perimeter, {outline.perimeter:.6g} m"
-        for i, (first, last) in ((i, found.offsets) for i, found in tolerances.items())
+        for i, (first, last) in ((i, found.offsets) for i, found in rare.tolerances.items())
         if last - first > outline.perimeter
     ]
     if faults:

@@ -24,6 +24,7 @@ HalfAngle = Annotated[float, Field(ge=0.0, le=math.pi / 2)]
 Past = Annotated[float, Field(ge=-LARGEST, le=0.0)]
 TurnBack = Annotated[float, Field(ge=-math.pi, le=0.0)]
 TurnOn = Annotated[float, Field(ge=0.0, le=math.pi)]
+HalfTurn = Annotated[float, Field(ge=0.0, le=math.pi)]
 Point = tuple[Number, Number]
 Wrench = tuple[Number, Number, Number]
 
@@ -63,6 +64,12 @@ class RobotClaim(_Form):
     name: str
     mounted: bool
     tolerance: ToleranceClaim | None
+    reverse_limit: Size
+    steers: HalfTurn
+    friction: Size | None
+    least: Size
+    envelope: list[Point] | None
+    group: str
 
     @model_validator(mode="after")
     def check_mounted(self) -> Self:
@@ -102,6 +109,10 @@ class NewcomerClaim(_Form):
     half_angle: HalfAngle | None
     name: str
     tolerance: ToleranceClaim | None
+    steers: bool
+    reverse_limit: Size
+    friction: Size | None
+    mounted: bool
 
 
 class TaskClaim(_Form):

@@ -1,0 +1,232 @@
+"""What a robot can exert at its contact: a convex set of forces, by its elements (T20).
+
+The set is the hull of points and of arcs about the origin. Going around it counter-clockwise, each
+element, a point or an arc, is the farthest in the directions of its normal cone. A kind of robot is
+a function below that returns the points and arcs of its set; the elements follow.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.swarm.columns import Columns
+from swarmgrasp.swarm.robot import Envelope
+
+Array = NDArray[np.float64]
+Pair = tuple[float, float]
+NO_CONE = 1e-12
+"""Width of a normal cone [rad] that is none."""
+SAME_DISTANCE = 1e-12
+"""Difference of two distances, relative to the largest, that is rounding."""
+
+
+class Arc(NamedTuple):
+    """An arc about the origin: a radius [N], and the directions [rad] of its ends."""
+
+    radius: float
+    start: float
+    end: float
+
+
+class Element(NamedTuple):
+    """A point or an arc, and the directions in which it is the farthest.
+
+    Attributes
+    ----------
+    radius : float [N]
+        Of an arc; 0 for a point.
+    x, y : float [N]
+        The point; 0 for an arc.
+    start, end : float [rad]
+        Of its normal cone, counter-clockwise, at most one turn apart.
+    """
+
+    radius: float
+    x: float
+    y: float
+    start: float
+    end: float
+
+
+class ForceSets(NamedTuple):
+    """The force sets of n robots, in the object's frame.
+
+    Attributes
+    ----------
+    elements : (k, 5)
+        Each an `Element`, robot by robot; those of a robot in any order.
+    counts : (n,)
+        How many each robot has.
+    """
+
+    elements: Array
+    counts: NDArray[np.intp]
+
+
+def hull_of(points: Sequence[Pair], arcs: Sequence[Arc] = ()) -> tuple[Element, ...]:
+    """Return the elements of the hull of points [N, N] and of arcs, counter-clockwise.
+
+    Where one gives way to another, both are as far: across the line between two points, and for a
+    point and an arc where the tangent to the arc goes through the point.
+
+    Examples
+    --------
+    >>> [round(e.end - e.start, 3) for e in hull_of([(0.0, 0.0)], [Arc(1.0, -0.5, 0.5)])]
+    [1.0, 1.571, 2.142, 1.571]
+    """
+    ends = [(a.radius * math.cos(t), a.radius * math.sin(t)) for a in arcs for t in a[1:]]
+    round_ = [a for a in arcs if a.end - a.start >= math.tau]
+    corners = list(dict.fromkeys([*points, *(() if len(round_) == len(arcs) else ends)]))
+    cuts = sorted({cut % math.tau for cut in _cuts(corners, arcs)})
+    if not cuts:
+        cuts = [0.0]
+    found: list[tuple[tuple[float, float, float], float, float]] = []
+    for start, end in zip(cuts, [*cuts[1:], cuts[0] + math.tau], strict=True):
+        if end - start <= NO_CONE:
+            continue
+        best = _farthest(0.5 * (start + end), corners, arcs)
+        if found and found[-1][0] == best:
+            found[-1] = (best, found[-1][1], end)
+        else:
+            found.append((best, start, end))
+    if len(found) > 1 and found[0][0] == found[-1][0]:
+        best, start, _ = found.pop()
+        found[0] = (best, start - math.tau, found[0][2])
+    return tuple(Element(*best, start, end) for best, start, end in found)
+
+
+def _cuts(corners: Sequence[Pair], arcs: Sequence[Arc]) -> Iterator[float]:
+    """Yield the directions [rad] in which one may give way to another."""
+    for a in arcs:
+        yield from a[1:]
+        for x, y in corners:
+            share = math.hypot(x, y) / a.radius
+            if share > 1.0:
+                half = math.acos(1.0 / share)
+                yield from (math.atan2(y, x) + turn for turn in (half, -half))
+    for i, (px, py) in enumerate(corners):
+        for qx, qy in corners[:i]:
+            turn = math.atan2(px - qx, qy - py)
+            yield from (turn, turn + math.pi)
+
+
+def _farthest(
+    angle: float, corners: Sequence[Pair], arcs: Sequence[Arc]
+) -> tuple[float, float, float]:
+    """Return the point or arc (radius, x, y) that is the farthest in a direction [rad]."""
+    c, s = math.cos(angle), math.sin(angle)
+    best, most = (0.0, 0.0, 0.0), -math.inf
+    for a in arcs:
+        if (angle - a.start) % math.tau <= a.end - a.start and a.radius > most:
+            best, most = (a.radius, 0.0, 0.0), a.radius
+    margin = SAME_DISTANCE * max([abs(most), *(math.hypot(*p) for p in corners)]) if corners else 0
+    for x, y in corners:
+        if x * c + y * s > most + (margin if best[0] else 0.0):
+            best, most = (0.0, x, y), x * c + y * s
+    return best
+
+
+def points_and_arcs(
+    limit: float, reverse_limit: float, steers: float, friction: float, least: float
+) -> tuple[list[Pair], list[Arc]]:
+    """Return the points and arcs of a robot's force set, in its own frame: x is its direction.
+
+    Parameters
+    ----------
+    limit, reverse_limit, steers, friction, least
+        As for `Robot`.
+    """
+    if friction > 0.0:
+        fronts = [(limit, side * friction * limit) for side in (-1.0, 1.0)]
+        backs = [(least, side * friction * least) for side in (-1.0, 1.0)]
+        return [*fronts, *(backs if least > 0.0 else [(0.0, 0.0)])], []
+    ends = (0.0,) if steers == 0.0 else (-steers, steers)
+    points = [(least * math.cos(t), least * math.sin(t)) for t in ends]
+    arcs = []
+    for size, way in ((limit, 0.0), (reverse_limit, math.pi)):
+        if size > 0.0 and steers > 0.0:
+            arcs.append(Arc(size, way - steers, way + steers))
+        elif size > 0.0:
+            points.append((math.copysign(size, math.cos(way)), 0.0))
+    return points, arcs
+
+
+@lru_cache(maxsize=4096)
+def shape_of(
+    limit: float, reverse_limit: float, steers: float, friction: float, least: float
+) -> tuple[Element, ...]:
+    """Return the elements of a robot's force set, in its own frame."""
+    return hull_of(*points_and_arcs(limit, reverse_limit, steers, friction, least))
+
+
+def rays_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[np.bool_]:
+    """Tell which robots push along one ray only, from nothing to their limit: (n,)."""
+    extra = (columns.reverse_limits, columns.steers, columns.frictions, columns.leasts)
+    rays = np.logical_and.reduce([column == 0.0 for column in extra])
+    rays[list(envelopes)] = False
+    return np.asarray(rays)
+
+
+def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceSets:
+    """Return the force sets of robots, in the object's frame."""
+    n = len(columns.limits)
+    steers, reverse = columns.steers, columns.reverse_limits
+    odd = (columns.frictions > 0.0) | ((steers > 0.0) & ((reverse > 0.0) | (columns.leasts > 0.0)))
+    odd[list(envelopes)] = True
+    owner, rows = [], []
+
+    def note(chosen: NDArray[np.bool_], radius: Array, along: Array, lo: Array, hi: Array) -> None:
+        """Note one element for each chosen robot, its point at `along` from the direction."""
+        if not chosen.any():
+            return
+        at = columns.directions[chosen]
+        table = np.zeros((len(at), 5))
+        table[:, 0] = radius
+        table[:, 1], table[:, 2] = along.T
+        table[:, 3], table[:, 4] = at + lo, at + hi
+        owner.append(np.flatnonzero(chosen))
+        rows.append(table)
+
+    def at(chosen: NDArray[np.bool_], turn: Array, size: Array) -> Array:
+        """Return points at a turn from the chosen robots' directions: (m, 2) [N]."""
+        angle = columns.directions[chosen] + turn
+        return np.column_stack([size * np.cos(angle), size * np.sin(angle)])
+
+    zero = np.zeros(1)
+    right = math.pi / 2
+    lines = ~odd & (steers == 0.0)
+    low = np.where(reverse > 0.0, -reverse, columns.leasts)
+    note(lines, zero, at(lines, zero, columns.limits[lines]), -right + zero, right + zero)
+    note(lines, zero, at(lines, zero, low[lines]), right + zero, 3.0 * right + zero)
+    rounds = ~odd & (steers >= math.pi)
+    note(rounds, columns.limits[rounds], np.zeros((1, 2)), zero, math.tau + zero)
+    sectors = ~odd & (steers > 0.0) & ~rounds
+    half, size = steers[sectors], columns.limits[sectors]
+    note(sectors, size, np.zeros((1, 2)), -half, half)
+    reach = np.minimum(half + right, math.pi)
+    note(sectors, zero, at(sectors, half, size), half, reach)
+    note(sectors, zero, at(sectors, -half, size), math.tau - reach, math.tau - half)
+    tips = sectors & (steers < right - NO_CONE)
+    half = steers[tips]
+    note(tips, zero, np.zeros((1, 2)), half + right, 3.0 * right - half)
+    for i in np.flatnonzero(odd).tolist():
+        shape = hull_of(envelopes[i]) if i in envelopes else shape_of(
+            float(columns.limits[i]), float(reverse[i]), float(steers[i]),
+            float(columns.frictions[i]), float(columns.leasts[i]),
+        )  # fmt: skip
+        table = np.array(shape)
+        turn = float(columns.directions[i])
+        c, s = math.cos(turn), math.sin(turn)
+        table[:, 1:3] = table[:, 1:3] @ np.array([[c, s], [-s, c]])
+        table[:, 3:] += turn
+        owner.append(np.full(len(table), i))
+        rows.append(table)
+    if not rows:
+        return ForceSets(np.zeros((0, 5)), np.zeros(n, dtype=np.intp))
+    owners = np.concatenate(owner)
+    order = np.argsort(owners, kind="stable")
+    return ForceSets(np.concatenate(rows)[order], np.bincount(owners, minlength=n))

@@ -1,0 +1,70 @@
+"""What few robots have: tolerances, envelopes and groups, by index."""
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from swarmgrasp.frozen import Frozen
+from swarmgrasp.swarm.robot import Envelope, Robot
+from swarmgrasp.swarm.tolerance import Tolerance
+
+
+@dataclass(frozen=True, eq=False)
+class Rare(Frozen):
+    """What few robots of a swarm have.
+
+    Attributes
+    ----------
+    tolerances : mapping of int to Tolerance
+    envelopes : mapping of int to Envelope
+    groups : mapping of int to str
+        Each of those robots that have one, by index.
+    """
+
+    tolerances: Mapping[int, Tolerance] = field(default_factory=dict)
+    envelopes: Mapping[int, Envelope] = field(default_factory=dict)
+    groups: Mapping[int, str] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, robots: Iterable[Robot], first: int = 0) -> "Rare":
+        """Return what robots have, the first of them at an index."""
+        found: dict[str, dict[int, Any]] = {part.name: {} for part in fields(cls)}
+        for i, robot in enumerate(robots, start=first):
+            for name, kept in found.items():
+                value = getattr(robot, name[:-1])
+                if value:
+                    kept[i] = value
+        return cls(**found)
+
+    def of_robot(self, i: int) -> dict[str, Any]:
+        """Return what one robot has, by the names of a `Robot`'s fields."""
+        return {name[:-1]: kept[i] for name, kept in self._every() if i in kept}
+
+    def with_robot(self, i: int, robot: Robot) -> "Rare":
+        """Return the same with a robot at an index, instead of any there."""
+        one = Rare.of((robot,), first=i)
+        if all(not kept and not new for (_, kept), (_, new) in self._both(one)):
+            return self
+        return Rare(
+            **{
+                name: {k: v for k, v in kept.items() if k != i} | dict(new)
+                for (name, kept), (_, new) in self._both(one)
+            }
+        )
+
+    def without(self, gone: Collection[int], new_index: Callable[[int], int]) -> "Rare":
+        """Return what the robots left have, each at its new index."""
+        return Rare(
+            **{
+                name: {new_index(i): v for i, v in kept.items() if i not in gone}
+                for name, kept in self._every()
+            }
+        )
+
+    def _every(self) -> list[tuple[str, Mapping[int, Any]]]:
+        """Return the mappings by name."""
+        return [(part.name, getattr(self, part.name)) for part in fields(self)]
+
+    def _both(self, other: "Rare") -> Any:
+        """Go through the mappings of two."""
+        return zip(self._every(), other._every(), strict=True)
