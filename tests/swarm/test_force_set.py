@@ -30,7 +30,7 @@ KINDS = {
 
 
 def forces_of(robot):
-    """Forces (m, 2) that the robot can exert, its farthest among them, in its own frame."""
+    """Return forces (m, 2) that the robot can exert, its farthest among them, in its own frame."""
     if robot.envelope:
         return np.array(robot.envelope)
     sizes = [robot.limit, robot.least if robot.least else 0.0, -robot.reverse_limit]
@@ -43,7 +43,7 @@ def forces_of(robot):
 
 
 def support_of(elements, p):
-    """The support function along p, by the elements whose normal cone holds it."""
+    """Return how far the elements are along p whose normal cone holds it."""
     angle, found = math.atan2(p[1], p[0]), []
     for radius, x, y, start, end in elements:
         is_in = (angle - start) % math.tau <= end - start or end - start >= math.tau
