@@ -113,13 +113,14 @@ def test_all_faults_are_told_at_once_with_their_keys():
     assert told["swarm.robots.1"].endswith("the limit is -3.0; it should be 1e-100 <= limit <= "
                                            "1e+100 [N]")  # fmt: skip
     assert told["criterion.task"].startswith("the axes have shape (1, 2)")
+    known = "unknown key; known: contact, direction, limit"
+    assert told.pop("swarm.robots.3.colour").startswith(known)
     del told["swarm.robots.2.limit"], told["swarm.robots.1"], told["criterion.task"]
     assert told == {
         "spacing": "is missing",
         "swarm.outline.vertices": "should be numbers only; it is 'far'",
         "swarm.force_weights": "should be a list of 2; it is [1.0]",
         "swarm.robots.0.limit": "should be a number; it is '3'",
-        "swarm.robots.3": "the key 'colour' is unknown",
         "swarm.robots.3.contact": "should be a list; it is None",
         "swarm.robots.3.mounted": "should be true or false; it is 1",
         "newcomer.attachment": "should be 'push' or 'pull' or 'free'; it is 'glue'",

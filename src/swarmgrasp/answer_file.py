@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from swarmgrasp.errors import AnswerInvalid, refuse
-from swarmgrasp.files import MOST_DEPTH, write_whole
+from swarmgrasp.files import MOST_DEPTH, read_fault, target_faults, write_whole
 from swarmgrasp.plain import Answer
 from swarmgrasp.ranges import kind_faults, name_faults, path_faults
 from swarmgrasp.verify.digest import digest_of
@@ -83,9 +83,10 @@ def write_answer(
     Raises
     ------
     AnswerInvalid
-        If the answer, the path, the name or the date is none.
+        If the answer, the path, the name or the date is none, or the path's folder may not be
+        written to.
     OSError
-        If the file cannot be written.
+        If the file cannot be written for another reason.
 
     Examples
     --------
@@ -99,7 +100,7 @@ def write_answer(
     ...     read_answer(f"{folder}/answer.json")["format"]
     'swarmgrasp placements 3'
     """
-    refuse((AnswerInvalid, path_faults(path)))
+    refuse((AnswerInvalid, path_faults(path) or target_faults(Path(path))))
     write_whole(path, document_text(document_of(answer, name, date)).encode())
 
 
@@ -117,7 +118,7 @@ def read_answer(path: str | Path) -> dict[str, Any]:
         with Path(path).open("rb") as file:
             return parse_answer(file.read(LARGEST_FILE + 1), str(path))
     except OSError as error:
-        raise AnswerInvalid(f"{path}: cannot be read: {error.strerror}") from None
+        raise AnswerInvalid(read_fault(path, error)) from None
 
 
 def parse_answer(content: bytes, source: str) -> dict[str, Any]:

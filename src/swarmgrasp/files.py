@@ -1,12 +1,48 @@
 """Writing files whole or not at all, and reading them within bounds."""
 
+import os
 import secrets
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+NO_FILE = "there is no such file"
 MOST_DEPTH = 20
 """Levels of nesting that are read; a scenario needs 5, an answer 8."""
+
+
+def read_fault(path: str | Path, error: OSError) -> str:
+    """Return the sentence for a file that cannot be read.
+
+    Examples
+    --------
+    >>> read_fault("a.yaml", IsADirectoryError())
+    'a.yaml: is a folder; give a file in it'
+    """
+    if isinstance(error, FileNotFoundError):
+        return f"{path}: {NO_FILE}"
+    if isinstance(error, IsADirectoryError):
+        return f"{path}: is a folder; give a file in it"
+    return f"{path}: cannot be read: {error.strerror or error}"
+
+
+def target_faults(target: Path) -> list[str]:
+    """Return what is wrong with where a file is to be written."""
+    if target.is_dir():
+        return [f"{target}: is a folder; give a file in it"]
+    if not target.parent.is_dir():
+        return [f"{target}: there is no folder {target.parent}; create it first"]
+    return folder_faults(target.parent)
+
+
+def folder_faults(folder: Path) -> list[str]:
+    """Return what is wrong with a folder to write to, which is created if need be."""
+    there = next(path for path in (folder, *folder.absolute().parents) if os.path.lexists(path))
+    if not there.is_dir():
+        return [f"{there}: is no folder; choose another"]
+    if not os.access(there, os.W_OK | os.X_OK):
+        return [f"{there}: the folder may not be written to; choose another"]
+    return []
 
 
 @contextmanager

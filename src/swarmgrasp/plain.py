@@ -26,7 +26,7 @@ from typing import (
 import numpy as np
 
 from swarmgrasp.errors import DataInvalid, SwarmGraspError
-from swarmgrasp.ranges import shown
+from swarmgrasp.ranges import shown, unknown_key
 
 LARGEST = 1e300
 """Of any number that is read."""
@@ -182,7 +182,11 @@ def read(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
 def _object(data: dict[str, Any], cls: type, path: _Path, faults: list[str]) -> Any:
     """Make an object of a mapping; note what is wrong with it."""
     parts, before = _parts(cls), len(faults)
-    faults += (_told(f"the key {shown(key)} is unknown", path) for key in data if key not in parts)
+    faults += (
+        _told(unknown_key(key, list(parts)), (*path, shown(key).strip("'")))
+        for key in data
+        if key not in parts
+    )
     faults += (_told("is missing", (*path, key)) for key in parts if key not in data)
     given = {
         key: read(data[key], kind, (*path, key), faults)

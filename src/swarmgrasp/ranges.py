@@ -8,7 +8,8 @@ a sentence for each fault, so that all of them can be told at once.
 import math
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Mapping, Sequence, Set
+from difflib import get_close_matches
 from numbers import Integral, Number, Real
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -38,6 +39,8 @@ _FILLERS = "\u115f\u1160\u2800\u3164\uffa0"
 """Letters and signs that show nothing all the same."""
 MOST_SHOWN = 60
 """Characters of a wrong value that a message shows."""
+MOST_LOOKED_AT = 100
+"""Names among which one like a wrong name is looked for; there may be many wrong ones."""
 MOST_PLACED = 1000
 """Robots that one call places."""
 
@@ -205,6 +208,8 @@ def name_fault(name: str) -> str:
     >>> name_fault("\x07"), name_fault("\u3000"), name_fault("")
     ('holds U+0007, a control character; leave it out', 'shows nothing; give it a letter', '')
     """
+    if name.isascii() and name.isprintable() and not name.isspace():
+        return ""  # most names, of which there may be a million
     odd = _ODD.search(name)
     if odd:
         called = unicodedata.name(odd[0], "")
@@ -225,3 +230,28 @@ def path_faults(path: object) -> list[str]:
     if isinstance(path, str | Path) and "\0" not in str(path):
         return []
     return [f"{shown(path)} is no path of a file"]
+
+
+def unknown_key(key: object, known: Sequence[str]) -> str:
+    """Return the fault of a key that no mapping of its place has, whose known keys are given."""
+    return f"unknown key{nearest_name(str(key), known)}"
+
+
+def nearest_name(wanted: str, known: Sequence[str]) -> str:
+    """Return "; did you mean ..." for a near miss, else the list of known names.
+
+    Examples
+    --------
+    >>> nearest_name("limt", ["limit", "name"])
+    "; did you mean 'limit'?"
+    >>> nearest_name("colour", ["limit", "name"])
+    '; known: limit, name'
+    """
+    if len(known) > MOST_LOOKED_AT:
+        return f"; known: {', '.join(known[:20])}, ..."
+    # spelling differs by case and by hyphens more often than by letters
+    plain = {name.lower().replace("-", "_"): name for name in reversed(known)}
+    close = get_close_matches(wanted[:80].lower().replace("-", "_"), plain, n=1)
+    if close:
+        return f"; did you mean {plain[close[0]]!r}?"
+    return f"; known: {', '.join(known[:20])}" if known else ""

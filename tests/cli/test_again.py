@@ -171,5 +171,5 @@ def test_an_answer_that_cannot_be_read_is_no_scenario(
         status, printed, complaints = run(command, path if source == "file" else source)
         assert (status, printed) == (2, "")
         assert all(line.startswith(("<stdin>", str(path))) for line in complaints.splitlines())
-        assert "unknown key" not in complaints
+        assert "outline" not in complaints
         assert said in complaints or (command, said) == ("verify", "holds no question")

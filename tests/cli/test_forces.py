@@ -184,7 +184,7 @@ def test_no_table_is_refused(run, pontoon, table, text, complaint):
         (("--wrench", "1", "0", "0", "--wrenches", "a.csv"), "do not go together"),
         (("--wrench", "1", "0", "0", "--csv", "a.csv"), "--csv goes with --wrenches"),
         (("--wrenches", "a.csv", "--csv", "-", "--json", "-"), "cannot both be printed"),
-        (("--wrenches", "none.csv"), "none.csv: cannot be read: No such file"),
+        (("--wrenches", "none.csv"), "none.csv: there is no such file"),
     ],
 )
 def test_wrong_options_are_told(run, pontoon, options, complaint):

@@ -46,7 +46,7 @@ def test_faults_come_before_any_measurement(run, asked, tmp_path):
     status, said, complaints = run("paper", tmp_path / "file" / "new", "--seed", "1.5")
     assert (status, said, asked) == (2, "", [])
     assert complaints.splitlines() == [
-        f"{tmp_path}/file: this is no folder",
+        f"{tmp_path}/file: is no folder; choose another",
         "--seed is 1.5; it should be a whole number from 0 to 999999999",
     ]
 
@@ -56,7 +56,7 @@ def test_a_folder_that_may_not_be_written_to(run, asked, tmp_path, monkeypatch):
     monkeypatch.setattr("os.access", lambda *_: False)
     status, _, complaints = run("paper", tmp_path / "a" / "b")
     assert (status, asked) == (2, [])
-    assert complaints == f"{tmp_path}: this folder may not be written to\n"
+    assert complaints == f"{tmp_path}: the folder may not be written to; choose another\n"
 
 
 def test_without_scipy_nothing_is_measured(run, tmp_path, monkeypatch):

@@ -132,21 +132,21 @@ def test_every_fault_is_told_at_once_and_nothing_written(run, tmp_path):
 
 def test_a_folder_without_permission_is_told_before_computing(run, pontoon, tmp_path, monkeypatch):
     """An unwritable folder is a fault, not a surprise after the search."""
-    monkeypatch.setattr("swarmgrasp.cli.inputs.os.access", lambda *_: False)
+    monkeypatch.setattr("os.access", lambda *_: False)
     status, said, complaints = run("place", pontoon, "--json", tmp_path / "a.json")
     assert (status, said) == (2, "")
-    assert complaints == f"{tmp_path / 'a.json'}: the folder {tmp_path} may not be written to\n"
+    assert complaints == f"{tmp_path}: the folder may not be written to; choose another\n"
 
 
 @pytest.mark.parametrize(
     ("file", "fault"),
     [
         ("nowhere.yaml", "there is no such file, and no built-in example of that name"),
-        ("/", "is a directory"),
+        ("/", "/: is a folder; give a file in it"),
     ],
 )
 def test_a_file_that_cannot_be_read(run, file, fault):
-    """A missing file or a directory is told in one line."""
+    """A missing file or a folder is told in one line."""
     status, said, complaints = run("place", file)
     assert (status, said, complaints.count("\n")) == (2, "", 1)
     assert fault in complaints

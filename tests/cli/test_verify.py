@@ -84,12 +84,12 @@ def test_a_forged_digest_does_not_help(run, answer, change):
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        (None, "cannot be read"),
+        (None, ": there is no such file\n"),
         ("{", ":1:2: "),
         ("[]", "an answer is a JSON object"),
         ("{}", ": not an answer file; `swarmgrasp place --json` writes one\n"),
         ("name: x", ": not an answer file; `swarmgrasp place --json` writes one\n"),
-        ('{"format": "swarmgrasp placements 3"}', "placements: Field required"),
+        ('{"format": "swarmgrasp placements 3"}', "placements: is missing"),
     ],
 )
 def test_what_is_no_answer_is_malformed(run, tmp_path, text, fault):

@@ -57,14 +57,14 @@ def test_a_missing_folder_is_named(picture, tmp_path):
 
 def test_a_folder_is_not_overwritten(picture, tmp_path):
     (tmp_path / "a.png").mkdir()
-    with pytest.raises(SwarmGraspError, match="this is a folder"):
+    with pytest.raises(SwarmGraspError, match="is a folder; give a file in it"):
         save(picture, tmp_path / "a.png")
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
 def test_a_closed_folder_is_an_error_of_ours(picture, tmp_path):
     tmp_path.chmod(0o500)
-    with pytest.raises(SwarmGraspError, match="may write"):
+    with pytest.raises(SwarmGraspError, match="may not be written to"):
         save(picture, tmp_path / "a.png")
 
 

@@ -311,15 +311,15 @@ def test_a_flood_of_faults_is_cut() -> None:
 
 
 def test_a_file_that_cannot_be_read_is_told_by_name(tmp_path: Path) -> None:
-    """Missing, a directory, not UTF-8, or a name no file can have."""
+    """Missing, a folder, not UTF-8, or a name no file can have."""
     latin = tmp_path / "latin.yaml"
     latin.write_bytes(b"name: ok\ndescription: caf\xe9\n")
     for path, said in {
         tmp_path / "none.yaml": "there is no such file",
-        tmp_path: "is a directory; give a file in it",
+        tmp_path: "is a folder; give a file in it",
         latin / "inside": "cannot be read: Not a directory",
         latin: "latin.yaml:2:17: not UTF-8 (byte 0xe9); save it as UTF-8",
-        Path("a\0b"): "is no file name",
+        Path("a\0b"): "is no path of a file",
     }.items():
         with pytest.raises(ScenarioInvalid, match=re.escape(said)):
             load_scenario(path)

@@ -64,7 +64,7 @@ def document():
         (
             (*ROBOT, "tolerance"),
             {},
-            "robots.0.tolerance.contact: Field required",
+            "robots.0.tolerance.contact: is missing",
         ),
         (
             (*ROBOT, "tolerance"),
@@ -90,7 +90,7 @@ def document():
         (("problem", "criterion", "losing"), -1, "criterion.losing"),
         (("problem", "criterion", "losing"), 0.5, "criterion.losing"),
         (("problem", "criterion", "load"), [0.0, 0.0], "criterion.load"),
-        (("problem", "criterion", "task"), {"ball": [[1, 0, 0]]}, "task.ball: Extra inputs"),
+        (("problem", "criterion", "task"), {"ball": [[1, 0, 0]]}, "task.ball: unknown key"),
         (("problem", "criterion", "task"), {"vertices": []}, "task.vertices"),
         (("problem", "criterion", "task"), {"axes": NOTHING}, "at least 1e-100"),
         (("problem", "criterion", "task"), {"axes": ONE, "vertices": ONE}, "either"),

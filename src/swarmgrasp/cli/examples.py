@@ -46,14 +46,13 @@ def examples(
 def _write(folder: Path, texts: dict[str, str], force: bool) -> None:
     """Write the texts, all or none."""
     from swarmgrasp.cli.show.report import told_written
-    from swarmgrasp.files import write_whole
+    from swarmgrasp.files import folder_faults, write_whole
 
     paths = {name: folder / f"{name}.yaml" for name in texts}
-    if os.path.lexists(folder) and not folder.is_dir():
-        raise UsageFault(f"{folder}: this is no folder")
+    faults = folder_faults(folder)
+    if faults:
+        raise UsageFault(faults)
     folder.mkdir(parents=True, exist_ok=True)
-    if not os.access(folder, os.W_OK):
-        raise UsageFault(f"{folder}: this folder may not be written to")
     there = [path for path in paths.values() if os.path.lexists(path)]
     if there and not force:
         raise UsageFault(f"{path}: exists already; --force overwrites it" for path in there)

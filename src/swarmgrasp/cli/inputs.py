@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from swarmgrasp.cli.dash import DASH
 from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.files import NO_FILE, target_faults
 
 if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
@@ -50,8 +51,8 @@ def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
 
 def _scenario(file: str) -> "Scenario":
     from swarmgrasp.answer_file import LARGEST_FILE
+    from swarmgrasp.ranges import nearest_name
     from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
-    from swarmgrasp.scenario.faults import nearest_name
 
     if file == DASH:
         return parse_scenario(read_stdin(LARGEST_FILE), STDIN)
@@ -60,8 +61,7 @@ def _scenario(file: str) -> "Scenario":
         if file in known:
             return load_example(file)
         raise UsageFault(
-            f"{file}: there is no such file, and no built-in example of that name"
-            f"{nearest_name(file, known)}"
+            f"{file}: {NO_FILE}, and no built-in example of that name{nearest_name(file, known)}"
         )
     return load_scenario(file)
 
@@ -108,16 +108,10 @@ def output_faults(path: str | Path | None, suffixes: tuple[str, ...]) -> list[st
     """
     if path is None or str(path) == DASH:
         return []
-    target, faults = Path(path), []
-    if target.suffix.lower() not in suffixes:
-        faults.append(f"{target}: the name should end in {' or '.join(suffixes)}")
-    if not target.parent.is_dir():
-        faults.append(f"{target}: there is no folder {target.parent}; create it first")
-    elif not os.access(target.parent, os.W_OK):
-        faults.append(f"{target}: the folder {target.parent} may not be written to")
-    elif target.is_dir():
-        faults.append(f"{target}: this is a folder; give the path of a file")
-    return faults
+    target = Path(path)
+    named_well = target.suffix.lower() in suffixes
+    faults = [] if named_well else [f"{target}: the name should end in {' or '.join(suffixes)}"]
+    return faults + target_faults(target)
 
 
 def print_json(text: str) -> None:

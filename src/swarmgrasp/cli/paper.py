@@ -1,6 +1,5 @@
 """`swarmgrasp paper`: the source paper made again."""
 
-import os
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -9,6 +8,7 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.inputs import UsageFault
 from swarmgrasp.cli.show.report import told_written
+from swarmgrasp.files import folder_faults
 
 if TYPE_CHECKING:
     from swarmgrasp.paper.report import Report
@@ -39,7 +39,7 @@ def paper(
     seed
         Of the random draws. The same seed gives the same numbers, but for the times.
     """
-    faults = _folder_faults(folder)
+    faults = folder_faults(folder)
     if not re.fullmatch(r"[0-9]{1,9}", seed):  # int() would also take 1_0, and cyclopts 1.5
         faults.append(f"--seed is {seed}; it should be a whole number from 0 to 999999999")
     if faults:
@@ -53,16 +53,6 @@ def paper(
         written = write_report(folder, size, int(seed), progress=progress)
     _show(written)
     told_written(written.paths)
-
-
-def _folder_faults(folder: Path) -> list[str]:
-    """Return what is wrong with a folder to write to, before anything is measured."""
-    there = next(path for path in (folder, *folder.absolute().parents) if os.path.lexists(path))
-    if not there.is_dir():
-        return [f"{there}: this is no folder"]
-    if not os.access(there, os.W_OK | os.X_OK):
-        return [f"{there}: this folder may not be written to"]
-    return []
 
 
 def _show(written: "Report") -> None:

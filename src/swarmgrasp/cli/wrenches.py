@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from swarmgrasp.cli.inputs import UsageFault
+from swarmgrasp.files import read_fault
 from swarmgrasp.ranges import STRONGEST, WEAKEST
 
 Triple = tuple[float, float, float]
@@ -39,7 +40,7 @@ def read_wrenches(path: Path) -> tuple[list[int], list[Triple]]:
     try:
         raw = path.read_bytes()
     except OSError as error:
-        raise UsageFault(f"{path}: cannot be read: {error.strerror}") from None
+        raise UsageFault(read_fault(path, error)) from None
     if len(raw) > LARGEST_FILE:
         raise UsageFault(f"{path}: is too large; it should have at most {LARGEST_FILE} bytes")
     try:

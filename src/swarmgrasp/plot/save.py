@@ -8,8 +8,8 @@ from typing import Final
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from swarmgrasp.errors import SwarmGraspError
-from swarmgrasp.files import scratch_for
+from swarmgrasp.errors import SwarmGraspError, refuse
+from swarmgrasp.files import scratch_for, target_faults
 from swarmgrasp.plot import style
 
 PIXELS_PER_INCH: Final = 240
@@ -56,10 +56,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
             f"{target}: a picture cannot be written as {suffix or 'a file without suffix'!r}; "
             f"the suffix should be one of {', '.join(sorted(METADATA))}"
         )
-    if not target.parent.is_dir():
-        raise PictureNotSaved(f"{target}: there is no folder {target.parent}; create it first")
-    if target.is_dir():
-        raise PictureNotSaved(f"{target}: this is a folder; give the path of a file")
+    refuse((PictureNotSaved, target_faults(target)))
     style_of_file = mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"})
     try:
         with scratch_for(target) as scratch, style_of_file, style.quietly():
@@ -67,7 +64,5 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
                 scratch, format=suffix[1:], dpi=PIXELS_PER_INCH, metadata=METADATA[suffix]
             )
     except OSError as fault:
-        raise PictureNotSaved(
-            f"{target}: {fault.strerror or fault}; choose a folder you may write to"
-        ) from fault
+        raise PictureNotSaved(f"{target}: cannot be written: {fault.strerror or fault}") from fault
     return target

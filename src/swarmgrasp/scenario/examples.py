@@ -3,7 +3,7 @@
 from importlib.resources import files
 
 from swarmgrasp.errors import ScenarioInvalid
-from swarmgrasp.scenario.faults import nearest_name
+from swarmgrasp.ranges import nearest_name
 from swarmgrasp.scenario.reading import parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
 

@@ -1,15 +1,11 @@
 """Collect every fault of a file, each with its line, column and key."""
 
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 from swarmgrasp.errors import ScenarioInvalid
 
 MOST_FAULTS_SHOWN = 50
 """Faults listed one by one; of the others only the number is told."""
-
-MOST_LOOKED_AT = 100
-"""Names among which one like a wrong name is looked for; a file may have many faults."""
 
 Path = tuple[str | int, ...]
 """Keys and list positions that lead to a value, such as ``("robots", 0, "limit")``."""
@@ -68,23 +64,3 @@ class Faults:
         if more > 0:
             told[MOST_FAULTS_SHOWN:] = [f"{self.source}: ... and {more} more"]
         return ScenarioInvalid(told)
-
-
-def nearest_name(wanted: str, known: list[str]) -> str:
-    """Return "; did you mean ..." for a near miss, else the list of known names.
-
-    Examples
-    --------
-    >>> nearest_name("limt", ["limit", "name"])
-    "; did you mean 'limit'?"
-    >>> nearest_name("colour", ["limit", "name"])
-    '; known: limit, name'
-    """
-    if len(known) > MOST_LOOKED_AT:
-        return f"; known: {', '.join(known[:20])}, ..."
-    # spelling differs by case and by hyphens more often than by letters
-    plain = {name.lower().replace("-", "_"): name for name in reversed(known)}
-    close = get_close_matches(wanted[:80].lower().replace("-", "_"), plain, n=1)
-    if close:
-        return f"; did you mean {plain[close[0]]!r}?"
-    return f"; known: {', '.join(known[:20])}" if known else ""

@@ -9,7 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from swarmgrasp.outline import Contact, Outline, Stretch
-from swarmgrasp.scenario.faults import Path, nearest_name
+from swarmgrasp.ranges import nearest_name
+from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.schema import RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked

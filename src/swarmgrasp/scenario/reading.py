@@ -4,7 +4,9 @@ from codecs import BOM_UTF8
 from pathlib import Path
 
 from swarmgrasp.answer_file import LARGEST_FILE as LARGEST_ANSWER
-from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.errors import ScenarioInvalid, refuse
+from swarmgrasp.files import read_fault
+from swarmgrasp.ranges import path_faults
 from swarmgrasp.scenario.asking import answer_in, scenario_of
 from swarmgrasp.scenario.build import build
 from swarmgrasp.scenario.document import read_document
@@ -34,22 +36,15 @@ def load_scenario(path: str | Path) -> Scenario:
         If the file cannot be read or has faults; all of them are told, each with its
         line, column and key.
     """
+    refuse((ScenarioInvalid, path_faults(path)))
     source = str(path)
     try:
         with Path(path).open("rb") as file:
             raw = file.read(LARGEST_FILE + 1)
             if len(raw) > LARGEST_FILE and raw.lstrip().startswith(b"{"):
                 raw += file.read(LARGEST_ANSWER - LARGEST_FILE)
-    except FileNotFoundError:
-        raise ScenarioInvalid(f"{source}: there is no such file") from None
-    except IsADirectoryError:
-        raise ScenarioInvalid(f"{source}: is a directory; give a file in it") from None
     except OSError as error:
-        raise ScenarioInvalid(f"{source}: cannot be read: {error.strerror or error}") from None
-    except ScenarioInvalid:
-        raise
-    except ValueError as error:  # such as a null character in the name
-        raise ScenarioInvalid(f"{source!r}: is no file name: {error}") from None
+        raise ScenarioInvalid(read_fault(path, error)) from None
     return parse_scenario(raw, source)
 
 

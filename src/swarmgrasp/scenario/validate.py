@@ -13,8 +13,9 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from swarmgrasp.ranges import unknown_key
 from swarmgrasp.scenario.document import Node
-from swarmgrasp.scenario.faults import Faults, Path, nearest_name
+from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.schema import ScenarioFile
 
 _AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
@@ -170,7 +171,7 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
     """Note one error of pydantic's in our words."""
     kind, node = found["type"], root.find(path)
     if kind == "extra_forbidden":
-        said = f"unknown key{nearest_name(str(path[-1]), _known_keys(path))}"
+        said = unknown_key(path[-1], _known_keys(path))
         faults.add(root.key_mark(path), path, said)
     elif kind == "missing":
         faults.add(node.mark, path, f"is missing; {_WANTED[str(path[-1])]}")

@@ -28,6 +28,9 @@ HalfTurn = Annotated[float, Field(ge=0.0, le=math.pi)]
 Point = tuple[Number, Number]
 Wrench = tuple[Number, Number, Number]
 
+_SAID = {"extra_forbidden": "unknown key", "missing": "is missing"}
+"""What is said of keys, as of those of scenarios."""
+
 
 class _Form(BaseModel):
     """Strict: no number from text, nothing infinite, nothing unknown."""
@@ -268,6 +271,7 @@ def read_claims(document: dict[str, Any]) -> Claims:
         return Claims.model_validate_json(text)
     except ValidationError as error:
         raise AnswerInvalid(
-            f"{'.'.join(map(str, fault['loc'])) or 'the file'}: {fault['msg']}"
+            f"{'.'.join(map(str, fault['loc'])) or 'the file'}: "
+            f"{_SAID.get(fault['type'], fault['msg'])}"
             for fault in error.errors()
         ) from None
