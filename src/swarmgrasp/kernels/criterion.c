@@ -15,7 +15,8 @@
 #define LISTED 12       /* planes that may cross a triangle for its vertices to be listed */
 #define TRIES 3         /* cuts made in a triangle before it is split */
 #define TASKS 0.1       /* share of the task's rows in what directions are whitened by */
-#define AROUND 128      /* directions looked at to begin with */
+#define AROUND 128      /* directions looked at to begin with, */
+#define ALONG 8         /* and robots and rows of a task that may push along each other */
 #define DEPTH 110       /* halvings until a triangle is a point, and more */
 #define BASIC 20.0      /* units of work that a triangle takes besides */
 #define EXACT 1e-12     /* relative gap to which the quality of worst poses is found */
@@ -532,9 +533,42 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
     return status;
 }
 
+static int least_of(int a, int b) { return a < b ? a : b; }
+
+/* Look at the normal across a robot along which a task asks most. Of one that only rounding keeps from
+ * pushing straight along the task, H vanishes there while D is next to nothing, which no triangle is
+ * small enough to show ("criteria", seed 9258). */
+static Status look_across(Hunt *h, const double *b, const double *row) {
+    double n[3], height, cap, square = dot(b, b);
+    memcpy(n, row, sizeof n);
+    for (int t = 0; t < 2; t++) { /* the second time, what rounding left */
+        double share = dot(n, b) / square, size;
+        for (int k = 0; k < 3; k++)
+            n[k] -= share * b[k];
+        size = length(n);
+        if (size == 0.0)
+            return SOLVED;
+        for (int k = 0; k < 3; k++)
+            n[k] /= size;
+    }
+    Status status = criterion_height(h->aim, n, h->extra, &height, &cap);
+    if (status == SOLVED)
+        offer(h, n, height, criterion_extent(h->aim, n));
+    return status;
+}
+
 /* Look at directions spread evenly: a low value to begin with keeps the search out of valleys that
  * are not the deepest. */
 static Status look_around(Hunt *h) {
+    const Criterion *aim = h->aim;
+    int robots = aim->is_polytope ? least_of(aim->points + (h->extra != NULL), ALONG) : 0;
+    for (int i = 0; i < robots; i++)
+        for (int k = 0; k < least_of(aim->tasks, ALONG); k++) {
+            const double *b = i < aim->points ? known(aim, h->extra, i) : h->extra;
+            Status status = look_across(h, b, aim->task + (ptrdiff_t)3 * k);
+            if (status != SOLVED)
+                return status;
+        }
     for (int k = 0; k < AROUND && h->best > h->zero; k++) {
         double white[3], normal[3], height, cap;
         on_spiral(k, AROUND, white);
