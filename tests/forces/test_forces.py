@@ -1,11 +1,7 @@
 """Push forces: against linear and quadratic programs, by their proofs, and what must hold."""
 
-import contextlib
-import io
 import math
-import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -497,17 +493,3 @@ def test_wrenches_are_rows_of_three(wrenches, said):
     """The first ten at fault are shown."""
     with pytest.raises(WrenchInvalid, match=said):
         forces_along(Swarm(SQUARE, FOUR), wrenches)
-
-
-# -- the page -------------------------------------------------------------------------
-
-
-def test_the_page_shows_what_is_printed():
-    """The code block of docs/forces.md runs as it stands."""
-    page = (Path(__file__).parents[2] / "docs" / "forces.md").read_text(encoding="utf-8")
-    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-    (shown,) = re.findall(r"```text\n(.*?)```", page, re.DOTALL)
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
-        exec(code, {})
-    assert printed.getvalue() == shown

@@ -138,6 +138,7 @@ def _without_boxes() -> DefaultFormatter:
 
 
 def _version() -> str:
+    """Return the version of the program."""
     from importlib.metadata import version
 
     return version("swarmgrasp")

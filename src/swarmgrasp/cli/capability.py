@@ -81,6 +81,7 @@ def capability(
     )
 
     def draw() -> list[Path]:
+        """Draw the diagram if it is wanted."""
         if plot is None:
             return []
         from swarmgrasp.plot import capability_diagram, save

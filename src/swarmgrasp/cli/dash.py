@@ -30,6 +30,7 @@ def shown(text: str) -> str:
 
 
 def _convert(_: Any, tokens: Sequence[Any]) -> str:
+    """Return what was given on the command line."""
     return shown(tokens[0].value)
 
 

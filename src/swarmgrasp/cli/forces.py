@@ -95,6 +95,7 @@ def forces(
     found = forces_of(scenario.swarm, wrench, load=load)
 
     def draw() -> list[Path]:
+        """Draw the forces if that is wanted."""
         if plot is None:
             return []
         from swarmgrasp.plot import forces_plan, save
@@ -118,12 +119,14 @@ def _tell_many(
     found = forces_along(scenario.swarm, rows, load=load)
 
     def write() -> list[str]:
+        """Write the table if it goes to a file."""
         if csv in (None, DASH):
             return []
         write_whole(str(csv), table_text(found).encode())
         return [str(csv)]
 
     def tell() -> None:
+        """Print the table if it is to be printed, else the report."""
         if csv == DASH:
             print_json(table_text(found))
         else:

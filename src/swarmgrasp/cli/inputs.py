@@ -50,6 +50,7 @@ def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
 
 
 def _scenario(file: str) -> "Scenario":
+    """Read a scenario from where a command line says."""
     from swarmgrasp.answer_file import LARGEST_FILE
     from swarmgrasp.ranges import nearest_name
     from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario

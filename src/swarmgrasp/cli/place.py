@@ -95,32 +95,26 @@ def place(
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
     criterion = criterion_of(scenario, file, losing, worst_case, count)
-    from swarmgrasp.answer_file import document_of
-
     if together:
-        from swarmgrasp.cli.pictures import pictures_together
-        from swarmgrasp.cli.show.together import show as show_together
-        from swarmgrasp.placement import place_together
-        from swarmgrasp.placement.together.effort import EFFORT
+        steps = None if effort is None else int(effort)
+        _tell_together(scenario, file, count, gap, steps, criterion, plot, json)
+    else:
+        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json)
 
-        steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
-        near = before.get("asked_gap", ROUGH) if gap is None else gap
-        with blaming(file):
-            joint = place_together(scenario.problem(criterion), count, gap=near, effort=steps)
-        deliver(
-            json,
-            document_of(joint, scenario.name),
-            lambda: show_together(scenario.name, joint),
-            lambda: pictures_together(_beside(plot), joint) if plot else [],
-        )
-        return
-    first = (before.get("placements") or [{}])[0]
-    near = first.get("asked_gap", FINE) if gap is None else gap
-    share = first.get("asked_runners_up", SHARE) if runners_up is None else runners_up
-    answers = solve(scenario, file, count, near, share, criterion)
+
+def _tell_sequence(
+    scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
+    criterion: "Criterion", plot: Path | None, json: str | None,
+) -> None:  # fmt: skip
+    """Find and tell robots placed one after the other; what is None is as in the answer read."""
+    from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.show.placement import show
 
+    first = (asked_before(scenario, "placements").get("placements") or [{}])[0]
+    near = first.get("asked_gap", FINE) if gap is None else gap
+    share = first.get("asked_runners_up", SHARE) if runners_up is None else runners_up
+    answers = solve(scenario, file, count, near, share, criterion)
     deliver(
         json,
         document_of(answers, scenario.name),
@@ -129,12 +123,36 @@ def place(
     )
 
 
+def _tell_together(
+    scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
+    criterion: "Criterion", plot: Path | None, json: str | None,
+) -> None:  # fmt: skip
+    """Find and tell robots placed all at once; what is None is as in the answer read."""
+    from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.pictures import pictures_together
+    from swarmgrasp.cli.show.together import show
+    from swarmgrasp.placement import place_together
+    from swarmgrasp.placement.together.effort import EFFORT
+
+    before = asked_before(scenario, "together")
+    steps = before.get("asked_effort", EFFORT) if effort is None else effort
+    near = before.get("asked_gap", ROUGH) if gap is None else gap
+    with blaming(file):
+        found = place_together(scenario.problem(criterion), count, gap=near, effort=steps)
+    deliver(
+        json,
+        document_of(found, scenario.name),
+        lambda: show(scenario.name, found),
+        lambda: pictures_together(_beside(plot), found) if plot else [],
+    )
+
+
 def solve(
     scenario: "Scenario",
     file: str,
     robots: int = 1,
-    gap: float = 1e-6,
-    runners_up: float = 0.9,
+    gap: float = FINE,
+    runners_up: float = SHARE,
     criterion: "Criterion | None" = None,
 ) -> "Placements":
     """Place a scenario's newcomer.

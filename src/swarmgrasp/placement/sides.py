@@ -120,6 +120,7 @@ def hills(values: Mapping[int, float], touching: Sequence[tuple[int, int]]) -> l
     merged: set[int] = set()
 
     def top(part: int) -> int:
+        """Return the top of the hill that a part is on, and shorten the way to it."""
         while above[part] != part:
             above[part] = part = above[above[part]]
         return part

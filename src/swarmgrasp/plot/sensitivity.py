@@ -139,6 +139,7 @@ def _draw_bars(page: Page, found: Sensitivities) -> None:
         step = metres * LANE * _bearing(outline.at_arc_length(arc).inward)
 
         def halves(lane: int, lines: list[Vectors] = lines, step: Vectors = step) -> list[Vectors]:
+            """Return both halves of a bar, so many lanes further inside."""
             return [line + lane * step for line in lines]
 
         pair = _clear(halves, taken, metres)
@@ -188,6 +189,7 @@ def _draw_arcs(page: Page, found: Sensitivities, arrows: Arrows) -> None:
             length: float = length,
             sizes: Vectors = sizes,
         ) -> list[Vectors]:
+            """Return both halves of an arc, so many lanes further out."""
             radius = length + metres * (BEYOND + LANE * lane)
             ends = [np.linspace(APART, APART + size, 15) * metres / radius for size in sizes]
             return [

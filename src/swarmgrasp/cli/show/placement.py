@@ -149,6 +149,7 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -
 
 
 def _stance(answer: Placement) -> Stance:
+    """Return how the robot of an answer stands."""
     return stance(answer.problem.swarm.outline, answer.robot)
 
 

@@ -42,13 +42,32 @@ def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
             report.sentence(f"- {fault}")
         return
     report.blank()
-    placements = document["placements"]
-    problem = document["problem"]
-    facts = _questions(problem)
-    for claim, bound in zip(placements, verdict.upper_bounds, strict=True):
-        unit = Unit.for_size(claim["quality"], bound)
-        if problem["criterion"]["task"]:
-            unit = Unit(1.0, TIMES)
+    report.facts(_questions(document["problem"]) + _answers(document, verdict))
+    report.blank()
+    report.sentence(
+        "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
+        "a bound for every allowed place."
+    )
+    for trusted in verdict.unchecked:
+        report.sentence(f"Taken on trust: {trusted}.")
+    report.sentence(
+        "Checked is the answer to the question in the file, not whether the file asks your "
+        "question; reasons given in words are not checked."
+    )
+    metric = document["problem"]["swarm"]
+    a1, a2 = metric["force_weights"]
+    report.note(
+        f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
+        f"{metric['characteristic_length']:.6g} m."
+    )
+
+
+def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]]:
+    """Return as facts where each robot goes, its quality, and the bound recomputed."""
+    has_task = document["problem"]["criterion"]["task"]
+    facts = []
+    for claim, bound in zip(document["placements"], verdict.upper_bounds, strict=True):
+        unit = Unit(1.0, TIMES) if has_task else Unit.for_size(claim["quality"], bound)
         robot = claim["robot"]
         x, y = robot["contact"]
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
@@ -61,24 +80,7 @@ def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
             *([("", near)] if math.isfinite(gap) else []),
         ]
-    report.facts(facts)
-    report.blank()
-    report.sentence(
-        "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
-        "a bound for every allowed place."
-    )
-    for trusted in verdict.unchecked:
-        report.sentence(f"Taken on trust: {trusted}.")
-    report.sentence(
-        "Checked is the answer to the question in the file, not whether the file asks your "
-        "question; reasons given in words are not checked."
-    )
-    metric = problem["swarm"]
-    a1, a2 = metric["force_weights"]
-    report.note(
-        f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
-        f"{metric['characteristic_length']:.6g} m."
-    )
+    return facts
 
 
 def _questions(problem: dict[str, Any]) -> list[tuple[str, str]]:
@@ -127,4 +129,5 @@ def _question(problem: dict[str, Any]) -> str:
 
 
 def _count(number: int, noun: str, several: str = "") -> str:
+    """Return a number of things in words."""
     return f"{number or 'no'} {noun if number == 1 else several or noun + 's'}"
