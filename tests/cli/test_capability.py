@@ -1,5 +1,6 @@
 import json
 import math
+import re
 
 import pytest
 
@@ -73,11 +74,11 @@ def test_json_holds_every_bearing(run, windy, tmp_path):
     assert said.endswith(f"wrote {target}\n")
     assert found["bearings"] == [math.radians(45 * k) for k in range(8)]
     assert (found["losing"], found["environment"]["current"]["bearing"]) == (1, 3.0)
-    assert found["worst_losses"] == [["E"]] * 8
+    assert all(lost in (["C"], ["D"], ["E"]) for lost in found["worst_losses"])  # each as bad
     assert all(found["holds_current"])
     assert not any(found["holds_current_after_loss"])
     assert "Without one robot  no wind from any bearing, not even the current alone" in said
-    assert "losing E is enough" in said
+    assert re.search("losing [CDE] is enough", said)
 
 
 def test_the_worst_case_is_the_scenarios_or_asked_for(run, windy):
