@@ -94,7 +94,7 @@ class Criterion(Plain):
     @property
     def is_nominal(self) -> bool:
         """Whether this is the quality of the swarm as it stands."""
-        return self == NOMINAL
+        return self is NOMINAL or self == NOMINAL
 
     @property
     def has_load(self) -> bool:

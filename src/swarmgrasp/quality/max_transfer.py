@@ -207,14 +207,14 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     (0.0, 'no', 3)
     """
     check_swarm(swarm)
-    criterion = Criterion(**terms)
+    criterion = Criterion(**terms) if terms else NOMINAL
     found, bound = _weakest(swarm, criterion)
     return Quality(found.quality, bound, np.array(found.normal), criterion, swarm)
 
 
 def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
     """Find the weakest normal, and what the quality is at least."""
-    if criterion == NOMINAL:
+    if criterion.is_nominal:
         return bounded_weakest(swarm.scaled_generators)
     return Aim(swarm, criterion).weakest()
 

@@ -160,6 +160,9 @@ class Robot(Plain):
 
     def _kind_faults(self) -> list[str]:
         """Return what is wrong with what it can exert beside its limit."""
+        more = (self.reverse_limit, self.steers, self.least)
+        if self.envelope is None and self.friction is None and more == (0.0, 0.0, 0.0):
+            return []
         faults = kind_of_force_faults(self.reverse_limit, self.friction)
         limit, least = number(self.limit), number(self.least)
         if not 0.0 <= number(self.steers) <= math.pi:
