@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = TypeVar("Array", bound=NDArray[Any])
+_SETTLED = (float, tuple, bool, str, int, type(None))
+"""Most of what objects hold: nothing to freeze."""
 
 
 class Frozen:
@@ -39,6 +41,8 @@ class Frozen:
         """Make what the fields hold unchangeable."""
         held = vars(self)
         for name, value in held.items():
+            if type(value) in _SETTLED:
+                continue
             if isinstance(value, np.ndarray):
                 read_only(value)
             elif isinstance(value, dict):

@@ -59,7 +59,7 @@ def is_number(value: object) -> TypeGuard[float]:
 
 def is_whole(value: object) -> TypeGuard[int]:
     """Tell whether a value counts something: True and 2.0 do not."""
-    return isinstance(value, Integral) and not isinstance(value, bool)
+    return type(value) is int or (isinstance(value, Integral) and not isinstance(value, bool))
 
 
 def is_flag(value: object) -> TypeGuard[bool]:
@@ -69,6 +69,8 @@ def is_flag(value: object) -> TypeGuard[bool]:
 
 def number(value: object) -> float:
     """Return a finite number as a float; nan for anything else, which no range holds."""
+    if type(value) is float:
+        return value if math.isfinite(value) else math.nan
     try:
         found = float(value) if is_number(value) else math.nan
     except OverflowError:

@@ -364,7 +364,7 @@ def _posed(parts: tuple[Any, ...], terms: Terms, faults: list[str]) -> Problem:
     kinds: list[tuple[type[SwarmGraspError], Sequence[str]]] = [(ProblemInvalid, faults)]
     criterion = NOMINAL
     try:
-        criterion = Criterion(**terms)
+        criterion = Criterion(**terms) if terms else NOMINAL
     except SwarmGraspError as error:
         kinds.insert(0, (type(error), error.faults))
     try:

@@ -90,6 +90,8 @@ class Problem(Frozen, Plain):
 
     def _stretch_faults(self) -> list[str]:
         """Return what is wrong with the zones and the no-go stretches on this outline."""
+        if not self.zones and not self.no_go:
+            return []
         perimeter = self.swarm.outline.perimeter
         reach = perimeter + self.swarm.outline.tolerance
         named = [("zone", zone.stretch) for zone in self.zones or ()]

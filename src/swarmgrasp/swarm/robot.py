@@ -398,6 +398,8 @@ def kind_of_force_faults(reverse_limit: object, friction: object) -> list[str]:
 
 def _corners(envelope: object) -> Envelope:
     """Return the corners of an envelope; nothing if it is none."""
+    if envelope is None:
+        return ()
     points = [numbers(point) for point in items(envelope) or ()]
     if len(points) < 2 or any(len(point) != 2 for point in points):
         return ()
