@@ -38,6 +38,10 @@ class SwarmInvalid(SwarmGraspError):
     """What should be a swarm is none."""
 
 
+class ForceSetUnsupported(SwarmGraspError):
+    """Robots exert more than one ray of forces, which what is asked for does not know."""
+
+
 class RobotOffBoundary(SwarmGraspError):
     """A robot is not on the boundary, or a mounted one is outside the outline."""
 

@@ -6,8 +6,9 @@ import pickle
 import numpy as np
 import pytest
 
+import swarmgrasp as sg
 from swarmgrasp import Outline, Robot, Swarm
-from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.errors import ForceSetUnsupported, RobotInvalid
 from swarmgrasp.swarm import Newcomer
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
@@ -117,3 +118,32 @@ def test_what_does_not_go_together_is_refused_at_once():
         Newcomer(1.0, "push", friction=0.3, steers=True)
     with pytest.raises(RobotInvalid, match=r"R2: it steers 9.0"):
         Swarm.from_arrays(SQUARE, [(1, 0), (1, 0.5)], [0.0, 0.0], steers=[1.0, 9.0])
+
+
+AJAX = Robot((1, 0), 3.0, name="Ajax", steers=0.5)
+PUSHERS = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7), AJAX]
+STEERING = Swarm(SQUARE, PUSHERS)
+FIXED = Swarm(SQUARE, PUSHERS[:3])
+RAYS_ONLY = {
+    "move": lambda: sg.best_move(sg.Problem(STEERING, Newcomer())),
+    "count": lambda: sg.how_many(sg.Problem(STEERING, Newcomer()), 1.0),
+    "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
+    "placement": lambda: sg.place(STEERING, Newcomer()),
+    "landscape": lambda: sg.cell_qualities(sg.Problem(STEERING, Newcomer()), (2, 2)),
+    "many robots": lambda: sg.qualities_with(STEERING, [(1, 0)], [0.0]),
+    "sensitivity": lambda: sg.sensitivities(STEERING),
+    "summary": lambda: sg.Summary.of(STEERING, 12),
+    "wrench set": lambda: sg.WrenchSet(STEERING),
+    "push forces": lambda: sg.forces(STEERING, (1.0, 0.0, 0.0)),
+    "steering newcomer": lambda: sg.place(FIXED, Newcomer(steers=True)),
+    "reversible newcomer": lambda: sg.place(FIXED, Newcomer(reverse_limit=0.5)),
+    "mounted newcomer": lambda: sg.place(FIXED, Newcomer(mounted=True)),
+}
+"""What knows rays only."""
+
+
+@pytest.mark.parametrize("asked", RAYS_ONLY)
+def test_what_knows_rays_only_refuses_other_robots(asked):
+    """No answer takes a robot that steers for one that does not."""
+    with pytest.raises(ForceSetUnsupported, match="one ray"):
+        RAYS_ONLY[asked]()

@@ -5,8 +5,9 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import SwarmInvalid, WrenchInvalid, refuse
 from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, shown
+from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.columns import MOST_LISTED
-from swarmgrasp.swarm.swarm import swarm_faults
+from swarmgrasp.swarm.swarm import check_rays, swarm_faults
 
 Triple = tuple[float, float, float]
 CALM: Triple = (0.0, 0.0, 0.0)
@@ -15,7 +16,7 @@ UNITS = "[N, N, N m]"
 RANGE = f"its largest number should be 0 or {WEAKEST:g} <= size <= {STRONGEST:g} {UNITS}"
 
 
-def check_forces(swarm: object, wrench: object, load: object) -> tuple[Triple, Triple]:
+def check_forces(swarm: Swarm, wrench: object, load: object) -> tuple[Triple, Triple]:
     """Return a wrench and a load as numbers.
 
     Raises
@@ -25,7 +26,7 @@ def check_forces(swarm: object, wrench: object, load: object) -> tuple[Triple, T
 
     Examples
     --------
-    >>> check_forces(None, (1, 2), (0, 0, float("inf")))
+    >>> check_forces(None, (1, 2), (0, 0, float("inf")))  # type: ignore[arg-type]
     Traceback (most recent call last):
     ...
     swarmgrasp.errors.SwarmInvalid: None is no Swarm: make one with Swarm(outline, robots)
@@ -35,11 +36,12 @@ def check_forces(swarm: object, wrench: object, load: object) -> tuple[Triple, T
     wanted, faults = _triple(wrench, "wrench")
     given, more = _triple(load, "load")
     refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
+    check_rays(swarm, "push forces")
     return wanted, given
 
 
 def check_forces_along(
-    swarm: object, wrenches: object, load: object
+    swarm: Swarm, wrenches: object, load: object
 ) -> tuple[NDArray[np.float64], Triple]:
     """Return wrenches (m, 3) as a new array, and a load as numbers.
 
@@ -51,6 +53,7 @@ def check_forces_along(
     rows, faults = _rows(wrenches)
     given, more = _triple(load, "load")
     refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
+    check_rays(swarm, "push forces")
     return rows, given
 
 

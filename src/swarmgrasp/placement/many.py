@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ProblemInvalid, refuse
-from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
 from swarmgrasp.placement.search import search_for
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
 from swarmgrasp.swarm.columns import check_contacts, checked_columns
 from swarmgrasp.swarm.names import numbered
-from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.swarm.swarm import check_rays, check_swarm
 
 MOST_CELLS = 10_000
 """Columns of cells, and rows."""
@@ -63,6 +63,7 @@ def qualities_with(
     [0.696311, 0.0]
     """
     check_swarm(swarm)
+    check_rays(swarm, "the quality with many robots")
     criterion = Criterion(**terms)
     columns = checked_columns(contacts, directions, limits, False)
     check_contacts(swarm.outline, columns, numbered(len(columns.limits)))
@@ -107,6 +108,7 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
             f"rows, from 1 to {MOST_CELLS}"
         )
     refuse((ProblemInvalid, faults))
+    check_ray_problem(problem, "the landscape")
     outline = problem.swarm.outline
     columns = np.linspace(0.0, outline.perimeter, sides[0] + 1)
     rows = np.linspace(-math.pi, math.pi, sides[1] + 1)

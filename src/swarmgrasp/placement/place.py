@@ -8,7 +8,7 @@ from typing import Any, Unpack, overload
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
-from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
 from swarmgrasp.placement.search import Best, Optimum, search_for
 from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
@@ -188,6 +188,7 @@ def place_sequence(
     """
     faults = problem_faults(problem) + count_faults(count) + _fraction_faults(gap, runners_up)
     refuse((ProblemInvalid, faults + call_faults(progress)))
+    check_ray_problem(problem, "placement")
     names = problem.swarm.names.fresh(problem.newcomer.name or "newcomer", int(count))
     placing = _placing(problem, gap)
     answers: list[Placement] = []

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 from swarmgrasp.errors import (
     CriterionInvalid,
+    ForceSetUnsupported,
     RobotInvalid,
     SwarmInvalid,
     ZoneInvalid,
@@ -16,7 +17,7 @@ from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
-from swarmgrasp.swarm.swarm import swarm_faults
+from swarmgrasp.swarm.swarm import check_rays, swarm_faults
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,6 +144,16 @@ class Problem(Frozen, Plain):
         """Whether the newcomer's own pose is uncertain by the criterion."""
         tolerance = self.newcomer.tolerance
         return self.criterion.worst_case and tolerance is not None and tolerance.is_spread
+
+
+def check_ray_problem(problem: Problem, what: str) -> None:
+    """Raise `ForceSetUnsupported` unless all robots and the newcomer push along one ray each."""
+    check_rays(problem.swarm, what)
+    if not problem.newcomer.is_ray:
+        raise ForceSetUnsupported(
+            f"{what} is for a newcomer that pushes along one ray from a place on the boundary: "
+            "leave out what it steers, its reverse limit, its friction and that it is mounted"
+        )
 
 
 def problem_faults(problem: object) -> list[str]:

@@ -17,7 +17,7 @@ from swarmgrasp.quality.shares import shares_at
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.swarm.swarm import check_rays, check_swarm
 
 KINK = 1e-7
 """Difference of two slopes that is a kink, relative to how fast the robot's wrench changes."""
@@ -131,6 +131,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
     """
     check_swarm(swarm)
+    check_rays(swarm, "sensitivity")
     criterion = Criterion(**terms)
     if criterion.worst_case:
         raise CriterionInvalid(

@@ -20,7 +20,7 @@ from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
 from swarmgrasp.summary.support_bounds import SupportBounds
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
-from swarmgrasp.swarm.swarm import check_metric, check_swarm
+from swarmgrasp.swarm.swarm import check_metric, check_rays, check_swarm
 
 BINS = 1024
 """Bins asked for unless told otherwise."""
@@ -69,6 +69,7 @@ class Summary(Content):
             If it is no `Swarm`.
         """
         check_swarm(swarm)
+        check_rays(swarm, "a summary")
         return cls.from_generators(
             swarm.scaled_generators,
             bins,

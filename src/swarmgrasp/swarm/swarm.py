@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import (
+    ForceSetUnsupported,
     MetricInvalid,
     RobotInvalid,
     SwarmInvalid,
@@ -524,6 +525,25 @@ def wrenches(
 def swarm_faults(swarm: object) -> list[str]:
     """Return what is wrong with something that should be a swarm."""
     return kind_faults(swarm, Swarm, "Swarm(outline, robots)")
+
+
+def check_rays(swarm: Swarm, what: str) -> None:
+    """Raise `ForceSetUnsupported` unless all robots push along one ray each.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    what : str
+        What is asked for, such as "a summary".
+    """
+    if not swarm.has_rays_only:
+        others = np.flatnonzero(~swarm.is_ray)
+        names = [swarm.names[i] for i in others[:MOST_LISTED].tolist()]
+        more = f" and {len(others) - MOST_LISTED} more" if len(others) > MOST_LISTED else ""
+        raise ForceSetUnsupported(
+            f"{what} is for robots that push along one ray each, and these do not: "
+            f"{', '.join(names)}{more}"
+        )
 
 
 def check_swarm(swarm: object) -> None:

@@ -10,7 +10,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.linear import minimise
 from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, number, numbers, shown
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.swarm.swarm import check_rays, check_swarm
 from swarmgrasp.wrench_set.mesh import (
     ANGLE_TOLERANCE,
     Mesh,
@@ -60,6 +60,7 @@ class WrenchSet(Frozen):
 
     def __init__(self, swarm: Swarm) -> None:
         check_swarm(swarm)
+        check_rays(swarm, "a wrench set")
         self._fill(swarm.generators, swarm.scale)
 
     @classmethod

@@ -9,7 +9,7 @@ from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, RobotInvalid, ref
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import Placement, relative_gap
 from swarmgrasp.placement.place import RISE, place
-from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.ranges import gap_faults
@@ -238,6 +238,7 @@ def best_move(
     if isinstance(problem, Swarm):
         problem = Problem(problem, Newcomer())
     refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap)))
+    check_ray_problem(problem, "the best move")
     swarm = problem.swarm
     before = quality(swarm, **problem.criterion.terms)
     found, stuck = [], []

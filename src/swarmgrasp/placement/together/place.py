@@ -12,7 +12,7 @@ from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
-from swarmgrasp.placement.problem import Problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
 from swarmgrasp.placement.reason import too_few_words
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
@@ -192,6 +192,7 @@ def place_together(
     """
     faults = problem_faults(problem) + count_faults(count) + effort_faults(effort)
     refuse((ProblemInvalid, faults + gap_faults(gap) + call_faults(progress)))
+    check_ray_problem(problem, "placement together")
     search = JointSearch(problem, int(count), float(gap), Budget(int(effort)))
     sequential = start(search)
     search.run(progress)
