@@ -70,6 +70,6 @@ void test_facets(void) {
         generators[k] = k % 3 == 2 ? 0.0 : uniform(-1.0, 1.0);
     CHECK_NEAR(swept(MOST, none, normal), 0.0, 1e-15);
     CHECK_NEAR(fabs(normal[2]), 1.0, 1e-15);
-    CHECK(support(generators, 0, normal) == 0.0);
+    CHECK(total_height(generators, 0, normal) == 0.0);
     CHECK(fail_each(job) == 0);
 }

@@ -76,6 +76,70 @@ class Criterion:
     def heights(self, normals: Array, /) -> bytes:
         """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""
 
+class Sets:
+    """Robots as sets of forces, and what they are asked to withstand; see `sets.h`.
+
+    Parameters
+    ----------
+    arms : (n, 2) [m]
+        Moment arms of the contacts.
+    elements : (k, 5)
+        Of each robot's set, robot by robot: see `force_set.h`.
+    counts : (n,)
+        Elements that each robot has. One that has none and no poses exerts nothing.
+    machines : (n,)
+        The machine that each robot is part of, 0 1 2 ...
+    scale : (3,) [1, 1, 1/m]
+        Turns wrenches into the metric's coordinates.
+    losing : int
+        Machines.
+    load : (3,) [N]
+        In the metric's coordinates.
+    task : (m, 3)
+        Vertices of a polytope, or axes of an ellipsoid; none for the unit ball.
+    is_polytope : bool
+    parts : (p, 5)
+        Of robots whose contact is uncertain, sorted by robot: the robot, and the moment arms [m]
+        of the ends of a straight part.
+    poses : (q, 12)
+        Of rays whose direction is uncertain, sorted by robot: the robot, its limit [N], and a
+        piece.
+    """
+
+    weight: float
+    """The sum of the largest |wrench| of each robot, and the load's size [N]."""
+
+    def __new__(
+        cls,
+        arms: Array,
+        elements: Array,
+        counts: Array,
+        machines: Array,
+        scale: Normal,
+        losing: int,
+        load: Normal,
+        task: Array,
+        is_polytope: bool,
+        parts: Array,
+        poses: Array,
+        /,
+    ) -> Sets: ...
+    def least(self, gap: float, below: float, work: float = ..., /) -> tuple[float, Normal, float]:
+        """Return the least H / D, a unit normal that attains it, and what no normal falls below.
+
+        What is 0 but for rounding is 0, and so is what is left of a load that is not held. A value
+        of `below` or more is not wanted: it is then `below`, and the normal is zero.
+        """
+
+    def heights(self, normals: Array, /) -> bytes:
+        """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""
+
+    def forces(self, normal: Normal, /) -> bytes:
+        """Return (n, 5) what each robot's best force along a normal is worth [N], and which it is.
+
+        In its worst pose: the force (2,) [N], and the moment arm of the contact (2,) [m].
+        """
+
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).
 

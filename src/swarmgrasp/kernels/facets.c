@@ -196,7 +196,7 @@ ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *no
     return total;
 }
 
-double support(const double *generators, ptrdiff_t n, const double *normal) {
+double total_height(const double *generators, ptrdiff_t n, const double *normal) {
     double h = 0.0;
     for (ptrdiff_t i = 0; i < n; i++)
         h += larger(0.0, dot(normal, generators + 3 * i));

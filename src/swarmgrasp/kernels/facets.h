@@ -51,6 +51,6 @@ ptrdiff_t sweep_facets(Sweep *sweep, const double *generators, int n, double *no
                        double *heights);
 
 /* The sum of max(0, n . b_i). */
-double support(const double *generators, ptrdiff_t n, const double *normal);
+double total_height(const double *generators, ptrdiff_t n, const double *normal);
 
 #endif

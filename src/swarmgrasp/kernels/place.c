@@ -97,11 +97,11 @@ double search_total(const Search *s, const double *normal) {
     if (s->criterion)
         return criterion_total(s->criterion, normal);
     if (s->is_small)
-        return dot(s->sweep.load, normal) + support(s->generators, s->n, normal);
+        return dot(s->sweep.load, normal) + total_height(s->generators, s->n, normal);
     double m[3], g[3];
     whiten_normal(&s->tree.white, normal, m);
     tree_gradient(&s->tree, m, 0.0, g);
-    return dot(g, m) + support(s->extra, s->n - s->in_tree, m);
+    return dot(g, m) + total_height(s->extra, s->n - s->in_tree, m);
 }
 
 Status search_height(const Search *s, const double *normal, double *height) {

@@ -9,10 +9,29 @@
 #include "force_set.h"
 #include "work.h"
 
+/* Rounding may change H by so much of `weight`: no gap below that is closed. */
+#define SETS_FLOOR 1e-13
+#define PART 5 /* numbers in a row of `Robots.part` */
+#define POSE (PIECE + 2) /* and in one of `Robots.pose` */
+
+/* Robots as arrays. */
+typedef struct {
+    int count;
+    const double *arm;      /* (count, 2) moment arms of their contacts [m] */
+    const double *row;      /* (..., ELEMENT) elements, robot by robot, */
+    const double *elements; /* (count,) so many each; what has none and no poses exerts nothing */
+    const double *machine;  /* (count,) which each belongs to: 0 1 2 ... */
+    int parts;
+    const double *part;     /* (parts, PART) the robot, and the ends of a straight part on which its
+                               contact lies, as moment arms; sorted by robot */
+    int poses;
+    const double *pose;     /* (poses, POSE) the robot, its limit [N], and a piece; sorted by robot */
+} Robots;
+
 typedef struct {
     int count;
     ForceSet *set;          /* (count,) of the robots */
-    int *machine;           /* (count,) which each belongs to: 0 1 2 ..., all of them in use */
+    int *machine;           /* (count,) which each belongs to, below */
     int machines;
     double scale[3];        /* turns wrenches into the metric's coordinates [1, 1, 1/m] */
     int losing;
@@ -21,8 +40,32 @@ typedef struct {
     int tasks;              /* length of (n . v) over its rows: an ellipsoid. No rows: the unit ball */
     const double *task;     /* (tasks, 3) in the metric's coordinates, the longest row about 1 */
     double weight;          /* sum of the largest |wrench| of each, and the load's size [N] */
-    Element *element;       /* what the sets point to */
+    Element *element;       /* what the sets point to, */
+    double *place;          /* and their parts and pieces */
 } Sets;
+
+/* Complete sets whose scale, losses, load and task are set, with robots, whose arrays are copied.
+ * Returns a status. End them in any case. */
+Status sets_begin(Sets *sets, const Robots *robots);
+void sets_end(Sets *sets);
+
+/* The largest |wrench| [N] of a robot, or a little more. */
+double largest_wrench(const double *scale, const ForceSet *set);
+
+/* What a robot can exert along a normal of any length, in its worst pose; below 0 if it always
+ * exerts something. Writes the wrench (3,) [N] that does, its force (2,) [N] and the moment arm (2,) [m]
+ * of its contact, unless NULL. */
+double exert(const double *scale, const ForceSet *set, const double *normal, double *wrench,
+             double *force, double *arm);
+
+/* Find what a robot can exert along a normal if its contact is on one straight part (4,), known only
+ * to itself; writes that contact's moment arm (2,) [m], and the force (2,) [N], unless NULL. */
+double worst_on_part(const double *scale, const ForceSet *set, const double *part,
+                     const double *normal, double *arm, double *force);
+
+/* Add up the positive ones of the `most` greatest terms, which are reordered; writes the last of them,
+ * 0 if it is not positive or there are fewer. */
+double add_greatest(double *terms, int count, int most, double *last);
 
 /* Find H at a normal of any length, with the robots and one more, a machine of its own, or NULL; the H
  * before the last loss, which no newcomer exceeds, goes to `cap`: INFINITY if none is lost. */

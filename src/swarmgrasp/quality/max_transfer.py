@@ -16,6 +16,7 @@ from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.opposed import opposition
+from swarmgrasp.quality.robot_sets import RobotSets
 from swarmgrasp.quality.weakest import Weakest, bounded_weakest
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
@@ -81,10 +82,16 @@ class Quality(Frozen, Answer):
 
     @cached_property
     def facet_robots(self) -> tuple[str, ...]:
-        """Names of the robots whose generators span that facet, in their worst poses."""
+        """Names of the robots whose generators span that facet, in their worst poses.
+
+        Of force sets: those whose best force changes there.
+        """
+        if isinstance(self._aim.robots, RobotSets):
+            setters = self._aim.robots.setters(self._normal)
+            return tuple(self._swarm.names[i] for i in setters)
         generators = self._swarm.scaled_generators
         if self.criterion.worst_case:
-            generators = self._aim.worst_generators(self._normal)
+            generators = self._aim.worst_wrenches(self._normal)
         sizes = _sizes(generators)
         facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
         return tuple(self._swarm.names[i] for i in np.flatnonzero(facet).tolist())
@@ -103,6 +110,8 @@ class Quality(Frozen, Answer):
         if self.value > 0.0:
             return ForceClosure.YES if self.value > self.noise else ForceClosure.MARGINAL
         swarm = self._swarm if self.criterion.is_nominal else self.worst_swarm
+        if not swarm.has_rays_only:
+            return ForceClosure.MARGINAL if swarm.noise > 0.0 else ForceClosure.NO
         return ForceClosure.NO if _is_opposed(swarm) else ForceClosure.MARGINAL
 
     @property
@@ -214,7 +223,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
 
 def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
     """Find the weakest normal, and what the quality is at least."""
-    if criterion.is_nominal:
+    if criterion.is_nominal and swarm.has_rays_only:
         return bounded_weakest(swarm.scaled_generators)
     return Aim(swarm, criterion).weakest()
 

@@ -262,10 +262,10 @@ class Swarm(Frozen, Plain):
         """Return a robot of the arrays."""
         if "robots" in vars(self):
             return self.robots[i]
-        return robot_of(self._columns, i, self.names[i], **self.rare.of_robot(i))
+        return robot_of(self.columns, i, self.names[i], **self.rare.of_robot(i))
 
     @property
-    def _columns(self) -> Columns:
+    def columns(self) -> Columns:
         """The values of the robots, one array each."""
         return Columns(*(getattr(self, name) for name in Columns._fields))
 
@@ -282,7 +282,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def is_ray(self) -> NDArray[np.bool_]:
         """(n,): which robots push along one ray only, from nothing to their limit."""
-        return read_only(rays_among(self._columns, self.rare.envelopes))
+        return read_only(rays_among(self.columns, self.rare.envelopes))
 
     @cached_property
     def has_rays_only(self) -> bool:
@@ -292,7 +292,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def force_sets(self) -> ForceSets:
         """What each robot can exert at its contact, in the object's frame (T20)."""
-        elements, counts = force_sets_of(self._columns, self.rare.envelopes)
+        elements, counts = force_sets_of(self.columns, self.rare.envelopes)
         return ForceSets(read_only(elements), read_only(counts))
 
     @cached_property
@@ -318,7 +318,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def errors(self) -> NDArray[np.float64]:
         """(n,) [N]: by how much the scaled generators may be off, by the outline's `precision`."""
-        return read_only(generator_errors(self.outline, self._columns, self.scale))
+        return read_only(generator_errors(self.outline, self.columns, self.scale))
 
     @cached_property
     def noise(self) -> float:

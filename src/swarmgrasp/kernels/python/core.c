@@ -4,10 +4,11 @@
 #include "../quality.h"
 #include "../sector.h"
 #include "criterion_object.h"
+#include "sets_object.h"
 
 /* What each copy of the module has for itself. */
 typedef struct {
-    PyObject *criterion_type;
+    PyObject *criterion_type, *sets_type;
 } State;
 
 /* -- qualities --------------------------------------------------------------------------------- */
@@ -417,7 +418,9 @@ static int put(PyObject *module, const char *name, PyObject *object) {
 static int fill(PyObject *module) {
     State *state = PyModule_GetState(module);
     state->criterion_type = make_criterion_type(module);
+    state->sets_type = make_sets_type(module);
     return put(module, "Criterion", Py_XNewRef(state->criterion_type))
+           || put(module, "Sets", Py_XNewRef(state->sets_type))
            || put(module, "Search", PyType_FromModuleAndSpec(module, &search_spec, NULL))
            || put(module, "MARGINAL", PyFloat_FromDouble(ZERO))
            || put(module, "FLOOR", PyFloat_FromDouble(FLOOR))
@@ -427,11 +430,13 @@ static int fill(PyObject *module) {
 
 static int visit_state(PyObject *module, visitproc visit, void *arg) {
     Py_VISIT(((State *)PyModule_GetState(module))->criterion_type);
+    Py_VISIT(((State *)PyModule_GetState(module))->sets_type);
     return 0;
 }
 
 static int clear_state(PyObject *module) {
     Py_CLEAR(((State *)PyModule_GetState(module))->criterion_type);
+    Py_CLEAR(((State *)PyModule_GetState(module))->sets_type);
     return 0;
 }
 

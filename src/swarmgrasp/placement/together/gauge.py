@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.together.stands import Ground, Stands
 from swarmgrasp.products import dots
-from swarmgrasp.quality.aim import CERTIFIED, EXACT, NO_SPREAD, NO_TASK, Aim
+from swarmgrasp.quality.aim import NO_TASK, Aim
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest import UNASKED, Weakest, weakest_of
 from swarmgrasp.swarm import Swarm
@@ -131,31 +131,16 @@ class Gauge:
         both = np.vstack([self.known, points])
         if self.is_plain:
             return weakest_of(both)
-        task = self.criterion.task
+        task, rays = self.criterion.task, self._aims[-1].rays
         rows = NO_TASK if task is None else task.generators * self.swarm.scale / self.unit
         x, y, z = self.swarm.scale.tolist()
         fx, fy, turn = self.load.tolist()
         judge = core.Criterion(
-            both, (x, y, z), self._spread, self.losing, (fx, fy, turn),
+            both, (x, y, z), rays.poses, self.losing, (fx, fy, turn),
             np.ascontiguousarray(rows), isinstance(task, Polytope),
         )  # fmt: skip
-        value, normal, _ = judge.least(EXACT if not len(self._spread) else CERTIFIED, np.inf)
+        value, normal, _ = judge.least(rays.gap, np.inf)
         return Weakest(value / self.unit, normal)
-
-    @property
-    def _spread(self) -> Array:
-        """The kernels' rows of the swarm's robots of uncertain pose."""
-        if not self.criterion.worst_case:
-            return NO_SPREAD
-        spreads = self._aims[-1].spreads
-        wanted = [
-            found
-            for i, found in spreads.items()
-            if found is not None and self.swarm.tolerances[i].is_spread
-        ]
-        origin = self.swarm.outline.origin
-        rows = [row for u, spread in enumerate(wanted) for row in spread.rows(u, origin)]
-        return np.array(rows, dtype=float).reshape(-1, 12)
 
     def touched(self, normals: Array, values: Array) -> Array:
         """Return the points (m, 3) [N] of the robots' set that a task grown to values touches."""

@@ -1,0 +1,239 @@
+"""Robots as sets of forces, in the kernels' terms: what they can certainly do (T20, T26)."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.kernels import core
+from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.poses import Poses, poses_of
+from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.swarm.force_set import force_sets_of
+
+Array = NDArray[np.float64]
+Normal = tuple[float, float, float]
+CERTIFIED = 1e-9
+"""Relative gap between a value and its bound; the kernel makes it wider where it takes long."""
+
+ASIDE = 1e-7
+"""How far beside a normal robots are looked at whose best force may change there,"""
+JUMPED = 1e-3
+"""and by how much of its size it then does at least."""
+
+
+class Certain(NamedTuple):
+    """What robots can certainly do, as the arrays of `core.Sets`."""
+
+    arms: Array
+    elements: Array
+    counts: Array
+    machines: Array
+    parts: Array
+    poses: Array
+
+
+def certain_sets(
+    swarm: Swarm, spreads: Mapping[int, Poses | None], more: Sequence[Poses] = ()
+) -> Certain:
+    """Return what the robots of a swarm, and further rays of uncertain pose, can certainly do.
+
+    A robot steers once its pose is drawn: what a sector has of whatever direction it is drawn in is
+    left of it. If nothing is, it is a ray of uncertain direction (T14). One that reverses is two
+    such rays, the second of them after all others.
+
+    Raises
+    ------
+    RobotInvalid
+        If a robot has a tolerance that does not go with what it can exert; all faults at once.
+    """
+    _check(swarm, spreads)
+    n, origin = len(swarm), swarm.outline.origin
+    rays, astern, parts = {n + k: poses for k, poses in enumerate(more)}, {}, []
+    directions, steers, limits = (
+        np.array(column) for column in (swarm.directions, swarm.steers, swarm.limits)
+    )
+    is_plain = np.ones(n, dtype=bool)
+    for i, poses in spreads.items():
+        if poses is None:
+            is_plain[i] = False
+            continue
+        limits[i] = poses.limit
+        half, spare = float(steers[i]), 0.5 * (poses.hi - poses.lo)
+        if swarm.is_ray[i] or half < min(spare, math.pi):
+            is_plain[i] = False
+            rays[i] = poses._replace(lo=poses.lo + half, hi=poses.hi - half)
+            if swarm.reverse_limits[i] > 0.0:
+                back = poses._replace(lo=poses.lo + math.pi, hi=poses.hi + math.pi)
+                astern[i] = back._replace(limit=float(swarm.reverse_limits[i]))
+            continue
+        if half < math.pi:
+            directions[i], steers[i] = 0.5 * (poses.lo + poses.hi), half - spare
+        if swarm.tolerances[i].is_adrift:
+            ends = (np.array(part) - origin for part in poses.parts)
+            parts += [(i, *part.ravel().tolist()) for part in ends]
+    found = swarm.force_sets
+    if spreads:
+        changed = swarm.columns._replace(directions=directions, steers=steers, limits=limits)
+        found = force_sets_of(changed, swarm.rare.envelopes)
+    rays.update(enumerate(astern.values(), start=n + len(more)))
+    others = np.zeros(len(more) + len(astern))
+    first = int(swarm.machines.max(initial=-1)) + 1
+    machines = [swarm.machines, first + np.arange(len(more)), swarm.machines[list(astern)]]
+    counts = found.counts * is_plain
+    rows = [row for i, poses in sorted(rays.items()) for row in poses.rows(i, origin)]
+    return Certain(
+        np.concatenate([swarm.contacts - origin, np.zeros((len(others), 2))]),
+        np.ascontiguousarray(found.elements[np.repeat(is_plain, found.counts)]),
+        np.concatenate([counts, others]),
+        np.concatenate(machines).astype(float),
+        np.array(parts, dtype=float).reshape(-1, 5),
+        np.array(rows, dtype=float).reshape(-1, 12),
+    )
+
+
+def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
+    """Raise `RobotInvalid` for tolerances that do not go with what robots can exert."""
+    faults = []
+    for i in spreads:
+        tolerance, name = swarm.tolerances[i], swarm.names[i]
+        is_turned = tolerance.turns != (0.0, 0.0)
+        is_envelope = i in swarm.rare.envelopes
+        kinds = {
+            "friction": swarm.frictions[i] > 0.0,
+            "an envelope": is_envelope,
+            "a least force": swarm.leasts[i] > 0.0,
+            "steering both ways": swarm.reverse_limits[i] > 0.0 and swarm.steers[i] > 0.0,
+        }
+        faults += [
+            f"{name}: the worst direction of what has {kind} is not known how to find; leave out "
+            "the tolerance of its direction, or ask without the worst case"
+            for kind, is_so in kinds.items()
+            if is_so and is_turned
+        ]
+        if is_envelope and tolerance.least_limit is not None:
+            faults.append(f"{name}: an envelope says what it can exert; leave out its least limit")
+        if swarm.leasts[i] > (tolerance.least_limit or math.inf):
+            faults.append(
+                f"{name}: its least force {swarm.leasts[i]:.9g} is more than its least limit, "
+                f"{tolerance.least_limit} [N]"
+            )
+    if faults:
+        raise RobotInvalid(faults)
+
+
+class RobotSets:
+    """The force sets of a swarm's robots, as they are or in all their poses.
+
+    Parameters
+    ----------
+    swarm, worst_case, losing, load, task, is_polytope, more
+        As for `Rays`, but that `losing` counts machines.
+
+    Attributes
+    ----------
+    core : core.Sets
+    gap : float
+    size : float [N]
+        As for `Rays`.
+    """
+
+    gap = CERTIFIED
+
+    def __init__(
+        self, swarm: Swarm, worst_case: bool, losing: int, load: Normal, task: Array,
+        is_polytope: bool, more: Sequence[Poses],
+    ) -> None:  # fmt: skip
+        self._swarm, self._losing, self._count = swarm, losing, len(swarm) + len(more)
+        self.spreads = poses_of(swarm) if worst_case else {}
+        arms, elements, counts, machines, parts, poses = certain_sets(swarm, self.spreads, more)
+        self._machines = machines.astype(int)
+        x, y, z = swarm.scale.tolist()
+        self.core = core.Sets(
+            arms, elements, counts, machines, (x, y, z), losing, load, task, is_polytope, parts,
+            poses,
+        )  # fmt: skip
+        self.size = self.core.weight
+
+    def least(self, work: float | None) -> tuple[float, Normal, float]:
+        """Find the least H / D, a unit normal that attains it, and what no normal falls below."""
+        budget = () if work is None else (work,)
+        return self.core.least(self.gap, np.inf, *budget)
+
+    def heights(self, normals: Array) -> bytes:
+        """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""
+        return self.core.heights(normals)
+
+    def _best(self, normal: Normal) -> Array:
+        """Return worths, forces and moment arms (n, 5) along a normal."""
+        return np.frombuffer(self.core.forces(normal)).reshape(-1, 5)
+
+    def lost_at(self, normal: Normal) -> tuple[int, ...]:
+        """Return the robots of the machines whose loss hurts most along a normal, worst first."""
+        worths = self._best(normal)[:, 0]
+        sums = np.bincount(self._machines, worths)
+        order = np.argsort(-sums, kind="stable")[: self._losing]
+        own = self._machines[: len(self._swarm)]
+        return tuple(
+            i
+            for machine in order
+            if sums[machine] > ON_FACET * self.size / len(worths)
+            for i in np.flatnonzero(own == machine).tolist()
+        )
+
+    def worst_wrenches(self, normal: Normal) -> Array:
+        """Return the wrenches (n, 3) that are best along a normal, in the robots' worst poses.
+
+        In the metric's coordinates; 0 for those that may be absent. Further robots come last.
+        """
+        _, fx, fy, x, y = self._best(normal)[: self._count].T
+        return np.column_stack([fx, fy, x * fy - y * fx]) * self._swarm.scale
+
+    def setters(self, normal: Normal) -> tuple[int, ...]:
+        """Return the robots whose best force is not the same on all sides of a normal."""
+        before = self._best(normal)[: len(self._swarm), 1:3]
+        sizes, moved = np.linalg.norm(before, axis=1), np.zeros(len(before))
+        for step in ASIDE * np.vstack([np.eye(3), -np.eye(3)]):
+            x, y, z = (np.asarray(normal) + step).tolist()
+            now = self._best((x, y, z))[: len(self._swarm), 1:3]
+            sizes = np.maximum(sizes, np.linalg.norm(now, axis=1))
+            moved = np.maximum(moved, np.linalg.norm(now - before, axis=1))
+        return tuple(np.flatnonzero(moved > JUMPED * sizes).tolist())
+
+    def worst_poses(self, normal: Normal) -> dict[int, Robot | None]:
+        """Return the robots that have a tolerance in their worst poses; None if absent."""
+        best = self._best(normal)
+        scaled = np.asarray(normal) * self._swarm.scale
+        found: dict[int, Robot | None] = {}
+        for i, poses in self.spreads.items():
+            found[i] = None
+            if poses is None:
+                continue
+            robot = self._swarm.robots[i]
+            x, y = best[i, 3:].tolist()
+            contact, direction = (
+                (x + self._swarm.outline.origin[0], y + self._swarm.outline.origin[1]),
+                robot.direction,
+            )
+            if poses.lo < poses.hi:
+                direction = _worst_turn(poses, scaled, x, y)
+            if not self._swarm.tolerances[i].is_adrift:
+                contact = robot.contact
+            found[i] = replace(
+                robot, contact=contact, direction=direction, limit=poses.limit, tolerance=None
+            )
+        return found
+
+
+def _worst_turn(poses: Poses, covector: Array, x: float, y: float) -> float:
+    """Return the direction, of those a robot at a moment arm may have, farthest from the best."""
+    u, v, turn = covector.tolist()
+    wanted = math.atan2(v + turn * x, u - turn * y)
+    middle = 0.5 * (poses.lo + poses.hi)
+    off = math.remainder(wanted - middle, math.tau)
+    reach = min(0.5 * (poses.hi - poses.lo), math.pi - abs(off))
+    return middle - math.copysign(reach, off)
