@@ -1,7 +1,11 @@
 """Scenarios written from objects: read back equal, and fit for editing."""
 
+import math
+from dataclasses import replace
+
 import pytest
 from hypothesis import assume, given
+from hypothesis import strategies as st
 
 from strategies import problems
 from swarmgrasp import (
@@ -46,10 +50,64 @@ def test_every_built_in_scenario_comes_back(name, tmp_path):
 def test_every_problem_comes_back(problem):
     """Whatever its metric, zones and limits; but for robots stronger than a file may say."""
     assume(problem.swarm.limits.max(initial=0.0) <= 1e12)
-    text = scenario_text(problem, name="asked")
-    again = parse_scenario(text)
+    text, again = told_and_read(problem)
     assert again.problem() == problem
     assert scenario_text(again) == text
+
+
+def told_and_read(problem):
+    """Return the text of a problem, and what is read of it."""
+    text = scenario_text(problem, name="asked")
+    return text, parse_scenario(text)
+
+
+KINDS = (
+    {},
+    {"steers": 0.5},
+    {"steers": math.pi},
+    {"reverse_limit": 2.5},
+    {"steers": 1.0, "reverse_limit": 0.1},
+    {"least": 1.5},
+    {"steers": 0.3, "least": 0.1},
+    {"friction": 0.7},
+    {"friction": 0.7, "least": 0.5},
+    {"envelope": ((0.0, 0.5), (2.5, 0.0), (-1.0, 1e3))},
+)
+
+
+@given(problems, st.lists(st.sampled_from(KINDS), min_size=12), st.sampled_from(("", "bus A")))
+def test_every_kind_of_robot_comes_back(problem, kinds, group):
+    """In either unit of force and of angle, with the groups that fail together."""
+    robots = [
+        replace(robot, **{"limit": 1.0 if "envelope" in kind else 2.5, **kind})
+        for robot, kind in zip(problem.swarm.robots, kinds * 2, strict=False)
+    ]
+    robots[:1] = [replace(robot, group=group) for robot in robots[:1]]
+    swarm = Swarm(problem.swarm.outline, robots)
+    text, again = told_and_read(replace(problem, swarm=swarm))
+    assert again.problem() == replace(problem, swarm=swarm)
+    assert scenario_text(again) == text
+
+
+@pytest.mark.parametrize(
+    ("newcomer", "said"),
+    [
+        (
+            Newcomer(2e3, "push", 0.5, steers=True),
+            "attachment: push, half_angle: 0.5, steers: true",
+        ),
+        (Newcomer(2e3, reverse_limit=2e3), "{limit: {ahead: 2, astern: 2}, attachment: free}"),
+        (Newcomer(2e3, reverse_limit=1e3), "{limit: {ahead: 2, astern: 1}, attachment: free}"),
+        (Newcomer(2e3, "push", friction=0.5), "{limit: 2, friction: 0.5, attachment: push}"),
+        (Newcomer(2e3, mounted=True), "{limit: 2, attachment: free, mounted: true}"),
+    ],
+)
+def test_every_kind_of_newcomer_comes_back(newcomer, said):
+    """As people would say it."""
+    problem = Problem(SWARM, newcomer)
+    text, again = told_and_read(problem)
+    assert again.problem() == problem
+    assert said in text
 
 
 def test_numbers_are_in_the_units_of_people_where_that_loses_nothing():

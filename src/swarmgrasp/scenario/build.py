@@ -7,6 +7,7 @@ from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.ranges import plain_name
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forces_of
 from swarmgrasp.scenario.locate import Locator, Place
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
@@ -42,6 +43,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
     file = checked.file
     units = Units(**file.units.model_dump())
     said = well_said(checked, units)
+    check_force_sets(checked, units)
     check_tolerances(checked, units)
     check_criterion(checked)
     check_weather(checked)
@@ -131,7 +133,7 @@ def _edge_names(checked: Checked, count: int) -> list[str]:
 
 
 def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
-    """Return the robots, a two-way one as two; none of them once there are faults."""
+    """Return the robots; none of them once there are faults."""
     checked, found = locator.checked, []
     for i, section in enumerate(checked.file.robots):
         path: Path = ("robots", i)
@@ -155,10 +157,17 @@ def _robot(
     """Return a robot, or both halves of a two-way one."""
     units = locator.units
     x, y = (units.metres(v) for v in place.point)
-    limit = units.newtons(section.limit)
-    tolerance = tolerance_of(section, locator.checked, units)
     return [
-        Robot((x, y), direction + turn, limit, name, section.mounted, tolerance)
+        Robot(
+            (x, y),
+            direction + turn,
+            name=name,
+            mounted=section.mounted,
+            tolerance=tolerance_of(section, locator.checked, units),
+            group=section.group,
+            **forces_of(section, units),
+            **own_forces_of(section, units),
+        )
         for name, turn in zip(names, (0.0, math.pi), strict=False)
     ]
 
@@ -177,15 +186,18 @@ def _direction(
 ) -> float | None:
     """Return the direction of a robot's force [rad], or None after noting a fault."""
     wanted = section.direction
+    if wanted is None and section.friction is not None:
+        wanted = "inward"
     if not isinstance(wanted, str):
-        return locator.units.radians(wanted)
+        return locator.units.radians(wanted or 0.0)  # of what steers any way
     if section.mounted or place is None:
         return None  # noted already
     if place.inward is None:
         said = (
             "the normal is ambiguous at a corner; give the contact by edge and along, or an angle"
         )
-        locator.checked.fault((*path, "direction"), said)
+        got = section.direction is not None
+        locator.checked.fault((*path, "direction"), said, got=got)
         return None
     turn = 0.0 if wanted == "inward" else math.pi
     return math.remainder(place.inward + turn, 2.0 * math.pi)
@@ -198,11 +210,13 @@ def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
         return None
     try:
         return Newcomer(
-            limit=units.newtons(section.limit),
             attachment=section.attachment,
             half_angle=_half_angle(section, units),
             name=section.name,
             tolerance=tolerance_of(section, checked, units),
+            steers=section.steers,
+            mounted=section.mounted,
+            **forces_of(section, units),
         )
     except RobotInvalid as error:  # numbers next to zero only
         checked.fault(("newcomer",), "; ".join(error.faults), got=False)

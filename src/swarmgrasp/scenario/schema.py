@@ -12,7 +12,6 @@ from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
     Angle,
     Distance,
-    Force,
     Label,
     Length,
     Number,
@@ -20,6 +19,16 @@ from swarmgrasp.scenario.fields import (
     Range,
     Section,
     Weight,
+)
+from swarmgrasp.scenario.force_schema import (
+    FRICTION,
+    LIMIT,
+    TWO_WAY,
+    Corner,
+    Friction,
+    Limit,
+    RobotLimit,
+    Steers,
 )
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
@@ -131,6 +140,15 @@ class RobotSection(Section):
             "dependentRequired": {"along": ["edge"], "edge": ["along"], "mounted": ["contact"]},
             "if": {"properties": {"mounted": {"const": True}}, "required": ["mounted"]},
             "then": {"properties": {"tolerance": {"properties": {"contact": False}}}},
+            "allOf": [
+                {"oneOf": _ways(["limit"], ["envelope"])},
+                {
+                    "anyOf": [
+                        *_ways(["direction"], ["friction"]),
+                        {"properties": {"steers": {"const": "any"}}, "required": ["steers"]},
+                    ]
+                },
+            ],
         }
     )
 
@@ -140,23 +158,43 @@ class RobotSection(Section):
     at: Distance | None = Field(None, description=AT, examples=[5.5])
     edge: Edge | None = Field(None, description=EDGE, examples=["port", 2])
     along: Distance | None = Field(None, description=ALONG, examples=[1.5])
-    direction: Direction = Field(
+    direction: Direction | None = Field(
+        None,
         description="Direction of the force on the object, counter-clockwise from +x "
-        "[units.angle], or along the normal: inward or outward.",
+        "[units.angle], or along the normal: inward or outward. May be left out for what steers "
+        "any way, and for a finger with friction, which pushes inward.",
         examples=[0.5, "inward", "outward"],
     )
-    limit: Force = Field(description="Largest force [units.force].", examples=[60])
+    limit: RobotLimit | None = Field(
+        None,
+        description=LIMIT + " Or [least, largest], of what always exerts some force.",
+        examples=[60, {"ahead": 51, "astern": 40}, [2, 20]],
+    )
+    steers: Steers | None = Field(
+        None,
+        description="Turns its force at any time within this angle either side of its direction, "
+        "or any way, as an azimuth thruster does [units.angle].",
+        examples=[0.5, "any"],
+    )
+    friction: Friction | None = Field(None, description=FRICTION, examples=[0.5])
+    envelope: list[Corner] | None = Field(
+        None,
+        min_length=2,
+        description="The corners of all forces it can exert, each [along its direction, to the "
+        "left of it], instead of a limit [units.force].",
+        examples=[[[60, 0], [40, 30], [0, 0], [40, -30]]],
+    )
     mounted: bool = Field(
         False,
         strict=True,
         description="The vessel's own thruster: `contact` may lie anywhere inside the outline, "
         "and `direction` is an angle.",
     )
-    two_way: bool = Field(
-        False,
-        strict=True,
-        description="Pushes either way: becomes two robots, '<name> +' along `direction` and "
-        "'<name> -' against it, each with the limit.",
+    two_way: bool = Field(False, strict=True, description=TWO_WAY)
+    group: Label = Field(
+        "",
+        description="Robots of one group fail together, as the thrusters of one switchboard do.",
+        examples=["bus A"],
     )
     tolerance: ToleranceSection | None = Field(
         None, description="How far the robot may be from all this; instead of the file's own."
@@ -167,13 +205,26 @@ class NewcomerSection(Section):
     """The robot to place."""
 
     name: Label = Field("", description="A label.", examples=["Hector"])
-    limit: Force = Field(description="Largest force [units.force].", examples=[60])
+    limit: Limit = Field(description=LIMIT, examples=[60])
     attachment: Attachment = Field("free", description=ATTACHMENT)
     half_angle: Number | None = Field(
         None,
         description=HALF_ANGLE + " Not for a free attachment.",
         json_schema_extra={"minimum": 0, "maximum": 90},
         examples=[0.5],
+    )
+    steers: bool = Field(
+        False,
+        strict=True,
+        description="Steers at any time within the whole sector of its attachment, or any way if "
+        "it is free; otherwise it keeps the one direction that is best.",
+    )
+    two_way: bool = Field(False, strict=True, description=TWO_WAY)
+    friction: Friction | None = Field(
+        None, description=FRICTION + " Its attachment is push.", examples=[0.5]
+    )
+    mounted: bool = Field(
+        False, strict=True, description="Goes anywhere inside the outline; its attachment is free."
     )
     tolerance: ToleranceSection | None = Field(
         None,
@@ -278,7 +329,14 @@ _EXAMPLE = {
         "edges": ["starboard", "bow", "port", "stern"],
     },
     "robots": [
-        {"name": "Ajax", "edge": "stern", "along": 1.5, "direction": "inward", "limit": 60},
+        {
+            "name": "Ajax",
+            "edge": "stern",
+            "along": 1.5,
+            "direction": "inward",
+            "limit": 60,
+            "steers": 30,
+        },
         {"name": "Hector", "contact": [4, 0.5], "direction": 170, "limit": 60},
     ],
     "newcomer": {"limit": 60, "attachment": "push", "half_angle": 30},

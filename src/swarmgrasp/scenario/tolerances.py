@@ -3,6 +3,7 @@
 import math
 
 from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.force_sets import largest
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.units import Units
@@ -124,15 +125,16 @@ def _check_own(
         said = "a mounted robot stays where it is; leave the contact out"
         checked.fault((*here, "contact"), said)
     least = None if own is None else own.least_limit
-    if least is not None and least > section.limit and checked.is_sound(*path, "limit"):
-        said = f"should be at most {section.limit:.9g} {units.force}, the limit"
+    limit = largest(section)
+    if least is not None and least > limit and checked.is_sound(*path, "limit"):
+        said = f"should be at most {limit:.9g} {units.force}, the limit"
         checked.fault((*here, "least_limit"), said)
 
 
 def _check_default(default: ToleranceSection, checked: Checked, units: Units) -> None:
     """Note a default least limit that is more than a robot's limit."""
     asked = [
-        (section.limit, path)
+        (largest(section), path)
         for section, path in _holders(checked)
         if not checked.has(*path, "tolerance") and checked.is_sound(*path, "limit")
     ]

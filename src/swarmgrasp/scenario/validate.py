@@ -22,8 +22,9 @@ _AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
 
 _STAND_INS: dict[str, object] = {
     **_AREAS,
+    "ahead": 1.0,
+    "astern": 1.0,
     "bow": 1.0,
-    "direction": 0.0,
     "limit": 1.0,
     "outline": {"vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]},
     "robots": [],
@@ -133,10 +134,11 @@ def _drop_empty(data: Any, path: Path, root: Node, bad: set[Path], faults: Fault
 def _path(data: Any, loc: tuple[int | str, ...], kind: str) -> Path:
     """Return an error's path without the parts that name a branch of a union."""
     path: list[int | str] = []
-    for part in loc:
+    for depth, part in enumerate(loc):
         if isinstance(data, dict):
-            if part not in data and kind != "missing":
-                continue  # a branch again, of a mapping where there should be none
+            is_missing = kind == "missing" and depth == len(loc) - 1
+            if part not in data and not is_missing:
+                continue  # a branch again, of a mapping
             path.append(part)
             data = data.get(part)
         elif isinstance(data, list) and isinstance(part, int):
@@ -183,8 +185,9 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
 
 
 _WANTED = {
+    "ahead": "give the largest force along the direction",
+    "astern": "give the largest force against the direction",
     "bow": "give the drag coefficient in a head wind",
-    "direction": "give the direction of the force: an angle, inward or outward",
     "frontal_area": "give the area seen from ahead",
     "lateral_area": "give the area seen from the side",
     "limit": "give the largest force",
@@ -205,6 +208,8 @@ _OR = {
     ("load", "value", "list_type"): "should be 'environment', or",
     ("load", "word", "literal_error"): "should be [fx, fy, tz] or",
     ("origin", "word", "literal_error"): "should be [x, y] or",
+    ("steers", "value", "float_type"): "should be 'any', or",
+    ("steers", "word", "literal_error"): "should be an angle or",
 }
 """What else may stand where a value of one kind has a fault."""
 

@@ -1,6 +1,7 @@
 """Write a scenario as a file that people can edit, and that is read back to the last bit."""
 
 import json
+import math
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, replace
@@ -191,22 +192,43 @@ class _File:
 
     def robot(self, robot: Robot) -> dict[str, Any]:
         """Return a robot."""
-        return {
-            **_given(name=robot.name, contact=list(robot.contact)),
-            "direction": self.angle(robot.direction),
-            **_given(
-                limit=self.force(robot.limit),
-                mounted=robot.mounted,
-                tolerance=self.tolerance(robot.tolerance),
-            ),
-        }
+        is_azimuth = robot.steers == math.pi
+        steers = self.angle(0.0 if is_azimuth else robot.steers)
+        told = _given(name=robot.name, contact=list(robot.contact))
+        if robot.direction or not is_azimuth:
+            told["direction"] = self.angle(robot.direction)
+        if robot.envelope is None:
+            told |= self.forces(robot, robot.least)
+        else:
+            told["envelope"] = [list(map(self.force, corner)) for corner in robot.envelope]
+        return told | _given(
+            steers="any" if is_azimuth else steers,
+            group=robot.group,
+            mounted=robot.mounted,
+            tolerance=self.tolerance(robot.tolerance),
+        )
+
+    def forces(self, holder: Robot | Newcomer, least: float = 0.0) -> dict[str, Any]:
+        """Return the limits and the friction of a robot, or of a newcomer."""
+        most, other_way = self.force(holder.limit), self.force(holder.reverse_limit)
+        limit: Any = most
+        if least:
+            limit = [self.force(least), most]
+        elif other_way:
+            limit = {"ahead": most, "astern": other_way}
+        return {"limit": limit, **_given(friction=holder.friction)}
 
     def newcomer(self, newcomer: Newcomer) -> dict[str, Any]:
         """Return a newcomer."""
         return {
-            **_given(name=newcomer.name, limit=self.force(newcomer.limit)),
+            **_given(name=newcomer.name),
+            **self.forces(newcomer),
             **self.attachment(newcomer),
-            **_given(tolerance=self.tolerance(newcomer.tolerance)),
+            **_given(
+                steers=newcomer.steers,
+                mounted=newcomer.mounted,
+                tolerance=self.tolerance(newcomer.tolerance),
+            ),
         }
 
     def attachment(self, holder: Newcomer | Zone) -> dict[str, Any]:
