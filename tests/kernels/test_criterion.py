@@ -48,7 +48,7 @@ def test_no_direction_is_below_the_least(seed, points, boxes, losing):
     rows = np.array([box(k, rng) for k in range(boxes)]).reshape(-1, 12)
     task = rng.normal(size=(3, 3))
     criterion = Criterion(known, UNIT, rows, losing, NO_LOAD, task, bool(seed % 2))
-    value, normal, _ = criterion.least(1e-7, np.inf)
+    value, normal, *_ = criterion.least(1e-7, np.inf)
     at = np.frombuffer(criterion.heights(np.array([normal])))
     assert value == pytest.approx(at[0] / at[2], rel=1e-9, abs=1e-11)
     trials = rng.normal(size=(300, 3))

@@ -8,6 +8,11 @@ import pytest
 from strategies import FAMILIES, swarm_of
 from swarmgrasp import Ellipsoid, Newcomer, Polytope, Stretch, Swarm, Tolerance, Zone, place
 from swarmgrasp.errors import NowhereToAttach
+from swarmgrasp.placement import search
+from swarmgrasp.quality.aim import Aim
+
+LITTLE = 2e7
+"""Units of work, some 0.1 s."""
 
 
 def terms_of(rng, swarm):
@@ -90,6 +95,31 @@ def test_one_robot_a_billion_times_stronger(seed):
 def test_a_task_that_only_rounding_keeps_out_of_reach():
     """A robot that pushes along the task but for its last digits: its check agrees to its value."""
     assert list(faults_of([9258])) == []
+
+
+@pytest.mark.parametrize("seed", [4047, 6651])
+def test_qualities_that_would_take_minutes(seed, monkeypatch):
+    """Uncertain robots beside a giant: all qualities together take no more work than the search.
+
+    Where a newcomer is tolerant, 4047, they may have what the search left over, too.
+    """
+    swarm, newcomer, terms = question_of(seed)
+    within, spent = Aim.weakest_within, []
+
+    def counted(aim, units):
+        found = within(aim, units)
+        spent.append(units - found[2])
+        return found
+
+    monkeypatch.setattr(Aim, "weakest_within", counted)
+    monkeypatch.setattr(search, "WORK", LITTLE)
+    answer = place(swarm, newcomer, **terms)
+    assert 0.3 * LITTLE < sum(spent) < (2.1 if newcomer.tolerance else 1.1) * LITTLE
+    assert answer.stopped_early
+    assert answer.verify(), answer.verify().faults
+    if not newcomer.tolerance:  # all of the search's work went into the swarm as it was
+        assert answer._found.normals_met.shape == (4, 3)
+        assert answer.quality_before == 0.0
 
 
 @pytest.mark.long

@@ -21,7 +21,7 @@ FLOOR: float
 UNASKED: float
 """Share of a task's size at and below which it asks for nothing: what rounding hides."""
 WORK: float
-"""Units of work that a search may do unless told otherwise: some seconds. See `work.h`."""
+"""Units of work that a search may do unless told otherwise: a second or two. See `work.h`."""
 
 def weakest(
     generators: Array, load: Normal = ..., work: float = ..., /
@@ -65,10 +65,12 @@ class Criterion:
         is_polytope: bool,
         /,
     ) -> Criterion: ...
-    def least(self, gap: float, below: float, work: float = ..., /) -> tuple[float, Normal, bool]:
-        """Return the least H / D, a unit normal that attains it, and whether that is certain.
+    def least(
+        self, gap: float, below: float, work: float = ..., /
+    ) -> tuple[float, Normal, bool, float]:
+        """Return the least H / D, a unit normal that attains it, if that is certain, and work left.
 
-        Then no direction has less than 1 - gap times that, but for rounding. What is 0 but for
+        If it is, no direction has less than 1 - gap times that, but for rounding. What is 0 but for
         rounding is 0, and so is what is left of a load that is not held. A value of `below` or
         more is not wanted: it is then `below`, and the normal is zero.
         """
@@ -124,11 +126,14 @@ class Sets:
         poses: Array,
         /,
     ) -> Sets: ...
-    def least(self, gap: float, below: float, work: float = ..., /) -> tuple[float, Normal, float]:
+    def least(
+        self, gap: float, below: float, work: float = ..., /
+    ) -> tuple[float, Normal, float, float]:
         """Return the least H / D, a unit normal that attains it, and what no normal falls below.
 
-        What is 0 but for rounding is 0, and so is what is left of a load that is not held. A value
-        of `below` or more is not wanted: it is then `below`, and the normal is zero.
+        The last number is the work left. What is 0 but for rounding is 0, and so is what is left of
+        a load that is not held. A value of `below` or more is not wanted: it is then `below`, and
+        the normal is zero.
         """
 
     def heights(self, normals: Array, /) -> bytes:
@@ -157,7 +162,8 @@ class Search:
         Asked instead of the nominal quality: it has the robots and the load itself, and no robot
         can join.
     work : float, optional
-        Units of work for all that is asked, and as many again after each robot that joins.
+        Units of work for all that is asked, and as many again after each robot that joins. With
+        a criterion the base swarm's quality takes of it too, and is 0 if it takes all.
     """
 
     quality: float
@@ -166,6 +172,8 @@ class Search:
     """Its weakest unit normal."""
     size: float
     """The sum of |b_i| and the newcomer's largest wrench [N]: what rounding is relative to."""
+    left: float
+    """Units of work; below 0 when it was not enough."""
 
     def __new__(
         cls,

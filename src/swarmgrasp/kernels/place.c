@@ -624,6 +624,8 @@ static Status pool_from_criterion(Search *s) {
     if (is_fault(status))
         return status;
     round_quality(s->generators, s->n, s->weight, &s->quality, s->weakest);
+    if (status == OUT_OF_BUDGET)
+        s->quality = 0.0;
     return begin_pool(s, s->weakest, &most);
 }
 
@@ -654,7 +656,8 @@ static Status list_or_build(Search *s) {
 /* Find what the base swarm is worth, and have the work counted anew for what is asked of it. */
 static Status start(Search *s) {
     Status status = list_or_build(s);
-    s->work.left = s->units;
+    if (!s->criterion)
+        s->work.left = s->units;
     return status;
 }
 
@@ -676,7 +679,8 @@ Status search_begin(Search *s, const double *generators, int n, const double *lo
                     const Criterion *criterion, const double *weights, const double *pieces,
                     int many, double units, int (*interrupted)(void)) {
     *s = (Search){.generators = generators, .n = n, .criterion = criterion,
-                  .units = units, .work = work_of(WORK + PER_ROBOT * n, interrupted)};
+                  .units = units,
+                  .work = work_of(criterion ? units : WORK + PER_ROBOT * n, interrupted)};
     memcpy(s->weights, weights, sizeof s->weights);
     s->weight = criterion ? criterion->weight : total_size(generators, n);
     take_pieces(s, pieces, many);

@@ -73,7 +73,8 @@ typedef struct {
 
 /* Prepare a search beside a load (3,) [N], or for a criterion, which has the robots and the load
  * itself; robots cannot join that one. Solving and breaking ties take `units` of work at most, and as
- * many again after each robot that joins; a quality takes WORK. Returns a status; end it in any case. */
+ * many again after each robot that joins; by a criterion so does the base swarm's quality, which is 0
+ * if they are not enough. Any other quality takes WORK. Returns a status; end it in any case. */
 Status search_begin(Search *search, const double *generators, int n, const double *load,
                     const Criterion *criterion, const double *weights, const double *pieces,
                     int many, double units, int (*interrupted)(void));

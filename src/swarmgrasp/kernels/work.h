@@ -7,7 +7,7 @@
 
 #include "status.h"
 
-#define WORK 5e8  /* units that a search may take unless told otherwise: some seconds */
+#define WORK 4e8  /* units that a search may take unless told otherwise: a second or two */
 #define PER_ROBOT 2e3 /* and for each robot: some 400 are usual of a million */
 #define LOOK 3e5    /* units between two looks at the keyboard: a millisecond */
 #define TURNED 25.0 /* units that valuing a robot of uncertain pose takes, per row */

@@ -79,8 +79,9 @@ class Placement(Frozen, Answer):
     asked_runners_up : float, optional
         The share of the best quality from which on other places were to be told.
     stopped_early : bool
-        Whether the search ran out of its budget before coming so near. The bound holds all
-        the same.
+        Whether the search came less near: it ran out of its budget, in units of work, or rounding
+        hides the rest. The bound holds all the same. Qualities by a criterion have a budget, too:
+        one that takes more is given as 0.
     improves : bool
         Whether the newcomer raises the quality, by more than the `noise`. If not, no allowed
         place does to within the gap, and `robot` is the one that lifts the other directions most.

@@ -220,7 +220,7 @@ class _Placing:
         """Answer the problem, with a name for the robot."""
         search, before = self.search, self.search.base
         if search.aim is not None:
-            before, _ = search.aim.weakest()
+            before = search.work.quality(search.aim)
         found = search.solve(self.half)
         winner, after, upper_bound = self.winner(found, name)
         runners = []
@@ -306,7 +306,7 @@ class _Placing:
             after = self.search.quality_with(*self.wrench(robot))
         else:
             swarm = self.problem.swarm.with_robot(robot)
-            after, _ = Aim(swarm, self.problem.criterion).weakest()
+            after = self.search.work.quality(Aim(swarm, self.problem.criterion))
         return RunnerUp(robot, after.quality, self.pieces.each[best.piece].place), after
 
     def robot(self, contact: tuple[float, float], direction: float, name: str) -> Robot:
@@ -340,7 +340,9 @@ class _Aiming(_Placing):
 
     def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
-        self.aiming = TolerantSearch(self.problem, self.pieces, found, self.search.zero)
+        search = self.search
+        search.work.left += search.left  # it is not asked again
+        self.aiming = TolerantSearch(self.problem, self.pieces, found, search.zero, search.work)
         best = self.aiming.solve(self.gap)
         return (*self.aimed(best, name), best.upper_bound)
 

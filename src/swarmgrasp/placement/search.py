@@ -12,12 +12,12 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, Proof
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.aim import Aim, Work
 from swarmgrasp.quality.weakest import MARGINAL, Weakest
 
 Array = NDArray[np.float64]
 WORK = core.WORK
-"""Units of work after which a search stops with the bound it has: some seconds."""
+"""Units of work after which a search stops with the bound it has: a second or two."""
 
 
 class Best(NamedTuple):
@@ -114,6 +114,8 @@ class Search:
         Its support function at the opposite normal.
     floor, zero : float [N]
         A difference not worth closing, and a quality that counts as 0.
+    work : Work
+        What exact qualities by the aim may take besides: as much as the search.
     """
 
     def __init__(
@@ -128,6 +130,7 @@ class Search:
         self.aim, self._unit = aim, 1.0 if aim is None else aim.unit
         criterion = None if aim is None else aim.core
         self._core = core.Search(generators, (x, y, turn), rows, load, criterion, WORK)
+        self.work = Work(WORK)
         self._note(rows)
 
     def _note(self, rows: Array) -> None:
@@ -140,6 +143,11 @@ class Search:
             self.opposite = float(self.aim.values(opposite)[0])
         self.floor, self.zero = core.FLOOR * size, MARGINAL * size
         self._many = len(rows)
+
+    @property
+    def left(self) -> float:
+        """Units of work; below 0 when it was not enough."""
+        return self._core.left
 
     def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Optimum:
         """Find the best robot over all pieces, or over the chosen ones.

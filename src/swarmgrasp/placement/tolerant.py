@@ -9,16 +9,16 @@ from numpy.typing import NDArray
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import Optimum
-from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.aim import Aim, Work
 from swarmgrasp.quality.poses import poses_at
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm import Tolerance
 
 Array = NDArray[np.float64]
-WORK = 2e6
-"""Cells of places times normals looked at, after which a search stops with the bound it has."""
+WORK_PER_CELL = 250.0
+"""The kernels' units of work that bounding a cell of places along one normal takes."""
 WORK_PER_PLACE = 1e7
-"""The kernels' units of work for the quality at one place: some 10 ms."""
+"""The same for the quality at one place, at most: some 30 ms."""
 BESIDES = 50
 """Normals that a cell takes as long as, besides those looked at."""
 SMALLEST = 1e-12
@@ -86,10 +86,14 @@ class TolerantSearch:
         The place of a newcomer that would hit it exactly: no tolerant one does better.
     zero : float [N]
         A quality that counts as 0.
+    work : Work
+        When there is none left, a search stops with the bound it has.
     """
 
-    def __init__(self, problem: Problem, pieces: Pieces, found: Optimum, zero: float) -> None:
-        self.problem, self.pieces, self.found = problem, pieces, found
+    def __init__(
+        self, problem: Problem, pieces: Pieces, found: Optimum, zero: float, work: Work
+    ) -> None:
+        self.problem, self.pieces, self.found, self.work = problem, pieces, found, work
         tolerance = problem.newcomer.tolerance or Tolerance()
         self.offsets, self.turns = tolerance.offsets, tolerance.turns
         self.aim = Aim(problem.swarm, problem.criterion)
@@ -119,11 +123,10 @@ class TolerantSearch:
         cells = self._all(chosen)
         bounds = np.minimum(self.bounds(cells), self.found.bounds[cells.piece.astype(int)])
         best = self._first(chosen)
-        work = 0
         while True:
             wanted = best.after.quality * (1.0 + gap) + self.zero
             open_ = bounds > wanted
-            if not open_.any() or work > WORK:
+            if not open_.any() or self.work.left <= 0.0:
                 break
             cells, bounds = cells.take(np.flatnonzero(open_)), bounds[open_]
             order = np.argsort(-bounds)
@@ -135,7 +138,7 @@ class TolerantSearch:
             best = self._look(halves, below, best)
             cells = Cells(*map(np.concatenate, zip(cells.take(rest), halves, strict=True)))
             bounds = np.concatenate([bounds[rest], below])
-            work += len(below) * (len(self._normals) + BESIDES)
+            self.work.left -= WORK_PER_CELL * len(below) * (len(self._normals) + BESIDES)
         upper = max(float(bounds.max(initial=0.0)), best.after.quality)
         if chosen is None:
             upper = min(upper, max(self.found.upper_bound, best.after.quality))
@@ -153,8 +156,7 @@ class TolerantSearch:
         spread = poses_at(
             outline, contact, direction, newcomer.limit, newcomer.tolerance or Tolerance()
         )
-        found, bound = Aim(problem.swarm, problem.criterion, [spread]).weakest(WORK_PER_PLACE)
-        return found if bound > 0.0 else found._replace(quality=0.0)
+        return self.work.quality(Aim(problem.swarm, problem.criterion, [spread]), WORK_PER_PLACE)
 
     def _all(self, chosen: set[int] | None) -> Cells:
         """Return one cell for each piece."""

@@ -1,6 +1,8 @@
 """A swarm and a criterion in the kernels' terms."""
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +19,27 @@ from swarmgrasp.swarm import Robot, Swarm
 
 Array = NDArray[np.float64]
 NO_TASK = np.zeros((0, 3))
+
+
+@dataclass(eq=False)
+class Work:
+    """What several searches may do together.
+
+    Attributes
+    ----------
+    left : float
+        The kernels' units of work, see `work.h`; below 0 if it was overdrawn by what must be done
+        in any case.
+    """
+
+    left: float
+
+    def quality(self, aim: "Aim", most: float = math.inf) -> Weakest:
+        """Compute a quality; 0 if that takes more than is left, or more than `most` units."""
+        units = min(self.left, most)
+        found, bound, left = aim.weakest_within(units)
+        self.left -= units - left
+        return found if bound > 0.0 else found._replace(quality=0.0)
 
 
 class Aim:
@@ -83,14 +106,18 @@ class Aim:
         """The sum of |b_i| [N]: what rounding is relative to."""
         return self.robots.size
 
-    def weakest(self, work: float | None = None) -> tuple[Weakest, float]:
+    def weakest(self) -> tuple[Weakest, float]:
         """Find the least H / D, a unit normal that attains it, and what no direction falls below.
 
         With uncertain poses the value comes down, pose by pose, to one that a swarm in its worst
         poses has exactly; the bound is that of the search on all poses.
         """
-        value, normal, bound = self.robots.least(work)
-        return Weakest(value / self.unit, normal), bound / self.unit
+        return self.weakest_within(None)[:2]
+
+    def weakest_within(self, units: float | None) -> tuple[Weakest, float, float]:
+        """Find the same with so many units of work, and how many are left; the bound may be 0."""
+        value, normal, bound, left = self.robots.least(units)
+        return Weakest(value / self.unit, normal), bound / self.unit, left
 
     def values(self, normals: Array) -> Array:
         """Return H / D (m,) at normals (m, 3), in the user's unit; inf where D is 0."""

@@ -73,18 +73,19 @@ class Rays:
         limits = sum(s.limit for s in [*spread, *more])
         self.size = float(np.linalg.norm(self.known, axis=1).sum()) + limits
 
-    def least(self, work: float | None) -> tuple[float, Normal, float]:
+    def least(self, units: float | None) -> tuple[float, Normal, float, float]:
         """Find the least H / D, a unit normal that attains it, and what no direction falls below.
 
-        With uncertain poses the value comes down, pose by pose, to one that a swarm in its worst
-        poses has exactly; the bound is that of the search on all poses.
+        Within so many units of work; the last number is how many are left. With uncertain poses
+        the value comes down, pose by pose, to one that a swarm in its worst poses has exactly; the
+        bound is that of the search on all poses.
         """
-        value, normal, is_done = self.core.least(
-            self.gap, np.inf, core.WORK if work is None else work
+        value, normal, is_done, left = self.core.least(
+            self.gap, np.inf, core.WORK if units is None else units
         )
         if not is_done:
-            return value, normal, 0.0
-        return value, normal, value if self.gap == EXACT else value * (1.0 - self.gap)
+            return value, normal, 0.0, left
+        return value, normal, value if self.gap == EXACT else value * (1.0 - self.gap), left
 
     def heights(self, normals: Array) -> bytes:
         """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""

@@ -159,9 +159,12 @@ class RobotSets:
         )  # fmt: skip
         self.size = self.core.weight
 
-    def least(self, work: float | None) -> tuple[float, Normal, float]:
-        """Find the least H / D, a unit normal that attains it, and what no normal falls below."""
-        budget = () if work is None else (work,)
+    def least(self, units: float | None) -> tuple[float, Normal, float, float]:
+        """Find the least H / D, a unit normal that attains it, and what no normal falls below.
+
+        Within so many units of work; the last number is how many are left.
+        """
+        budget = () if units is None else (units,)
         return self.core.least(self.gap, np.inf, *budget)
 
     def heights(self, normals: Array) -> bytes:

@@ -369,6 +369,11 @@ static PyObject *search_size_get(PyObject *object, void *ignored) {
     return PyFloat_FromDouble(((SearchObject *)object)->search.size);
 }
 
+static PyObject *search_left_get(PyObject *object, void *ignored) {
+    (void)ignored;
+    return PyFloat_FromDouble(((SearchObject *)object)->search.work.left);
+}
+
 static PyMethodDef search_methods[] = {
     {"solve", search_solve_method, METH_VARARGS, NULL},
     {"break_tie", search_break_tie_method, METH_VARARGS, NULL},
@@ -384,6 +389,7 @@ static PyGetSetDef search_getset[] = {
     {"quality", search_quality_get, NULL, NULL, NULL},
     {"weakest", search_weakest_get, NULL, NULL, NULL},
     {"size", search_size_get, NULL, NULL, NULL},
+    {"left", search_left_get, NULL, NULL, NULL},
     {NULL, NULL, NULL, NULL, NULL},
 };
 

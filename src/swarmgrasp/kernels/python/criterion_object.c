@@ -64,7 +64,7 @@ static PyObject *criterion_new(PyTypeObject *type, PyObject *args, PyObject *kwa
     return NULL;
 }
 
-/* least(gap, below, units) -> (value, normal, whether no direction has less) */
+/* least(gap, below, units) -> (value, normal, whether no direction has less, units left) */
 static PyObject *criterion_least(PyObject *object, PyObject *args) {
     const Criterion *criterion = &((CriterionObject *)object)->criterion;
     double gap, below, units = WORK, value, n[3];
@@ -77,7 +77,8 @@ static PyObject *criterion_least(PyObject *object, PyObject *args) {
     come_back();
     if (is_raised(status))
         return NULL;
-    return Py_BuildValue("d(ddd)O", value, n[0], n[1], n[2], status == SOLVED ? Py_True : Py_False);
+    return Py_BuildValue("d(ddd)Od", value, n[0], n[1], n[2],
+                         status == SOLVED ? Py_True : Py_False, work.left);
 }
 
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */

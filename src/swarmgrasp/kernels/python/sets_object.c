@@ -109,7 +109,7 @@ done:
     return (PyObject *)self;
 }
 
-/* least(gap, below, units) -> (value, normal, bound) */
+/* least(gap, below, units) -> (value, normal, bound, units left) */
 static PyObject *sets_least(PyObject *object, PyObject *args) {
     const Sets *sets = &((SetsObject *)object)->sets;
     double gap, below, units = -1.0, value, bound, n[3];
@@ -121,7 +121,7 @@ static PyObject *sets_least(PyObject *object, PyObject *args) {
     come_back();
     if (is_raised(status))
         return NULL;
-    return Py_BuildValue("d(ddd)d", value, n[0], n[1], n[2], bound);
+    return Py_BuildValue("d(ddd)dd", value, n[0], n[1], n[2], bound, work.left);
 }
 
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */

@@ -139,7 +139,7 @@ class Gauge:
             both, (x, y, z), rays.poses, self.losing, (fx, fy, turn),
             np.ascontiguousarray(rows), isinstance(task, Polytope),
         )  # fmt: skip
-        value, normal, _ = judge.least(rays.gap, np.inf)
+        value, normal, *_ = judge.least(rays.gap, np.inf)
         return Weakest(value / self.unit, normal)
 
     def touched(self, normals: Array, values: Array) -> Array:
