@@ -87,11 +87,80 @@ def test_any_number_of_robots_is_drawn(count, labels):
     assert len(by_gid(figure, "robot-label")) == labels
 
 
-def test_the_halves_of_a_two_way_thruster_share_a_label():
-    hull = Outline([(-5, -1), (5, -1), (5, 1), (-5, 1)])
-    halves = [Robot((4, 0), a, 1.0, f"bow {s}", mounted=True) for a, s in ((1.5, "+"), (-1.6, "-"))]
-    (label,) = by_gid(plan(Swarm(hull, halves)), "robot-label")
-    assert label.get_text() == "bow"
+HULL = Outline([(-5, -1), (5, -1), (5, 1), (-5, 1)])
+
+
+def test_what_pushes_both_ways_has_an_arrow_each_way():
+    """Both start at the contact, as long as their limits, and share a label."""
+    bow = Robot((4, 0), math.pi / 2, 3.0, "bow", True, reverse_limit=2.0)
+    figure = plan(Swarm(HULL, [bow]))
+    tails, tips = ends_of(figure, "thruster")
+    np.testing.assert_allclose(tails, [(4, 0), (4, 0)])
+    np.testing.assert_allclose(3.0 * (tips - tails)[1], -2.0 * (tips - tails)[0], atol=1e-12)
+    assert [text.get_text() for text in by_gid(figure, "robot-label")] == ["bow"]
+
+
+def corners_of(figure, gid):
+    """Return the corners (k, 2) of the only area of a kind."""
+    (areas,) = by_gid(figure, gid)
+    (path,) = areas.get_paths()
+    return path.vertices
+
+
+KINDS = {
+    "tug": ({"steers": 0.5}, 0.5),
+    "finger": ({"friction": 0.5}, math.atan(0.5)),
+    "envelope": ({"envelope": ((2.0, 0.0), (1.0, 1.0), (0.0, 0.0), (1.0, -0.5))}, math.pi / 4),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_all_forces_of_a_push_are_drawn_behind_the_contact(kind):
+    """Off the object, as far to the side as they go, and to the scale of the arrows."""
+    more, half = KINDS[kind]
+    limit = 1.0 if kind == "envelope" else 2.0
+    robot = Robot((0, -1), math.pi / 2, limit, **more)
+    figure = plan(Swarm(HULL, [robot]))
+    off = corners_of(figure, "robot-area") - robot.contact
+    ((tail, *_), _) = ends_of(figure, "robot")
+    assert off[:, 1].max() == pytest.approx(0.0, abs=1e-12)
+    assert off[:, 1].min() == pytest.approx(tail[1] + 1.0)
+    turns = np.arctan2(off[:, 0], -off[:, 1])[np.hypot(*off.T) > 1e-9]
+    assert np.abs(turns).max() == pytest.approx(half)
+
+
+def test_an_azimuth_thruster_is_a_circle_without_an_arrow():
+    """Round its contact, its radius as long as the arrow of its limit."""
+    azimuth = Robot((2, 0), 1.0, 2.0, "az", True, steers=math.pi)
+    figure = plan(Swarm(HULL, [azimuth, Robot((0, -1), 1.0, 4.0)]))
+    radii = np.hypot(*(corners_of(figure, "thruster-area") - azimuth.contact).T)
+    ((tail,), (tip,)) = ends_of(figure, "robot")
+    np.testing.assert_allclose(radii, 0.5 * np.hypot(*(tip - tail)))
+    assert not by_gid(figure, "thruster")
+    entries = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert entries[:3] == ["robot", "thruster", "all its forces"]
+
+
+def test_a_bar_stands_at_the_least_force():
+    """Of a cable that must stay taut, a quarter of its arrow from the contact."""
+    cable = Robot((5, 0), math.pi, 4.0, least=1.0)
+    figure = plan(Swarm(HULL, [cable]))
+    (bar,) = by_gid(figure, "least")
+    ((tail,), _) = ends_of(figure, "robot")
+    assert bar.get_xdata()[0] == pytest.approx(5.0 + 0.25 * (tail[0] - 5.0))
+
+
+def test_a_steering_robot_that_is_lost_has_an_empty_area():
+    """And a cross."""
+    robots = [
+        Robot((x, y), -y * math.pi / 2, 1.0, f"{x}, {y}", steers=0.5)
+        for x in (-4, 4)
+        for y in (-1, 1)
+    ]
+    swarm = Swarm(HULL, robots)
+    figure = plan(swarm, quality=quality(swarm, losing=1))
+    fills = sorted(len(areas.get_facecolor()) for areas in by_gid(figure, "robot-area"))
+    assert fills == [0, 1]
 
 
 def test_a_notch_decides_push_or_pull_by_its_own_inside():

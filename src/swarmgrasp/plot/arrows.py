@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.force_set import boundary_of
 
 Vector = NDArray[np.float64]
 
@@ -67,22 +68,63 @@ class Arrows:
     def ends(self, robot: Robot) -> tuple[Vector, Vector]:
         """Return tail and tip of a robot's arrow, each (2,) [m, m].
 
-        A push ends at the contact, a pull and a mounted thruster start there, so that
-        the arrow stays off the object wherever it can.
+        A push ends at the contact, so that the arrow stays off the object wherever it can;
+        a pull, a mounted thruster and what can do either start there.
         """
         contact = np.array(robot.contact)
-        way = np.array([math.cos(robot.direction), math.sin(robot.direction)])
-        reach = self.length(robot.limit) * way
-        pushes = not robot.mounted and self.outline.contains(
-            contact + PROBE * self.outline.extent * way
-        )
-        return (contact - reach, contact) if pushes else (contact, contact + reach)
+        reach = self.length(1.0) * _largest(robot)
+        return (contact - reach, contact) if self._pushes(robot) else (contact, contact + reach)
+
+    def shafts(self, robot: Robot) -> list[tuple[Vector, Vector]]:
+        """Return tails and tips of the arrows that show a robot's forces.
+
+        Two for one that also pushes the other way, none for one that pushes any way.
+        """
+        if robot.steers >= math.pi:
+            return []
+        tail, tip = self.ends(robot)
+        if robot.reverse_limit == 0.0:
+            return [(tail, tip)]
+        return [(tail, tip), (tail, tail - self.length(robot.reverse_limit) * _way(robot))]
+
+    def area(self, robot: Robot) -> Vector:
+        """Return the corners (k, 2) [m, m] around all forces of a robot, drawn at its contact.
+
+        Every one is where the outer end of its arrow would be.
+        """
+        sign = -1.0 if self._pushes(robot) else 1.0
+        return np.array(robot.contact) + sign * self.length(1.0) * boundary_of(robot)
+
+    def _pushes(self, robot: Robot) -> bool:
+        """Tell whether a robot's force along its direction goes into the object, and no other."""
+        if robot.mounted or robot.reverse_limit or robot.steers > 0.5 * math.pi:
+            return False
+        step = PROBE * self.outline.extent * _way(robot)
+        return self.outline.contains(np.array(robot.contact) + step)
 
     def box(self) -> tuple[Vector, Vector]:
         """Return the corners of the box round the outline and all arrows, each (2,) [m, m]."""
-        ends = [end for robot in self.everyone for end in self.ends(robot)]
-        points = np.concatenate([self.outline.vertices, np.reshape(ends, (-1, 2))])
+        areas = [self.area(robot) for robot in self.everyone]
+        points = np.concatenate([self.outline.vertices, *areas])
         return points.min(axis=0), points.max(axis=0)
+
+
+def _way(robot: Robot) -> Vector:
+    """Return the unit vector (2,) along a robot's direction."""
+    return np.array([math.cos(robot.direction), math.sin(robot.direction)])
+
+
+def _largest(robot: Robot) -> Vector:
+    """Return the largest force (2,) [N] of a robot: along its direction, or of its envelope."""
+    if robot.envelope is None:
+        return robot.limit * _way(robot)
+    corners = boundary_of(robot)
+    return np.asarray(corners[np.argmax(np.hypot(*corners.T))])
+
+
+def has_area(robot: Robot) -> bool:
+    """Tell whether a robot's forces are more than those of a line."""
+    return bool(robot.steers or robot.friction or robot.envelope)
 
 
 def draw_arrows(ax: Axes, ends: Sequence[tuple[Vector, Vector]], **look: Any) -> None:

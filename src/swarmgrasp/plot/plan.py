@@ -8,14 +8,18 @@ from typing import Any, Final, cast
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.markers import MarkerStyle
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn, has_area
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.poses import HOLLOW, WorstCase, draw_poses, pose_entries, worst_case
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
@@ -41,6 +45,12 @@ LOOKS: Final = {
     "newcomer": (style.VERMILION, 0.032),
 }
 """Colour and width [in] of the arrows of each kind, in the order they are drawn."""
+
+MARK: Final = 5.0
+"""Breadth of the mark at a contact that labels keep clear of [pt]."""
+
+LEAST_MARK: Final = 9.0
+"""Length of the bar at a least force [pt]."""
 
 EDGE_REACH: Final = 15.0
 """Farthest an edge's name stands from it [pt]: two heights of its text."""
@@ -68,7 +78,9 @@ def plan(
     """Draw the object from above with the robots that hold it.
 
     An arrow is the force a robot can exert on the object, its length in proportion to the
-    robot's limit: a push ends at the contact, a pull starts there.
+    robot's limit: a push ends at the contact, a pull starts there. What pushes both ways has an
+    arrow each way. Round the arrow of a robot that steers, or has friction or an envelope, all its
+    forces are drawn as an area, to the same scale: of an azimuth thruster a circle.
 
     By a criterion of the worst case, robots that have a tolerance are drawn with all their
     contacts and directions and in their worst poses, and robots lost are drawn hollow: of the
@@ -162,17 +174,24 @@ def _kinds(arrows: Arrows, missing: frozenset[int]) -> dict[tuple[str, bool], li
 def draw_robots(page: Page, arrows: Arrows, missing: frozenset[int]) -> None:
     """Draw every arrow, and a mark at every contact: an arrow may be too short to see.
 
-    Robots that are missing have a hollow arrow and a cross.
+    Of robots that steer, or have friction or an envelope, the area of all their forces is drawn
+    below the arrow. Robots that are missing have a hollow arrow, an empty area and a cross.
     """
     many = len(arrows.robots) > MOST_LABELS
     for (kind, gone), robots in _kinds(arrows, missing).items():
         colour, width = LOOKS[kind]
-        ends = [arrows.ends(robot) for robot in robots]
+        wide = [robot for robot in robots if has_area(robot) and kind != "runner-up"]
+        if wide:
+            _draw_areas(page, arrows, wide, kind, gone)
+        ends = [shaft for robot in robots for shaft in arrows.shafts(robot)]
         for tail, tip in ends:
             page.keep_clear(tail, tip, breadth=HEAD * width)
+        for robot in wide:
+            page.keep_clear(robot.contact, robot.contact, breadth=MARK)
         look = HOLLOW | {"edgecolor": colour} if gone else {"color": colour}
         width *= 0.6 if many else 1.0
         draw_arrows(page.ax, ends, **look, width=width, gid="missing" if gone else kind)
+        _draw_leasts(page, arrows, [robot for robot in robots if robot.least], colour)
         marker = "X" if gone else "s" if kind == "thruster" else "o"
         size = 2.2 if many or kind == "runner-up" else 3.8
         page.ax.plot(
@@ -185,6 +204,44 @@ def draw_robots(page: Page, arrows: Arrows, missing: frozenset[int]) -> None:
             linestyle="none",
             zorder=5,
         )
+
+
+def _draw_areas(page: Page, arrows: Arrows, robots: Sequence[Robot], kind: str, gone: bool) -> None:
+    """Draw the areas of all forces of robots of a kind, those that are gone without a filling.
+
+    Labels may lie across the circles of azimuth thrusters, which often cover each other.
+    """
+    areas = [arrows.area(robot) for robot in robots]
+    look = _area_look(kind) | ({"facecolor": "none"} if gone else {})
+    page.ax.add_collection(PolyCollection(areas, **look, zorder=3.2, gid=f"{kind}-area"))
+    for robot, area in zip(robots, areas, strict=True):
+        for start, end in itertools.pairwise(np.vstack([area, area[:1]])):
+            if robot.steers < math.pi:
+                page.keep_clear(start, end)
+
+
+def _area_look(kind: str) -> dict[str, Any]:
+    """Return how the areas of all forces of robots of a kind look."""
+    colour = LOOKS[kind][0]
+    return {
+        "facecolor": to_rgba(colour, 0.06 if kind == "thruster" else 0.16),
+        "edgecolor": to_rgba(colour, 0.6),
+        "linewidth": 0.7,
+    }
+
+
+def _draw_leasts(page: Page, arrows: Arrows, robots: Sequence[Robot], colour: str) -> None:
+    """Draw a bar across the arrow of each robot that always exerts some force, at the least."""
+    for robot in robots:
+        tail, tip = arrows.ends(robot)
+        contact = np.array(robot.contact)
+        outer = tip if np.array_equal(contact, tail) else tail
+        spot = contact + robot.least / robot.limit * (outer - contact)
+        mark = MarkerStyle("|").rotated(rad=robot.direction)
+        page.ax.plot(
+            *spot, marker=mark, color=colour, markersize=LEAST_MARK, markeredgewidth=1.4,
+            linestyle="none", zorder=4.1, gid="least",
+        )  # fmt: skip
 
 
 def in_view(arrows: Arrows) -> bool:
@@ -283,39 +340,25 @@ def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement
 
 
 def label_robots(page: Page, arrows: Arrows) -> None:
-    """Write the name of every robot, unless there are too many.
-
-    The two halves of a thruster that pushes either way, "bow +" and "bow -" at one
-    contact, share a label.
-    """
+    """Write the name of every robot, unless there are too many."""
     if len(arrows.robots) > MOST_LABELS:
         return
-    done = set()
-    strongest_first = sorted(arrows.robots, key=lambda robot: -robot.limit)
-    for robot in strongest_first:
-        name = robot.name
-        stem = name.removesuffix(" +").removesuffix(" -")
-        halves = [r for r in arrows.robots if r.contact == robot.contact]
-        both = len(halves) == 2 and all(r.name in (f"{stem} +", f"{stem} -") for r in halves)
-        name = stem if both else name
-        if (name, robot.contact) in done:
-            continue
-        done.add((name, robot.contact))
+    for robot in sorted(arrows.robots, key=lambda robot: -robot.limit):
         spots, bearing = outer_spots(arrows, robot)
-        if both:  # beside their arrows
-            spots += [0.5 * np.sum(arrows.ends(half), axis=0) for half in halves]
-            bearing += 0.5 * math.pi
         colour = LOOKS["thruster" if robot.mounted else "robot"][0]
         size = 8.0 if len(arrows.robots) <= FEW else 7.0
-        page.label(name, spots, bearing, fontsize=size, color=colour, gid="robot-label")
+        page.label(robot.name, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
 
 def outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
     """Return where a robot's label may sit, best first, and the bearing [rad] it prefers.
 
     The outer end of the arrow and its middle; a thruster's at the contact, off the arrow:
-    inside the object the tip may be nearer to another thruster.
+    inside the object the tip may be nearer to another thruster. Of arrows both ways beside them.
     """
+    if robot.reverse_limit and not robot.steers:
+        middles = [0.5 * (tail + tip) for tail, tip in arrows.shafts(robot)]
+        return [np.array(robot.contact), *middles], robot.direction + 0.5 * math.pi
     if robot.mounted:
         return [np.array(robot.contact)], robot.direction + math.pi
     tail, tip = arrows.ends(robot)
@@ -368,6 +411,15 @@ def _caption(
     return Caption(title, criterion.words, tuple(entries), tuple(small_print))
 
 
+def _robot_entry(arrows: Arrows, kind: str, robots: Sequence[Robot]) -> Any:
+    """Return the legend entry of a kind: an arrow, or a mark where none of them has an arrow."""
+    colour = LOOKS[kind][0]
+    if any(map(arrows.shafts, robots)):
+        return ArrowEntry(facecolor=colour, label=kind)
+    marker = "s" if kind == "thruster" else "o"
+    return Line2D([], [], marker=marker, markersize=3.8, linestyle="none", color=colour, label=kind)
+
+
 def _legend_entries(
     arrows: Arrows,
     weakest: bool,
@@ -376,12 +428,23 @@ def _legend_entries(
     no_go: Sequence[Stretch],
 ) -> list[Any]:
     """Return a legend entry for everything that is drawn."""
-    kinds = {kind for kind, _ in _kinds(arrows, frozenset())}
+    kinds = {kind: robots for (kind, _), robots in _kinds(arrows, frozenset()).items()}
     entries: list[Any] = [
-        ArrowEntry(facecolor=LOOKS[kind][0], label=kind)
+        _robot_entry(arrows, kind, kinds[kind])
         for kind in ("robot", "thruster", "newcomer", "runner-up")
         if kind in kinds
     ]
+    drawn = arrows.robots + arrows.newcomers
+    wide = [k for k in LOOKS if k != "runner-up" and any(map(has_area, kinds.get(k, ())))]
+    if wide:
+        entries.append(Patch(**_area_look(wide[0]), label="all its forces"))
+    if any(robot.least for robot in drawn):
+        look: dict[str, Any] = {"markersize": LEAST_MARK, "markeredgewidth": 1.4}
+        entries.append(
+            Line2D(
+                [], [], marker="|", linestyle="none", color=style.INK, **look, label="least force"
+            )
+        )
     entries += pose_entries(case)
     if weakest:
         entries.append(ArrowEntry(facecolor=style.PURPLE, label="weakest wrench"))

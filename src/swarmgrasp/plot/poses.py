@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.quality import Quality, quality
 from swarmgrasp.quality.poses import Poses, poses_at
@@ -134,13 +134,16 @@ def draw_poses(page: Page, arrows: Arrows, case: WorstCase) -> None:
     for wedge in wedges:
         for start, end in itertools.pairwise(np.vstack([wedge, wedge[:1]])):
             page.keep_clear(start, end)
-    ends = [arrows.ends(robot) for robot in case.poses]
+    ends = [shaft for robot in case.poses for shaft in arrows.shafts(robot)]
     draw_arrows(page.ax, ends, **WORST, zorder=4.2, gid="worst-pose")
+    areas = [arrows.area(robot) for robot in case.poses if has_area(robot)]
+    look: dict[str, Any] = {"facecolor": "none", "edgecolor": style.WINE, "linewidth": 0.8}
+    page.ax.add_collection(PolyCollection(areas, **look, zorder=3.4, gid="worst-area"))
     for tail, tip in ends:
         page.keep_clear(tail, tip)
     contacts = np.reshape([robot.contact for robot in case.poses], (-1, 2))
-    look: dict[str, Any] = {"markersize": 2.6, "color": style.WINE, "zorder": 5.1}
-    page.ax.plot(*contacts.T, "o", **look, markeredgecolor="white", markeredgewidth=0.3)
+    mark: dict[str, Any] = {"markersize": 2.6, "color": style.WINE, "zorder": 5.1}
+    page.ax.plot(*contacts.T, "o", **mark, markeredgecolor="white", markeredgewidth=0.3)
 
 
 def pose_entries(case: WorstCase) -> list[Any]:

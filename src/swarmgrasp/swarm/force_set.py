@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.swarm.columns import Columns
-from swarmgrasp.swarm.robot import Envelope
+from swarmgrasp.swarm.robot import Envelope, Robot
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -22,6 +22,8 @@ NO_CONE = 1e-12
 """Width of a normal cone [rad] that is none."""
 SAME_DISTANCE = 1e-12
 """Difference of two distances, relative to the largest, that is rounding."""
+CHORD = math.radians(3.0)
+"""Turn from one corner of an arc to the next, where it is drawn [rad]."""
 
 
 class Arc(NamedTuple):
@@ -161,6 +163,34 @@ def shape_of(
 ) -> tuple[Element, ...]:
     """Return the elements of a robot's force set, in its own frame."""
     return hull_of(*points_and_arcs(limit, reverse_limit, steers, friction, least))
+
+
+def boundary_of(robot: Robot) -> Array:
+    """Return corners (k, 2) [N, N] around a robot's force set, in the object's frame.
+
+    Counter-clockwise; arcs are cut into chords of a few degrees. Of a ray its two ends.
+
+    Examples
+    --------
+    >>> boundary_of(Robot((1.0, 0.0), 0.0, 2.0, reverse_limit=1.0))[:, 0].tolist()
+    [2.0, -1.0]
+    """
+    if robot.envelope is None:
+        shape = shape_of(
+            robot.limit, robot.reverse_limit, robot.steers, robot.friction or 0.0, robot.least
+        )
+    else:
+        shape = hull_of(robot.envelope)
+    found: list[Pair] = []
+    for radius, x, y, start, end in shape:
+        if radius > 0.0:
+            halves = math.ceil(0.5 * (end - start) / CHORD)
+            turns = np.linspace(start, end, 2 * halves + 1).tolist()  # its middle among them
+            found += [(radius * math.cos(t), radius * math.sin(t)) for t in turns]
+        else:
+            found.append((x, y))
+    c, s = math.cos(robot.direction), math.sin(robot.direction)
+    return np.asarray(np.array(found) @ np.array([[c, s], [-s, c]]))
 
 
 def rays_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[np.bool_]:
