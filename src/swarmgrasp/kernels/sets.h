@@ -11,6 +11,8 @@
 
 /* Rounding may change H by so much of `weight`: no gap below that is closed. */
 #define SETS_FLOOR 1e-13
+/* And so much of it may be added to H where the task asks for next to nothing. */
+#define SETS_ROUNDING 4e-15
 #define PART 5 /* numbers in a row of `Robots.part` */
 #define POSE (PIECE + 2) /* and in one of `Robots.pose` */
 

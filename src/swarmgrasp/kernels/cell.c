@@ -1,0 +1,392 @@
+/* One triangle of directions: H is at least the greatest of some linear functions and a quadratic one,
+ * the task at most a quadratic one, all on the plane that touches the sphere in the middle (T21).
+ *
+ * A robot whose best force turns smoothly on all of the triangle has a curvature there; of any other
+ * any force will do, and those taken where the bound is lowest close it. So a vertex, where three such
+ * cuts meet H, ends at once, and so does a smooth minimum. Trusted is what `sets_search.c` fills in. */
+#include <string.h>
+
+#include "cell.h"
+
+#define TRIES 7        /* cuts made in a triangle before it is split */
+#define CLOSED 0.15    /* of what lacks: a cut that closes less is the last */
+#define WIDE_CELL 0.02 /* squared reach of a triangle that is split at once if it looks easy, */
+#define EASY 2.0       /* because its middle exceeds so many times what is wanted */
+#define NEARLY 0.1     /* of the squared reach: what lacks at most for a closer look to help */
+#define ASKED 4e-15    /* share of a task's size at and below which it asks for nothing */
+#define UNKNOWN 1e100  /* a value, as long as there is none */
+
+/* A triangle seen from its middle: n = m + d_0 e_0 + d_1 e_1. */
+typedef struct {
+    double m[3], e[2][3];
+    double corner[3][2]; /* d of the corners, */
+    double depth[3];     /* and n . m of the unit vectors */
+    double reach;        /* the largest d . d */
+} Frame;
+
+/* What is taken together at a middle. */
+typedef struct {
+    double smooth[3], jagged[3]; /* wrenches of those that turn, and the others' */
+    Cut loose;                   /* of robots whose pose is uncertain */
+    double height;               /* H */
+    double curve[3];             /* the curvature of those that turn */
+    int kinky, turning;
+} Taken;
+
+double wanted(const Hunt *h) {
+    double best = smaller(h->best, UNKNOWN);
+    return smaller(best * (1.0 - h->gap), best - h->floor);
+}
+
+void offer(Hunt *h, const double *normal, double height, double extent) {
+    double size = length(normal), value;
+    if (extent <= ASKED * size) {
+        if (height >= -h->zero * size) /* a load that is not held counts as the worst there is */
+            return;
+        extent = ASKED * size;
+    }
+    value = height <= larger(h->rounding * size, h->zero * extent) ? 0.0
+                                                                   : (height + h->rounding * size) / extent;
+    if (value < h->best) {
+        h->best = value;
+        memcpy(h->normal, normal, sizeof h->normal);
+    }
+}
+
+static void frame_of(const Triangle *triangle, Frame *f) {
+    double size, *m = f->m;
+    for (int k = 0; k < 3; k++)
+        m[k] = triangle->normal[k] + triangle->normal[3 + k] + triangle->normal[6 + k];
+    size = length(m);
+    for (int k = 0; k < 3; k++)
+        m[k] /= size;
+    double sign = m[2] < 0.0 ? -1.0 : 1.0, a = -1.0 / (sign + m[2]), b = m[0] * m[1] * a;
+    const double e[2][3] = {{1.0 + sign * m[0] * m[0] * a, sign * b, -sign * m[0]},
+                            {b, sign + m[1] * m[1] * a, -m[1]}};
+    memcpy(f->e, e, sizeof e);
+    f->reach = 0.0;
+    for (int j = 0; j < 3; j++) {
+        const double *v = triangle->normal + 3 * j;
+        f->depth[j] = dot(v, m);
+        for (int k = 0; k < 2; k++)
+            f->corner[j][k] = dot(v, e[k]) / f->depth[j];
+        f->reach = larger(f->reach, along(f->corner[j], f->corner[j]));
+    }
+}
+
+static void normal_at(const Frame *f, const double *d, double *n) {
+    for (int k = 0; k < 3; k++)
+        n[k] = f->m[k] + d[0] * f->e[0][k] + d[1] * f->e[1][k];
+}
+
+/* -- robots ------------------------------------------------------------------------------------- */
+
+void hold_at(const Hunt *h, int robot, const double *middle, const double *corner, double *row) {
+    const ForceSet *set = set_of(h, robot);
+    const double *scale = h->sets->scale;
+    double wrench[3], force[2], arm[2], p[2];
+    row[0] = row[1] = row[2] = set->adrift ? INFINITY : 0.0;
+    if (set->turning) { /* the least over its poses is concave: as long as it is positive, it holds */
+        double sum = 0.0;
+        for (int j = 0; j < 3; j++) {
+            row[j] = INFINITY;
+            for (int r = 0; r < set->turning; r++) {
+                double v[3];
+                for (int k = 0; k < 3; k++)
+                    v[k] = -corner[3 * j + k] * scale[k] * set->limit;
+                row[j] = smaller(row[j], -best_on_piece(set->piece + (ptrdiff_t)PIECE * r, v, wrench));
+            }
+            sum += row[j];
+        }
+        if (sum <= 0.0)
+            row[0] = row[1] = row[2] = 0.0;
+        return;
+    }
+    for (int r = 0; r < set->adrift; r++) {
+        const double *part = set->part + (ptrdiff_t)(PART - 1) * r;
+        worst_on_part(scale, set, part, middle, arm, force);
+        for (int j = 0; j < 3; j++)
+            for (int end = 0; end < 4; end += 2) {
+                lever(scale, part + end, corner + 3 * j, p);
+                row[j] = smaller(row[j], along(p, force));
+            }
+    }
+    if (set->adrift)
+        return;
+    exert(scale, set, middle, wrench, NULL, NULL);
+    for (int j = 0; j < 3; j++)
+        row[j] = dot(wrench, corner + 3 * j);
+}
+
+/* Add a linear function that a robot's forces at a normal hold. */
+static void add_loose(const Hunt *h, const Triangle *triangle, const Frame *f, int robot,
+                      const double *normal, Cut *loose) {
+    double row[3], side[2][2], rise[2];
+    hold_at(h, robot, normal, triangle->normal, row);
+    for (int j = 0; j < 3; j++)
+        row[j] /= f->depth[j];
+    for (int j = 0; j < 2; j++) {
+        rise[j] = row[j + 1] - row[0];
+        for (int k = 0; k < 2; k++)
+            side[j][k] = f->corner[j + 1][k] - f->corner[0][k];
+    }
+    double det = across(side[0], side[1]);
+    double slope[2] = {(rise[0] * side[1][1] - rise[1] * side[0][1]) / det,
+                       (rise[1] * side[0][0] - rise[0] * side[1][0]) / det};
+    loose->a += row[0] - along(slope, f->corner[0]);
+    loose->b[0] += slope[0];
+    loose->b[1] += slope[1];
+}
+
+/* Tell whether a robot's best force turns smoothly on a triangle: an arc is the farthest on all of it. */
+static int is_turning(const Active *robot, const ForceSet *set, int which, const double *p,
+                      double point[3][2]) {
+    const Element *e = set->element + which;
+    if (e->shape == POINT || along(p, p) == 0.0)
+        return 0;
+    for (int j = 0; j < 3; j++)
+        if (robot->which[j] != which || along(p, point[j]) <= 0.0)
+            return 0;
+    if (e->shape == WIDE) { /* nor does the triangle reach across the gap */
+        int left = 0, right = 0;
+        for (int j = 0; j < 3; j++) {
+            left |= across(e->middle, point[j]) > 0.0 && along(e->middle, point[j]) < 0.0;
+            right |= across(e->middle, point[j]) < 0.0 && along(e->middle, point[j]) < 0.0;
+        }
+        return !(left && right);
+    }
+    return 1;
+}
+
+/* Take all robots' forces at the middle. */
+static void take_all(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin, size_t end,
+                     Taken *taken) {
+    const double *scale = h->sets->scale;
+    memset(taken, 0, sizeof *taken);
+    memcpy(taken->smooth, triangle->fixed, sizeof taken->smooth);
+    taken->height = dot(triangle->fixed, f->m);
+    for (size_t a = begin; a < end; a++) {
+        const Active *robot = h->active + a;
+        const ForceSet *set = set_of(h, robot->robot);
+        double p[2], force[2], wrench[3], step[2][2], point[3][2];
+        int which;
+        if (h->is_lost && h->is_lost[machine_of(h, robot->robot)])
+            continue;
+        if (robot->which[0] < 0) {
+            taken->height += exert(scale, set, f->m, NULL, NULL, NULL);
+            add_loose(h, triangle, f, robot->robot, f->m, &taken->loose);
+            h->kinky[taken->kinky++] = (int)(a - begin);
+            continue;
+        }
+        lever(scale, set->arm, f->m, p);
+        taken->height += support(set, p, force, &which);
+        wrench_of(scale, set->arm, force, wrench);
+        lever(scale, set->arm, f->e[0], step[0]);
+        lever(scale, set->arm, f->e[1], step[1]);
+        double most = 0.0;
+        for (int j = 0; j < 3; j++) {
+            for (int k = 0; k < 2; k++)
+                point[j][k] = p[k] + f->corner[j][0] * step[0][k] + f->corner[j][1] * step[1][k];
+            most = larger(most, along(point[j], point[j]));
+        }
+        if (!is_turning(robot, set, which, p, point)) {
+            add(taken->jagged, wrench);
+            h->kinky[taken->kinky++] = (int)(a - begin);
+            continue;
+        }
+        Bend *bend = h->bend + taken->turning++;
+        double way[2] = {force[0] / set->element[which].radius, force[1] / set->element[which].radius};
+        add(taken->smooth, wrench);
+        bend->radius = set->element[which].radius;
+        bend->size = sqrt(along(p, p));
+        for (int k = 0; k < 2; k++) {
+            bend->ahead[k] = along(way, step[k]);
+            bend->side[k] = across(way, step[k]);
+        }
+        double share = bend->radius / sqrt(most);
+        taken->curve[0] += share * bend->side[0] * bend->side[0];
+        taken->curve[1] += share * bend->side[0] * bend->side[1];
+        taken->curve[2] += share * bend->side[1] * bend->side[1];
+    }
+}
+
+/* Take the forces of the robots that jump at another normal; returns H there. */
+static double take_again(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin, size_t end,
+                         const double *normal, Taken *taken) {
+    const double *scale = h->sets->scale;
+    double height = dot(triangle->fixed, normal);
+    int next = 0;
+    memset(taken->jagged, 0, sizeof taken->jagged);
+    memset(&taken->loose, 0, sizeof taken->loose);
+    for (size_t a = begin; a < end; a++) {
+        const Active *robot = h->active + a;
+        const ForceSet *set = set_of(h, robot->robot);
+        double wrench[3];
+        if (h->is_lost && h->is_lost[machine_of(h, robot->robot)])
+            continue;
+        if (next == taken->kinky || h->kinky[next] != (int)(a - begin)) {
+            height += exert(scale, set, normal, NULL, NULL, NULL);
+            continue;
+        }
+        next++;
+        height += exert(scale, set, normal, wrench, NULL, NULL);
+        if (robot->which[0] < 0)
+            add_loose(h, triangle, f, robot->robot, normal, &taken->loose);
+        else
+            add(taken->jagged, wrench);
+    }
+    return height;
+}
+
+/* -- the task ----------------------------------------------------------------------------------- */
+
+/* Add x x' of a wrench seen on the plane to a quadratic function, as value, slope and bend. */
+static void add_square(const Frame *f, const double *x, Cut *square, double *bend) {
+    double a = dot(x, f->m), b[2] = {dot(x, f->e[0]), dot(x, f->e[1])};
+    square->a += a * a;
+    square->b[0] += 2.0 * a * b[0];
+    square->b[1] += 2.0 * a * b[1];
+    bend[0] += 2.0 * b[0] * b[0];
+    bend[1] += 2.0 * b[0] * b[1];
+    bend[2] += 2.0 * b[1] * b[1];
+}
+
+/* Find a quadratic function that D does not exceed on a triangle: of a ball or an ellipsoid by a tangent
+ * to the root, of a polytope the plane through its corners, D being convex. */
+static void asked_of(const Hunt *h, const Triangle *triangle, const Frame *f, Cut *asked, double *bend) {
+    const Sets *sets = h->sets;
+    memset(asked, 0, sizeof *asked);
+    memset(bend, 0, 3 * sizeof *bend);
+    if (!sets->is_polytope || sets->tasks == 0) {
+        static const double axes[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+        double mean, root;
+        for (int k = 0; k < (sets->tasks ? sets->tasks : 3); k++)
+            add_square(f, sets->tasks ? sets->task + (ptrdiff_t)3 * k : axes[k], asked, bend);
+        mean = 0.25 * asked->a;
+        for (int j = 0; j < 3; j++)
+            mean += 0.25 * (cut_at(asked, f->corner[j]) + bend_at(bend, f->corner[j]));
+        if (mean > 0.0) {
+            root = sqrt(mean);
+            asked->a = root + (asked->a - mean) / (2.0 * root);
+            for (int k = 0; k < 2; k++)
+                asked->b[k] /= 2.0 * root;
+            for (int k = 0; k < 3; k++)
+                bend[k] /= 2.0 * root;
+            return;
+        }
+        memset(asked, 0, sizeof *asked);
+        memset(bend, 0, 3 * sizeof *bend);
+    }
+    double row[3], side[2][2], rise[2];
+    for (int j = 0; j < 3; j++)
+        row[j] = triangle->extent[j] / f->depth[j];
+    for (int j = 0; j < 2; j++) {
+        rise[j] = row[j + 1] - row[0];
+        for (int k = 0; k < 2; k++)
+            side[j][k] = f->corner[j + 1][k] - f->corner[0][k];
+    }
+    double det = across(side[0], side[1]);
+    asked->b[0] = (rise[0] * side[1][1] - rise[1] * side[0][1]) / det;
+    asked->b[1] = (rise[1] * side[0][0] - rise[0] * side[1][0]) / det;
+    asked->a = row[0] - along(asked->b, f->corner[0]);
+}
+
+/* -- the proof ---------------------------------------------------------------------------------- */
+
+/* The linear function of forces taken, beyond what is wanted. */
+static void cut_of(const Hunt *h, const Frame *f, const Taken *taken, double target, const Cut *asked,
+                   Cut *cut) {
+    double all[3];
+    for (int k = 0; k < 3; k++)
+        all[k] = taken->smooth[k] + taken->jagged[k];
+    cut->a = dot(all, f->m) + taken->loose.a + h->rounding - target * asked->a;
+    for (int k = 0; k < 2; k++)
+        cut->b[k] = dot(all, f->e[k]) + taken->loose.b[k] - target * asked->b[k];
+}
+
+/* Look closer at those that turn, up to third order: r |p| is at least
+ *     P + alpha + beta^2 (1/P - B^2 / (4 p^3)) / 2 - alpha beta^2 / (2 P^2),   alpha = ahead . d, beta =
+ * side . d, B the largest |beta|, p the least P + alpha; the last is linear in d times a quadratic,
+ * so that on the triangle it is a mixture of what it is with d at the corners. */
+static int is_held_closely(const Hunt *h, Frame *f, const Taken *taken, const Cut *cut, int cuts,
+                           const double *less) {
+    double curve[3][3], where[2];
+    for (int j = 0; j < 3; j++)
+        for (int k = 0; k < 3; k++)
+            curve[j][k] = -less[k];
+    for (int i = 0; i < taken->turning; i++) {
+        const Bend *bend = h->bend + i;
+        double ahead[3], widest = 0.0, least = INFINITY, P = bend->size;
+        for (int j = 0; j < 3; j++) {
+            ahead[j] = along(bend->ahead, f->corner[j]);
+            widest = larger(widest, fabs(along(bend->side, f->corner[j])));
+            least = smaller(least, P + ahead[j]);
+        }
+        if (least <= 0.0)
+            return 0;
+        double even = 1.0 / P - widest * widest / (4.0 * least * least * least);
+        for (int j = 0; j < 3; j++) {
+            double share = bend->radius * (even - ahead[j] / (P * P));
+            curve[j][0] += share * bend->side[0] * bend->side[0];
+            curve[j][1] += share * bend->side[0] * bend->side[1];
+            curve[j][2] += share * bend->side[1] * bend->side[1];
+        }
+    }
+    for (int j = 0; j < 3; j++)
+        if (least_on_triangle(f->corner, cut, cuts, curve[j], where) < 0.0)
+            return 0;
+    return 1;
+}
+
+int is_held(Hunt *h, Triangle *triangle, size_t begin, size_t end) {
+    Frame f;
+    Taken taken;
+    Cut asked, cut[CUTS];
+    double less[3], bend[3], where[2], target = wanted(h), reach = target;
+    frame_of(triangle, &f);
+    take_all(h, triangle, &f, begin, end, &taken);
+    charge(h->work, EACH * (double)(end - begin));
+    offer(h, f.m, taken.height, sets_extent(h->sets, f.m));
+    asked_of(h, triangle, &f, &asked, less);
+    cut_of(h, &f, &taken, target, &asked, cut);
+    for (int j = 0; j < 3; j++) { /* the plain bound */
+        double extent = triangle->extent[j] / f.depth[j];
+        double over = cut_at(cut, f.corner[j]) + target * (cut_at(&asked, f.corner[j]) - extent);
+        if (extent > 0.0)
+            reach = smaller(reach, target + over / extent);
+        else if (over < 0.0)
+            reach = 0.0;
+    }
+    triangle->bound = larger(triangle->bound, reach);
+    if (reach >= target)
+        return 1;
+    if (f.reach > WIDE_CELL && taken.height > EASY * target * sets_extent(h->sets, f.m))
+        return 0;
+    for (int k = 0; k < 3; k++) {
+        less[k] *= target;
+        bend[k] = taken.curve[k] - less[k];
+    }
+    int cuts = 1;
+    double least = least_on_triangle(f.corner, cut, cuts, bend, where);
+    for (int t = 1; t < TRIES && least < 0.0; t++) {
+        double normal[3], at[2] = {where[0], where[1]}, before = least;
+        normal_at(&f, at, normal);
+        double height = take_again(h, triangle, &f, begin, end, normal, &taken);
+        charge(h->work, EACH * (double)(end - begin));
+        offer(h, normal, height, sets_extent(h->sets, normal));
+        Cut fresh;
+        cut_of(h, &f, &taken, target, &asked, &fresh);
+        if (cut_at(&fresh, at) + bend_at(bend, at) - before < -CLOSED * before)
+            break;
+        int lowest = 0;
+        for (int k = 1; k < cuts; k++)
+            if (cut_at(cut + k, at) < cut_at(cut + lowest, at))
+                lowest = k;
+        cut[cuts < CUTS ? cuts++ : lowest] = fresh;
+        least = least_on_triangle(f.corner, cut, cuts, bend, where);
+    }
+    if (least >= 0.0)
+        return 1;
+    return least > -NEARLY * target * f.reach && f.reach < WIDE_CELL && taken.turning
+           && is_held_closely(h, &f, &taken, cut, cuts, less);
+}
