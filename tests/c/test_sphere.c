@@ -78,6 +78,17 @@ static void make_ring(int n) {
     }
 }
 
+/* Nearly in a plane, between two along its normal: around that h changes by 1e-9 of itself, and no
+ * triangle where it is least may be left because its bound is as near. */
+static void make_flat(int n) {
+    for (int i = 0; i < n; i++) {
+        double a = uniform(-PI, PI);
+        const double b[3] = {cos(a), sin(a), uniform(-1e-9, 1e-9)};
+        const double along[3] = {0.0, 0.0, i % 2 ? 0.2 * n : -0.2 * n};
+        memcpy(generators + 3 * i, i < n - 2 ? b : along, sizeof b);
+    }
+}
+
 static Status job(void) {
     Sweep sweep;
     double quality, bound, normal[3];
@@ -134,6 +145,11 @@ void test_sphere(void) {
         CHECK(quality_of(n, normal) == 0.0);
         CHECK_NEAR(normal[0], 0.0, 1e-15);
         CHECK_NEAR(length(normal), 1.0, 1e-15);
+    }
+    for (int k = 0; k < 4; k++) {
+        make_flat(120);
+        double quality = quality_of(120, normal);
+        CHECK_NEAR(quality, slow_least(generators, 120, none, 0, NULL, 0), 1e-13 * quality);
     }
     make_ring(MOST);
     CHECK(fail_each(job) > 3);

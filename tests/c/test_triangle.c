@@ -46,6 +46,14 @@ static void values(double width, int is_point) {
     CHECK_NEAR(dot(v, wrench), value, 1e-15);
 }
 
+/* One direction alone: of its opposite a robot is worth -1, not 1. */
+static void opposes(void) {
+    double a = uniform(-PI, PI), wrench[3], v[3] = {-cos(a), -sin(a), 0.0};
+    const double piece[PIECE] = {0.3, 0.2, 0.3, 0.2, a, a, cos(a), sin(a), cos(a), sin(a)};
+    CHECK_NEAR(best_on_piece(piece, v, wrench), -1.0, 1e-15);
+    CHECK_NEAR(dot(v, wrench), -1.0, 1e-15);
+}
+
 void test_triangle(void) {
     const double corner[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const double in[3] = {1, 1, 1}, behind[3] = {-1, -1, -2}, out[3] = {1, 1, -1};
@@ -57,6 +65,7 @@ void test_triangle(void) {
     CHECK_NEAR(edge, sqrt(29.0), 1e-15);
     CHECK(longest_edge(point, &edge) == 0 && edge == 0.0);
     for (int k = 0; k < 100; k++) {
+        opposes();
         relaxes(1 + k % 4);
         values(k % 4 ? uniform(0.0, PI) : 0.0, k % 3 == 0);
     }

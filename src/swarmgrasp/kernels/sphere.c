@@ -17,7 +17,6 @@
 #define WORTH 0.4        /* share of the gap that a cut should close for another to be tried */
 #define FUTILE 0.1       /* gap, relative to h and the edge squared, that only splitting closes */
 #define BASIC 20.0       /* units of work that a cell takes besides */
-#define CLOSE 1e-13      /* of h: how near a bound comes to the best */
 #define EVALUATION 4e-15 /* of sum |c_i|: what evaluations may differ by; */
 #define IDLE 100.0       /* times that: below the bound by more, a cut holds nothing up */
 #define DEPTH 100        /* halvings until a cell is a point, and more */
@@ -246,7 +245,7 @@ static int tries_for(const Sphere *s, const Cell *cell) {
 
 /* The bound at which a cell is done. */
 static double enough(const Sphere *s) {
-    return s->best - larger(CLOSE * s->best, s->error);
+    return s->best - s->error;
 }
 
 /* Search a cell to its end, knowing what matters on it. `room` is for what matters on its parts,
