@@ -6,12 +6,24 @@ import copy
 import json
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import reference
-from answers import CREW, NEWCOMER, OUTLINE, QUESTION, SWARM, asked, first, honest_document, judge
+from answers import (
+    CREW,
+    NEWCOMER,
+    OUTLINE,
+    QUESTION,
+    SWARM,
+    ZONES,
+    asked,
+    first,
+    honest_document,
+    judge,
+)
 from swarmgrasp import (
     Newcomer,
     Outline,
@@ -30,6 +42,7 @@ from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid, NowhereToAttach
 from swarmgrasp.verify import placement as verify
 from swarmgrasp.verify import verify_document
+from swarmgrasp.verify.recompute import labels_of
 
 
 @pytest.fixture
@@ -372,6 +385,27 @@ def test_a_changed_name_is_refused_by_the_digest(document):
     _name(document)
     assert not verify_document(document)
     assert judge(document)
+
+
+class Looked(str):
+    """A name that counts how often names are compared."""
+
+    times = 0
+
+    def __eq__(self, other):
+        Looked.times += 1
+        return str.__eq__(self, other)
+
+    __hash__ = str.__hash__
+
+
+def test_names_of_zones_are_looked_at_once():
+    """Of a thousand zones of one name each is numbered without a look at all the others."""
+    zones = [SimpleNamespace(stretch=SimpleNamespace(name=Looked("quay"))) for _ in range(1000)]
+    labels = labels_of([zones[0], None, *zones[1:], ZONES[1]])
+    assert labels[:3] == ["quay (1)", "", "quay (2)"]
+    assert labels[-2:] == ["quay (1000)", "bollard"]
+    assert Looked.times < 10_000
 
 
 def test_the_other_placements_of_a_sequence_count():

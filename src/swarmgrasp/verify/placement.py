@@ -11,6 +11,7 @@ A claim is trusted only after it was recomputed; the normals and weights need no
 """
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -153,8 +154,8 @@ class _Check:
             if runner.quality > claim.upper_bound + self.slack(claim.upper_bound):
                 yield f"the runner-up at {runner.place} is better than the upper bound"
         yield from self.bound_faults()
-        places = [claim.place, *(runner.place for runner in claim.runners_up)]
-        for place in sorted({place for place in places if places.count(place) > 1}):
+        places = Counter([claim.place, *(runner.place for runner in claim.runners_up)])
+        for place in sorted(place for place, uses in places.items() if uses > 1):
             yield f"{place!r} is answered more than once"
         gain = claim.quality - claim.quality_before
         if claim.improves and gain <= self.rounding + 0.5 * self.noise:

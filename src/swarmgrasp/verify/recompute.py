@@ -1,6 +1,7 @@
 """The mathematics that the check of an answer needs, written anew and apart from the search."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -156,7 +157,8 @@ def turns_into(angle: float, lo: float, hi: float) -> bool:
 def labels_of(zones: "Sequence[ZoneClaim | None]") -> list[str]:
     """Return the zones' names; of several with one name, each with its number."""
     names = ["" if zone is None else zone.stretch.name for zone in zones]
-    return [
-        f"{name} ({names[: k + 1].count(name)})" if name and names.count(name) > 1 else name
-        for k, name in enumerate(names)
-    ]
+    uses, so_far, labels = Counter(names), Counter[str](), []
+    for name in names:
+        so_far[name] += 1
+        labels.append(f"{name} ({so_far[name]})" if name and uses[name] > 1 else name)
+    return labels
