@@ -10,6 +10,7 @@ from answers import QUESTION, honest_document
 from swarmgrasp import Placements, place_sequence, read_answer, write_answer
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.verify import verify_document
 from swarmgrasp.verify.digest import digest_of
 
 NOON = datetime(2031, 5, 4, 12, 0, 7, tzinfo=timezone(timedelta(hours=2)))
@@ -32,6 +33,18 @@ def test_a_file_says_what_it_is(answers, tmp_path):
     }  # fmt: skip
     assert list(document) == [*head, *answers.to_data(), "digest"]
     assert document == {**head, **answers.to_data(), "digest": digest_of(document)}
+
+
+def test_answers_stand_in_the_order_in_which_they_joined(answers, tmp_path):
+    """So do the bounds that the check finds, and each finds the robots before it."""
+    write_answer(tmp_path / "a.json", answers)
+    document = read_answer(tmp_path / "a.json")
+    told = [(p["robot"]["name"], p["quality_before"]) for p in document["placements"]]
+    first, second = answers
+    assert told == [("Fred 1", first.quality_before), ("Fred 2", second.quality_before)]
+    assert first.upper_bound < 0.99 * second.upper_bound
+    bounds = [first.upper_bound, second.upper_bound]
+    assert verify_document(document).upper_bounds == pytest.approx(bounds, rel=1e-9)
 
 
 @pytest.mark.parametrize("key", ["format", "name", "version", "date", "units"])
