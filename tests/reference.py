@@ -5,6 +5,7 @@ otherwise: (n, 3) [N, N, N], so that the metric is Euclidean.
 """
 
 import math
+from collections import Counter
 from fractions import Fraction
 from itertools import combinations, pairwise, product
 
@@ -484,3 +485,13 @@ def most_of_task(B, rows):
             most, linprog(unknown, A_eq=matrix, b_eq=np.zeros(3), bounds=bounds).x[-1] / size
         )
     return most
+
+
+def check_closed(mesh):
+    """Every side of a face meets exactly one other face, and V - E + F = 2."""
+    sides = Counter(
+        side for face in mesh.faces for side in zip(face, face[1:] + face[:1], strict=True)
+    )
+    assert set(sides.values()) == {1}
+    assert all((b, a) in sides for a, b in sides)
+    assert len(mesh.vertices) - len(mesh.edges) + len(mesh.faces) == 2

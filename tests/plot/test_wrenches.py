@@ -1,3 +1,5 @@
+import math
+
 import numpy as np
 import pytest
 from mpl_toolkits.mplot3d import proj3d
@@ -158,3 +160,33 @@ def test_a_flat_set_touched_at_its_rim_marks_no_face():
     criterion = Criterion(task=Polytope([(1, 0, 0)]))
     assert body(swarm, criterion).facet == ()
     assert "weakest face" not in texts(wrench_sets(swarm, criterion=criterion))[0]
+
+
+def test_a_round_set_is_drawn_without_edges():
+    """Four azimuths: an outline, a ball, and where it touches; nothing of the mesh."""
+    outline = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    corners = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
+    swarm = Swarm(outline, [Robot(c, 0.0, steers=math.pi) for c in corners])
+    shape = body(swarm)
+    assert (shape.edges, shape.facet) == ((), ())
+    np.testing.assert_allclose(shape.weakest, quality(swarm).direction)
+    assert (shape.offsets >= shape.quality * (1.0 - 1e-9)).all()
+    legend, _ = texts(wrench_sets(swarm, swarm.with_robot(Robot((0.3, 1), -1.5))))
+    assert "weakest face" not in legend
+
+
+def test_a_flat_face_among_round_ones_is_drawn_whole():
+    """The ball touches it inside its rim."""
+    outline = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    robots = [
+        Robot((0.3, 0.2), 0.0, steers=math.pi, mounted=True),
+        Robot((1, 0.2), math.pi, reverse_limit=0.5),
+        Robot((-1, 0.1), 0.0, reverse_limit=0.5),
+        Robot((0.3, 1), -math.pi / 2, friction=0.3),
+        Robot((0, -1), 1.0, steers=0.3, least=0.2),
+    ]
+    shape = body(Swarm(outline, robots))
+    rim = shape.vertices[list(shape.facet)]
+    sides = np.cross(np.roll(rim, -1, axis=0) - rim, shape.touching - rim) @ shape.weakest
+    assert (sides > -1e-3).all()
+    assert 0 < len(shape.edges) < len(shape.vertices)

@@ -133,7 +133,6 @@ RAYS_ONLY = {
     "many robots": lambda: sg.qualities_with(STEERING, [(1, 0)], [0.0]),
     "sensitivity": lambda: sg.sensitivities(STEERING),
     "summary": lambda: sg.Summary.of(STEERING, 12),
-    "wrench set": lambda: sg.WrenchSet(STEERING),
     "push forces": lambda: sg.forces(STEERING, (1.0, 0.0, 0.0)),
     "steering newcomer": lambda: sg.place(FIXED, Newcomer(steers=True)),
     "reversible newcomer": lambda: sg.place(FIXED, Newcomer(reverse_limit=0.5)),

@@ -1,7 +1,6 @@
 """The zonotope of a swarm: support, membership, volume, faces and corners."""
 
 import math
-from collections import Counter
 
 import numpy as np
 import pytest
@@ -9,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import reference
+from reference import check_closed
 from swarmgrasp.errors import MetricInvalid, WrenchInvalid, WrenchSetTooLarge
 from swarmgrasp.outline import Outline
 from swarmgrasp.swarm import Robot, Swarm
@@ -38,16 +38,6 @@ def draw(kind, seed, n):
 
 KINDS = ["random", "grid", "turned grid", "along normals", "almost"]
 generators = st.builds(draw, st.sampled_from(KINDS), st.integers(0, 2**32), st.integers(0, 9))
-
-
-def check_closed(mesh):
-    """Every side of a face meets exactly one other face, and V - E + F = 2."""
-    sides = Counter(
-        side for face in mesh.faces for side in zip(face, face[1:] + face[:1], strict=True)
-    )
-    assert set(sides.values()) == {1}
-    assert all((b, a) in sides for a, b in sides)
-    assert len(mesh.vertices) - len(mesh.edges) + len(mesh.faces) == 2
 
 
 def enclosed(mesh):

@@ -11,7 +11,12 @@ from swarmgrasp.quality import Criterion, quality
 from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
+from swarmgrasp.wrench_set.mesh import Mesh
 
+FINE = 1e-3
+"""How far round faces may reach beyond those drawn, relative to the set."""
+SHARP = 0.906
+"""Cosine between the normals of faces that are one round face from which on they are two."""
 Vectors = NDArray[np.float64]
 Piece = tuple[Vectors, Vectors]
 """A polygon (k, 3) [N, N, N] and its colour (4,)."""
@@ -32,6 +37,7 @@ class Body:
         Of the wrench set, moved by the load.
     faces : tuple of tuple of int
     edges : tuple of (int, int)
+        Those that are no part of a round face.
     normals : (f, 3)
         Unit outward normals.
     offsets : (f,) [N]
@@ -44,10 +50,13 @@ class Body:
         The largest ball about no wrench, or the task times the quality.
     touching : (3,) [N, N, N]
         Where that touches the boundary; no wrench when the quality is 0.
+    weakest : (3,)
+        Outward normal there; upward when there are no faces, or when a flat set is touched at its
+        rim.
     facet : tuple of int
-        The vertices of the face it touches; none when there are no faces, or when a flat set is
-        touched at its rim. With a quality of 0 the face through no wrench, or the one that this
-        is farthest beyond.
+        The vertices of the face it touches; none when `weakest` is upward, or the set is round
+        there. With a quality of 0 the face through no wrench, or the one that this is farthest
+        beyond.
     """
 
     vertices: Vectors
@@ -59,15 +68,8 @@ class Body:
     quality: float
     held: Solid
     touching: Vectors
+    weakest: Vectors
     facet: tuple[int, ...]
-
-    @property
-    def weakest(self) -> Vectors:
-        """(3,): outward normal of the touched face, upward when there is none."""
-        if not self.facet:
-            return np.array([0.0, 0.0, 1.0])
-        normal: Vectors = self.normals[self.faces.index(self.facet)]
-        return normal
 
     @property
     def is_beyond(self) -> bool:
@@ -93,30 +95,52 @@ def body(swarm: Swarm, criterion: Criterion = NOMINAL) -> Body:
     """
     limit = quality(swarm, **criterion.terms)
     worst = swarm if criterion.is_nominal else limit.worst_swarm
-    mesh = WrenchSet(worst).mesh()
+    mesh = WrenchSet(worst).mesh(FINE)
     load = np.array(criterion.load) * swarm.scale
     offsets = mesh.offsets + mesh.normals @ load
+    heights = mesh.normals @ (mesh.vertices * swarm.scale + load).T
     facet: tuple[int, ...] = ()
+    weakest = np.array([0.0, 0.0, 1.0])
     if mesh.faces:
+        size = float(np.abs(mesh.vertices * swarm.scale).max())
         along = mesh.normals @ limit.direction
         least = ALIGNED
         if limit.value == 0.0:
-            lowest = offsets.min() + LEVEL * float(np.abs(mesh.vertices * swarm.scale).max())
+            lowest = offsets.min() + LEVEL * size
             along, least = np.where(offsets <= lowest, along, -np.inf), -1.0
         best = int(along.argmax())
-        facet = mesh.faces[best] if along[best] >= least else ()
+        is_round = offsets - heights.max(axis=1) > LEVEL * size
+        if along[best] >= least and not is_round[best]:
+            facet, weakest = mesh.faces[best], mesh.normals[best]
+        elif is_round.any():
+            weakest = limit.direction
     return Body(
         vertices=mesh.vertices * swarm.scale + load,
         faces=mesh.faces,
-        edges=mesh.edges,
+        edges=_edges(mesh),
         normals=mesh.normals,
         offsets=offsets,
         robots=len(worst),
         quality=limit.value,
         held=solid(criterion, swarm.scale).times(limit.value),
         touching=limit.weakest_wrench * swarm.scale,
+        weakest=weakest,
         facet=facet,
     )
+
+
+def _edges(mesh: Mesh) -> tuple[tuple[int, int], ...]:
+    """Return the edges of a mesh, of a round one those that it bends at sharply."""
+    if mesh.gap == 0.0:
+        return mesh.edges
+    normals: dict[tuple[int, int], Vectors] = {}
+    found = []
+    for face, normal in zip(mesh.faces, mesh.normals, strict=True):
+        for a, b in zip(face, face[1:] + face[:1], strict=True):
+            other = normals.setdefault((min(a, b), max(a, b)), normal)
+            if normal @ other < SHARP:
+                found.append((min(a, b), max(a, b)))
+    return tuple(sorted(found))
 
 
 def split(

@@ -45,6 +45,7 @@ WORDS: Final = 0.2
 SOLID: Final = "#C9CDD2"
 LOAD: Final[dict[str, Any]] = {"color": style.PURPLE, "linewidth": 2.0, "marker": "D"}
 TASK: Final[dict[str, Any]] = {"color": style.BLUE, "linewidth": 2.4}
+OUTLINE: Final[dict[str, Any]] = {"color": style.GREY, "linewidth": 0.6, "zorder": 2.25}
 WIRES_SEEN: Final[dict[str, Any]] = {"linewidth": 0.9, "zorder": 3}
 WIRES_HIDDEN: Final[dict[str, Any]] = {"linewidth": 0.5, "alpha": 0.35, "zorder": 1}
 
@@ -168,7 +169,8 @@ def _draw_solids(
     faces = [first.vertices[list(f)] for f, s in zip(first.faces, seen, strict=True) if s]
     colours = _shade(first.normals[seen], towards, SOLID)
     colours[:, 3] = 0.5 if last.quality > 0.0 else 0.9
-    _add(ax, faces, factor, colours, mpl.colors.to_rgba(style.GREY, 0.9), zorder=2.2, gid="before")
+    _add(ax, faces, factor, colours, "none", zorder=2.2, gid="before", linewidths=0.0)
+    _draw_lines(ax, first, _lines(first, towards, front=True), factor, **OUTLINE)
     if last.quality > 0.0:
         held = last.held
         seen = held.normals @ towards > (1e-9 if held.is_angular else -0.05)
@@ -205,19 +207,34 @@ def _draw_wires(
     **look: Any,
 ) -> None:
     """Draw the edges that can be seen, or faintly those that cannot, as one broken line."""
-    seen = {
-        (min(pair), max(pair))
+    depth = WIRES_SEEN if front else WIRES_HIDDEN
+    look = {"color": style.VERMILION, "gid": "wires"} | depth | look
+    _draw_lines(ax, shape, _lines(shape, towards, front=front), factor, **look)
+
+
+def _lines(shape: Body, towards: NDArray[np.float64], *, front: bool) -> list[tuple[int, int]]:
+    """Return the edges that can be seen, with the outline if round, or those that cannot."""
+    sides = {
+        pair
         for face, shown in zip(shape.faces, _front(shape, towards), strict=True)
         if shown
         for pair in zip(face, face[1:] + face[:1], strict=True)
     }
-    edges = [edge for edge in shape.edges if (edge in seen) == front or not shape.faces]
-    if not edges:
-        return
-    gaps = np.full((len(edges), 1, 3), np.nan)
-    line = np.concatenate([shape.vertices[np.array(edges)] * factor, gaps], axis=1).reshape(-1, 3)
-    depth = WIRES_SEEN if front else WIRES_HIDDEN
-    ax.plot(*line.T, gid="wires", **({"color": style.VERMILION} | depth | look))
+    if not front:
+        return [(a, b) for a, b in shape.edges if (a, b) not in sides and (b, a) not in sides]
+    rim = {(min(a, b), max(a, b)) for a, b in sides if (b, a) not in sides}
+    seen = {(a, b) for a, b in shape.edges if (a, b) in sides or (b, a) in sides}
+    return sorted(seen | rim) if shape.faces else list(shape.edges)
+
+
+def _draw_lines(
+    ax: Axes3D, shape: Body, edges: list[tuple[int, int]], factor: float, **look: Any
+) -> None:
+    """Draw edges as one broken line."""
+    if edges:
+        gaps = np.full((len(edges), 1, 3), np.nan)
+        ends = shape.vertices[np.array(edges)] * factor
+        ax.plot(*np.concatenate([ends, gaps], axis=1).reshape(-1, 3).T, **look)
 
 
 def _draw_facet(ax: Axes3D, shape: Body, factor: float) -> None:

@@ -201,6 +201,18 @@ def rays_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[n
     return np.asarray(rays)
 
 
+def least_along(columns: Columns) -> Array:
+    """Return the least force (n,) [N] of robots along their directions: negative if both ways."""
+    return np.where(columns.reverse_limits > 0.0, -columns.reverse_limits, columns.leasts)
+
+
+def lines_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[np.bool_]:
+    """Tell which robots push along one line only, one way or both: (n,)."""
+    lines = (columns.steers == 0.0) & (columns.frictions == 0.0)
+    lines[list(envelopes)] = False
+    return np.asarray(lines)
+
+
 def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceSets:
     """Return the force sets of robots, in the object's frame."""
     n = len(columns.limits)
@@ -229,7 +241,7 @@ def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceS
     zero = np.zeros(1)
     right = math.pi / 2
     lines = ~odd & (steers == 0.0)
-    low = np.where(reverse > 0.0, -reverse, columns.leasts)
+    low = least_along(columns)
     note(lines, zero, at(lines, zero, columns.limits[lines]), -right + zero, right + zero)
     note(lines, zero, at(lines, zero, low[lines]), right + zero, 3.0 * right + zero)
     rounds = ~odd & (steers >= math.pi)
@@ -260,3 +272,38 @@ def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceS
     owners = np.concatenate(owner)
     order = np.argsort(owners, kind="stable")
     return ForceSets(np.concatenate(rows)[order], np.bincount(owners, minlength=n))
+
+
+def best_forces(sets: ForceSets, ways: Array) -> Array:
+    """Return the force of each set that is the farthest along a way.
+
+    Parameters
+    ----------
+    sets : ForceSets
+        Of n robots.
+    ways : (..., n, 2)
+        Of any length. Where several forces are as far, it is one of them.
+
+    Returns
+    -------
+    (..., n, 2) [N, N]
+
+    Examples
+    --------
+    >>> sector = hull_of([(0.0, 0.0)], [Arc(2.0, -0.5, 0.5)])
+    >>> sets = ForceSets(np.array(sector), np.array([len(sector)]))
+    >>> best_forces(sets, np.array([[[3.0, 0.0]], [[-1.0, 0.0]]])).round(3).tolist()
+    [[[2.0, 0.0]], [[0.0, 0.0]]]
+    """
+    n, most = len(sets.counts), int(sets.counts.max(initial=0))
+    last = np.cumsum(sets.counts) - 1
+    first = last + 1 - sets.counts
+    rows = sets.elements[np.minimum(first[:, None] + np.arange(most), last[:, None])]
+    radius, x, y, start, end = np.moveaxis(rows, -1, 0)
+    middle, half = 0.5 * (start + end), 0.5 * (end - start)
+    turn = np.arctan2(ways[..., 1], ways[..., 0])[..., None] - middle
+    turn = middle + np.clip((turn + math.pi) % math.tau - math.pi, -half, half)
+    forces = np.stack([radius * np.cos(turn) + x, radius * np.sin(turn) + y], axis=-1)
+    values = np.einsum("...nkd,...nd->...nk", forces, ways)
+    best = values.argmax(axis=-1) if n else np.zeros(values.shape[:-1], dtype=np.intp)
+    return np.take_along_axis(forces, best[..., None, None], axis=-2)[..., 0, :]

@@ -37,7 +37,13 @@ from swarmgrasp.swarm.columns import (
     columns_of,
     robot_of,
 )
-from swarmgrasp.swarm.force_set import ForceSets, force_sets_of, rays_among
+from swarmgrasp.swarm.force_set import (
+    ForceSets,
+    force_sets_of,
+    least_along,
+    lines_among,
+    rays_among,
+)
 from swarmgrasp.swarm.names import Names, names_of, numbered
 from swarmgrasp.swarm.rare import Rare
 from swarmgrasp.swarm.robot import Robot
@@ -288,6 +294,16 @@ class Swarm(Frozen, Plain):
     def has_rays_only(self) -> bool:
         """Whether all robots push along one ray each, so that their wrenches span a zonotope."""
         return bool(self.is_ray.all())
+
+    @cached_property
+    def is_line(self) -> NDArray[np.bool_]:
+        """(n,): which robots push along one line only, one way or both."""
+        return read_only(lines_among(self.columns, self.rare.envelopes))
+
+    @property
+    def lows(self) -> NDArray[np.float64]:
+        """(n,) [N]: the least force of each in its direction; negative for both ways."""
+        return least_along(self.columns)
 
     @cached_property
     def force_sets(self) -> ForceSets:

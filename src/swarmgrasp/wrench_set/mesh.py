@@ -45,13 +45,18 @@ class Mesh(Frozen):
         Unit outward normal of each face, in the metric's scaled coordinates.
     offsets : (f,) [N]
         Support function at each normal, scaled too. The quality is the least of them
-        when the set is not flat (T2).
+        when the set is neither flat nor round (T2).
+    gap : float [N]
+        Of a set with round parts, how far it reaches beyond the faces at most, scaled too: it
+        contains what the vertices span, and lies before the planes of `normals` and `offsets`.
+        Of other sets 0, or rounding.
     """
 
     vertices: NDArray[np.float64]
     faces: tuple[tuple[int, ...], ...]
     normals: NDArray[np.float64] = field(repr=False)
     offsets: NDArray[np.float64] = field(repr=False)
+    gap: float = 0.0
 
     @property
     def edges(self) -> tuple[tuple[int, int], ...]:
@@ -65,20 +70,69 @@ class Mesh(Frozen):
         }
         return tuple(sorted(sides))
 
+    @property
+    def volume(self) -> float:
+        """Volume [N^3 m] between the faces."""
+        corners = self.vertices - self.vertices[0]
+        fans = [corners[list(face)] for face in self.faces]
+        return sum(float((np.cross(fan[1:-1], fan[2:]) @ fan[0]).sum()) / 6.0 for fan in fans)
 
-def zonotope_mesh(generators: NDArray[np.float64], scale: NDArray[np.float64]) -> Mesh:
+    def section(self, torque: float) -> NDArray[np.float64]:
+        """Cut at a torque: the forces that can be exerted with it.
+
+        Parameters
+        ----------
+        torque : float [N m]
+
+        Returns
+        -------
+        (k, 2) [N, N]
+            Corners, counter-clockwise; none where no force goes with the torque. A flat set has
+            one or two, and a face or side at just this torque is not told apart from its rim.
+
+        Examples
+        --------
+        >>> from swarmgrasp.wrench_set import WrenchSet
+        >>> prism = WrenchSet.from_generators([[1, 0, 1], [0, 1, 0], [0, 0, 1]]).mesh()
+        >>> prism.section(0.5).tolist()
+        [[0.0, 0.0], [0.5, 0.0], [0.5, 1.0], [0.0, 1.0]]
+        """
+        if not self.edges:
+            return np.zeros((0, 2))
+        one, other = self.vertices[np.array(self.edges).T]
+        crossing = (one[:, 2] <= torque) != (other[:, 2] <= torque)
+        one, other = one[crossing], other[crossing]
+        share = (torque - one[:, 2]) / (other[:, 2] - one[:, 2])
+        points = one[:, :2] + share[:, None] * (other - one)[:, :2]
+        about = points - points.mean(axis=0) if len(points) else points
+        order = np.argsort(np.arctan2(about[:, 1], about[:, 0]))
+        return np.asarray(points[order])
+
+
+def zonotope_mesh(
+    generators: NDArray[np.float64], scale: NDArray[np.float64], start: NDArray[np.float64]
+) -> Mesh:
     """List the faces and corners of a zonotope.
 
     Parameters
     ----------
     generators : (n, 3) [N, N, N m]
     scale : (3,) [1, 1, 1/m]
+    start : (3,) [N, N, N m]
+        By which it is moved.
 
     Raises
     ------
     WrenchSetTooLarge
         If the generators have more than `MESH_LINES` distinct directions.
     """
+    mesh = _about_no_wrench(generators, scale)
+    offsets = mesh.offsets + mesh.normals @ (start * scale)
+    return Mesh(mesh.vertices + start, mesh.faces, mesh.normals, offsets)
+
+
+def _about_no_wrench(generators: NDArray[np.float64], scale: NDArray[np.float64]) -> Mesh:
+    """List the faces and corners of the sum of the segments from no wrench to each generator."""
     starts, ends, directions = _lines(generators, scale)
     if len(directions) < 2:
         corners = np.vstack([starts.sum(axis=0), ends])[: len(directions) + 1]

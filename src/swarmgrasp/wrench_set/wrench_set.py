@@ -1,16 +1,17 @@
-"""The wrench set: every wrench a swarm can make, a zonotope, and its faces and corners."""
+"""The wrench set: every wrench a swarm can make, and its faces and corners."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import MetricInvalid, WrenchInvalid
+from swarmgrasp.errors import LinearProgramFailed, MetricInvalid, WrenchInvalid
 from swarmgrasp.frozen import Frozen
-from swarmgrasp.linear import minimise
+from swarmgrasp.linear import Program
 from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, number, numbers, shown
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.swarm.swarm import check_rays, check_swarm
+from swarmgrasp.swarm.swarm import check_swarm
 from swarmgrasp.wrench_set.mesh import (
     ANGLE_TOLERANCE,
     Mesh,
@@ -20,11 +21,19 @@ from swarmgrasp.wrench_set.mesh import (
     unit_directions,
     zonotope_mesh,
 )
+from swarmgrasp.wrench_set.planar import NO_PLANES, Planar, planar_of
+from swarmgrasp.wrench_set.rounded import Farthest, rounded_mesh
+
+ROWS = 1 << 20
+"""Products computed at a time."""
 
 
 @dataclass(frozen=True, eq=False)
 class WrenchSet(Frozen):
-    """The wrenches a swarm can make: W = {sum u_i b_i, 0 <= u_i <= 1}, a zonotope.
+    """The wrenches a swarm can make: the sum of what each robot can exert (T20).
+
+    Of robots that push along lines it is a zonotope, moved by what these exert at least. Robots
+    that steer give it round faces.
 
     Parameters
     ----------
@@ -33,9 +42,14 @@ class WrenchSet(Frozen):
     Attributes
     ----------
     generators : (n, 3) [N, N, N m]
-        The wrench b_i of each robot at its limit.
+        Of the robots that push along a line, from the one end of what each can exert to the other:
+        of a robot of one way its wrench b_i at its limit.
+    start : (3,) [N, N, N m]
+        What these exert together at the first ends.
     scale : (3,) [1, 1, 1/m]
         Makes the metric Euclidean: scaled wrenches are ``generators * scale``.
+    planar : Planar
+        What each of the others can exert.
 
     Examples
     --------
@@ -48,6 +62,13 @@ class WrenchSet(Frozen):
     >>> wrenches.contains([[1.0, 0.5, 0.0], [0.0, -0.1, 0.0]]).tolist()
     [True, False]
 
+    A thruster that turns any way, and one that goes astern with half its force:
+
+    >>> around = Robot((0.5, 0), 0.0, steers=3.141592653589793, mounted=True)
+    >>> wrenches = WrenchSet(Swarm(square, [around, Robot((0, 1), 0.0, reverse_limit=0.5)]))
+    >>> [bound.tolist() for bound in wrenches.bounds()]
+    [[-1.5, -1.0, -1.5], [2.0, 1.0, 1.0]]
+
     No robots make no wrench:
 
     >>> nobody = WrenchSet(Swarm(square, []))
@@ -56,12 +77,17 @@ class WrenchSet(Frozen):
     """
 
     generators: NDArray[np.float64]
+    start: NDArray[np.float64]
     scale: NDArray[np.float64]
+    planar: Planar
 
     def __init__(self, swarm: Swarm) -> None:
         check_swarm(swarm)
-        check_rays(swarm, "a wrench set")
-        self._fill(swarm.generators, swarm.scale)
+        if swarm.has_rays_only:
+            self._fill(swarm.generators, np.zeros(3), swarm.scale, NO_PLANES)
+            return
+        planar, lines, starts = planar_of(swarm)
+        self._fill(lines, starts.sum(axis=0), swarm.scale, planar)
 
     @classmethod
     def from_generators(
@@ -94,20 +120,28 @@ class WrenchSet(Frozen):
                 f"{STRONGEST:g}"
             )
         new = object.__new__(cls)
-        new._fill(_triples(generators, "generators").reshape(-1, 3), np.array(factors))
+        lines = _triples(generators, "generators").reshape(-1, 3)
+        new._fill(lines, np.zeros(3), np.array(factors), NO_PLANES)
         return new
 
-    def _fill(self, generators: NDArray[np.float64], scale: NDArray[np.float64]) -> None:
-        """Set the two fields of a frozen instance."""
-        vars(self).update(generators=generators, scale=scale)
+    def _fill(
+        self,
+        generators: NDArray[np.float64],
+        start: NDArray[np.float64],
+        scale: NDArray[np.float64],
+        planar: Planar,
+    ) -> None:
+        """Set the fields of a frozen instance."""
+        vars(self).update(generators=generators, start=start, scale=scale, planar=planar)
         self._freeze()
 
     # -- measures ---------------------------------------------------------------------
 
-    @property
-    def scaled_generators(self) -> NDArray[np.float64]:
-        """(n, 3) [N, N, N]: the generators in the metric's coordinates."""
-        return self.generators * self.scale
+    @cached_property
+    def _directions(self) -> NDArray[np.float64]:
+        """(k, 3): unit vectors, scaled, that span all differences of the set's wrenches."""
+        planes = self.planar.planes.reshape(-1, 3)
+        return unit_directions(np.concatenate([self.generators, planes]) * self.scale)
 
     @property
     def rank(self) -> int:
@@ -120,7 +154,7 @@ class WrenchSet(Frozen):
         >>> WrenchSet.from_generators([[1, 0, 0], [0, 1e12, 0], [-2, 0, 0]]).rank
         2
         """
-        directions = unit_directions(self.scaled_generators)
+        directions = self._directions
         if not len(directions):
             return 0
         crosses = np.cross(directions[0], directions)
@@ -133,10 +167,12 @@ class WrenchSet(Frozen):
 
     @property
     def volume(self) -> float:
-        """Volume [N^3 m] of the set: sum of ``|det(b_i, b_j, b_k)|`` over triples, 0 if flat.
+        """Volume [N^3 m] of the set, 0 if flat.
 
-        For each b_j the sum over the other two is ``|b_j|`` times the area of the zonogon
-        that they make across b_j; every triple is met three times.
+        Of a zonotope the sum of ``|det(b_i, b_j, b_k)|`` over triples: for each b_j the sum over
+        the other two is ``|b_j|`` times the area of the zonogon that they make across b_j; every
+        triple is met three times. With other robots that of ``mesh(1e-3)``: round faces lie a
+        little beyond it.
 
         Examples
         --------
@@ -147,7 +183,9 @@ class WrenchSet(Frozen):
         """
         if self.rank < 3:
             return 0.0
-        G = self.scaled_generators
+        if len(self.planar):
+            return self.mesh(1e-3).volume
+        G = self.generators * self.scale
         lengths = np.linalg.norm(G, axis=1)
         total = 0.0
         for g, length in zip(G[lengths > 0.0], lengths[lengths > 0.0], strict=True):
@@ -169,11 +207,12 @@ class WrenchSet(Frozen):
         >>> lower.tolist(), upper.tolist()
         ([-4.0, 0.0, 0.0], [1.0, 3.0, 3.0])
         """
-        G = self.generators
-        return np.minimum(G, 0.0).sum(axis=0), np.maximum(G, 0.0).sum(axis=0)
+        ways = np.eye(3)
+        ends = [np.diagonal(self._farthest(sign * ways)).copy() for sign in (-1.0, 1.0)]
+        return ends[0], ends[1]
 
     def support(self, normals: ArrayLike) -> NDArray[np.float64] | float:
-        """Compute the support function h(n) = sum_i max(0, n . b_i), the furthest W reaches.
+        """Compute the support function h(n) = max n . w over the set, the furthest it reaches.
 
         Parameters
         ----------
@@ -198,8 +237,24 @@ class WrenchSet(Frozen):
         [0.0, 0.0]
         """
         directions = _triples(normals, "normals")
-        reach = np.maximum(directions @ self.generators.T, 0.0).sum(axis=-1)
-        return float(reach) if directions.ndim == 1 else reach
+        rows = directions.reshape(-1, 3)
+        reach = (rows * self._farthest(rows)).sum(axis=1)
+        return float(reach[0]) if directions.ndim == 1 else reach
+
+    def _farthest(self, normals: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the wrenches (m, 3) of the set farthest along normals (m, 3), both physical."""
+        step = max(1, ROWS // max(1, len(self.generators), 10 * len(self.planar)))
+        parts = [
+            self.start
+            + (part @ self.generators.T > 0.0) @ self.generators
+            + self.planar.farthest(part)
+            for part in (normals[i : i + step] for i in range(0, len(normals), step))
+        ]
+        return np.concatenate([np.zeros((0, 3)), *parts])
+
+    def _farthest_scaled(self, normals: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the same in the metric's coordinates."""
+        return self._farthest(normals * self.scale) * self.scale
 
     def contains(self, wrenches: ArrayLike, tolerance: float = 1e-9) -> NDArray[np.bool_] | bool:
         """Tell which wrenches the swarm can make.
@@ -208,8 +263,8 @@ class WrenchSet(Frozen):
         ----------
         wrenches : (m, 3) or (3,) [N, N, N m]
         tolerance : float
-            A wrench counts as made when the least largest miss of a scaled component is
-            at most this share of ``sum |b_i|``. Below 1e-10 rounding decides.
+            A wrench counts as made when the least largest miss of a scaled component is at most
+            this share of the sum of the largest wrenches of all. Below 1e-10 rounding decides.
 
         Returns
         -------
@@ -231,28 +286,41 @@ class WrenchSet(Frozen):
                 f"the tolerance is {shown(tolerance)}; it should be 0 <= tolerance <= 1"
             )
         wanted = _triples(wrenches, "wrenches")
-        G = self.scaled_generators
-        slack = tolerance * float(np.linalg.norm(G, axis=1).sum())
-        lower, upper = (bound * self.scale for bound in self.bounds())
-        inside = [
-            bool((w >= lower - slack).all() and (w <= upper + slack).all())
-            and _least_miss(G, w) <= slack
-            for w in wanted.reshape(-1, 3) * self.scale
-        ]
-        return inside[0] if wanted.ndim == 1 else np.array(inside, dtype=bool)
+        slack = tolerance * self._weight
+        rows = wanted.reshape(-1, 3) * self.scale
+        found = np.array([_holds(self._farthest_scaled, row, slack) for row in rows], dtype=bool)
+        return bool(found[0]) if wanted.ndim == 1 else found
+
+    @property
+    def _weight(self) -> float:
+        """Sum of the largest wrenches of all robots, scaled [N]."""
+        planes = np.linalg.norm(self.planar.planes * self.scale, axis=2).max(axis=1, initial=0.0)
+        lines = np.linalg.norm(self.generators * self.scale, axis=1)
+        return float(
+            lines.sum() + np.linalg.norm(self.start * self.scale) + self.planar.sizes @ planes
+        )
 
     # -- faces and corners ------------------------------------------------------------
 
-    def mesh(self) -> Mesh:
+    def mesh(self, tolerance: float = 2e-3) -> Mesh:
         """List the faces and corners.
 
-        Every face is the zonogon of all generators in one plane. Corners are told apart
-        by which generators they use, never by rounded coordinates.
+        Of robots that push along lines every face is the zonogon of all generators in one plane,
+        and corners are told apart by which generators they use, never by rounded coordinates.
+
+        Parameters
+        ----------
+        tolerance : float
+            How far round faces may reach beyond the mesh at most, relative to the set's size;
+            1e-6 <= tolerance <= 0.1. Sets without round faces are exact.
 
         Raises
         ------
         WrenchSetTooLarge
-            If the generators have more than `MESH_LINES` distinct directions.
+            If the generators have more than `MESH_LINES` distinct directions, or the mesh more than
+            `MOST_VERTICES` vertices.
+        WrenchInvalid
+            If the tolerance is outside its range.
 
         Examples
         --------
@@ -262,7 +330,19 @@ class WrenchSet(Frozen):
         >>> WrenchSet.from_generators([[1, 0, 0], [-2, 0, 0]]).mesh().vertices.tolist()
         [[-2.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
         """
-        return zonotope_mesh(self.generators, self.scale)
+        if not 1e-6 <= number(tolerance) <= 0.1:
+            raise WrenchInvalid(
+                f"the tolerance is {shown(tolerance)}; it should be 1e-6 <= tolerance <= 0.1"
+            )
+        if not len(self.planar):
+            return zonotope_mesh(self.generators, self.scale, self.start)
+        spans = np.linalg.svd(self._directions)[2]
+        mesh = rounded_mesh(
+            self._farthest_scaled,
+            spans[: self.rank],
+            tolerance if self.planar.is_round else 0.0,
+        )
+        return replace(mesh, vertices=mesh.vertices / self.scale)
 
 
 def _triples(vectors: ArrayLike, what: str) -> NDArray[np.float64]:
@@ -293,23 +373,35 @@ def _zonogon_area(flat: NDArray[np.float64]) -> float:
     return float(np.sum(np.cumsum(x)[:-1] * y[1:] - np.cumsum(y)[:-1] * x[1:]))
 
 
-def _least_miss(G: NDArray[np.float64], wrench: NDArray[np.float64]) -> float:
-    """Return min over 0 <= u <= 1 of the largest component of |G' u - w|, scaled [N].
+def _holds(farthest: Farthest, point: NDArray[np.float64], slack: float) -> bool:
+    """Tell whether no component of a point (3,) misses a set by more than a slack.
 
-    With unit columns and v_i = u_i |b_i| as unknowns, a giant among dwarfs does not make
-    the solver drop the dwarfs' coefficients. The miss is computed anew from the answer.
+    The miss is the most that n . point exceeds h(n) by, over normals n whose components' sizes sum
+    to 1 at most. With the points found so far instead of h that is a linear program, whose best
+    normal finds the next point.
     """
-    directions = unit_directions(G)
-    lengths = np.linalg.norm(G, axis=1)
-    lengths = lengths[lengths > 0.0]
-    unit_force = lengths.max(initial=0.0) or 1.0
-    w = wrench / unit_force
-    slack = np.ones((3, 1))
-    solution = minimise(
-        np.append(np.zeros(len(directions)), 1.0),
-        np.block([[directions.T, -slack], [-directions.T, -slack]]),
-        rows=(-np.inf, np.concatenate([w, -w])),
-        columns=(0.0, np.append(lengths / unit_force, np.inf)),
+    found = farthest(np.concatenate([np.eye(3), -np.eye(3)]))
+    size = float(max(np.abs(found).max(), np.abs(point).max())) or 1.0
+    program = Program(
+        np.concatenate([-point, point, [size]]) / size,
+        np.array([[1.0] * 6 + [0.0]]),
+        rows=(-np.inf, 1.0),
+        columns=([0.0] * 6 + [-np.inf], [1.0] * 6 + [np.inf]),
     )
-    forces = np.clip(solution[:-1], 0.0, lengths / unit_force)
-    return float(np.abs(forces @ directions - w).max() * unit_force)
+    new = found
+    while True:
+        corners = new / size
+        program.add_rows(np.hstack([-corners, corners, np.ones((len(new), 1))]), (0.0, np.inf))
+        solution = program.solve()
+        if solution is None:
+            raise LinearProgramFailed(
+                "HiGHS found no plane between a wrench and the wrench set; scale the input, whose "
+                "numbers may be too far apart"
+            )
+        normal = solution.values[:3] - solution.values[3:6]
+        new = farthest(normal[None])
+        if normal @ (point - new[0]) > slack:
+            return False
+        if normal @ point - size * solution.values[6] <= slack or (new == found).all(axis=1).any():
+            return True
+        found = np.concatenate([found, new])
