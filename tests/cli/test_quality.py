@@ -1,5 +1,6 @@
 import io
 import json
+import re
 import sys
 
 import pytest
@@ -124,3 +125,35 @@ def test_nothing_is_left_of_nobody(run):
         "Worst loss      Ajax, Castor or Dione\n"
         in run("quality", "deck-barge", "--losing", "1")[1]
     )
+
+
+STEERING = """
+units: {length: m, force: kN, angle: deg}
+outline: {vertices: [[-40, -10], [40, -10], [40, 10], [-40, 10]], edges: [stb, bow, port, stern]}
+robots:
+  - {name: Ajax, edge: stb, along: 10, direction: inward, limit: 210, steers: 30, group: line A}
+  - {name: Boreas, edge: stb, along: 70, direction: 100, limit: 300, steers: 30}
+  - {name: Castor, edge: port, along: 40, limit: 5.5, friction: 0.5}
+  - {name: Dione, edge: bow, along: 5, direction: outward, limit: [2, 20]}
+  - {name: tunnel, contact: [30, 0], direction: 90, limit: {ahead: 51, astern: 40}, mounted: true}
+  - {name: azimuth, contact: [-30, 0], limit: 99, steers: any, mounted: true, group: line A}
+"""
+
+
+def test_what_each_robot_can_exert_is_told(run, tmp_path):
+    """In the table of robots, with their groups, instead of one direction and one limit."""
+    (tmp_path / "tugs.yaml").write_text(STEERING)
+    status, said, complaints = run("quality", tmp_path / "tugs.yaml")
+    assert (status, complaints) == (0, "")
+    (heads,) = (line for line in said.splitlines() if line.startswith("robot "))
+    assert re.split("  +", heads)[3:6] == ["forces", "group", "place"]
+    told = (
+        "210 kN within 30 deg of 90 deg     line A",
+        "300 kN within 30 deg of 100 deg ",
+        "5.5 kN at -90 deg, friction 0.5 ",
+        "2 to 20 kN at 0 deg ",
+        "51 kN ahead, 40 kN astern, at 90 deg ",
+        "99 kN in any direction ",
+    )
+    for forces in told:
+        assert re.sub(" +", " ", forces) in re.sub(" +", " ", said)

@@ -173,7 +173,7 @@ def boundary_of(robot: Robot) -> Array:
     Examples
     --------
     >>> boundary_of(Robot((1.0, 0.0), 0.0, 2.0, reverse_limit=1.0))[:, 0].tolist()
-    [2.0, -1.0]
+    [-1.0, 2.0]
     """
     if robot.envelope is None:
         shape = shape_of(

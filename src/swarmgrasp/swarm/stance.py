@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 from swarmgrasp.outline import Outline
+from swarmgrasp.swarm.force_words import width
 from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.words import turned
 
@@ -17,23 +18,24 @@ class Stance:
 
     Attributes
     ----------
-    arc_length : float [m]
+    arc_length : float or None [m]
+        None for a mounted one.
     where : str
-        "on" its edge, or "at" a corner.
+        "on" its edge, "at" a corner, or "on board".
     way : str
-        "pushing" or "pulling", and how far off the normal.
+        "pushing" or "pulling", how far off the normal, and how far it steers.
     short : str
         The same for a table.
     """
 
-    arc_length: float
+    arc_length: float | None
     where: str
     way: str
     short: str
 
 
 def stance(outline: Outline, robot: Robot) -> Stance:
-    """Describe a robot in contact with the boundary.
+    """Describe how a robot stands.
 
     At a corner, the normal meant is the one nearer to the force.
 
@@ -41,8 +43,9 @@ def stance(outline: Outline, robot: Robot) -> Stance:
     ----------
     outline : Outline
     robot : Robot
-        Not a mounted one.
     """
+    if robot.mounted:
+        return Stance(None, "on board", "any way" if robot.steers >= math.pi else "fixed", "")
     contact = outline.at_point(robot.contact)
     edges = [contact.edge]
     where = f"on {outline.edge_label(contact.edge)}"
@@ -50,6 +53,8 @@ def stance(outline: Outline, robot: Robot) -> Stance:
         edges.append((contact.edge - 1) % len(outline))
         first, second = (outline.edge_label(edge) for edge in reversed(edges))
         where = f"at the corner of {first} and {second}"
+    if robot.steers >= math.pi:
+        return Stance(contact.arc_length, where, "pushing any way", "any way")
     sides = [
         (turned(robot.direction - outline.inward_normal(edge) - turn), way, edge)
         for edge in edges
@@ -57,16 +62,22 @@ def stance(outline: Outline, robot: Robot) -> Stance:
     ]
     off, way, edge = min(sides, key=lambda side: abs(side[0]))
     of_edge = f" of {outline.edge_label(edge)}" if contact.is_corner else ""
-    return Stance(contact.arc_length, where, *_ways(way, off, of_edge))
+    return Stance(contact.arc_length, where, *_ways(robot, way, off, of_edge))
 
 
-def _ways(way: str, off: float, of_edge: str) -> tuple[str, str]:
-    """Say at length and shortly how far a force is off the normal [deg]."""
+def _ways(robot: Robot, way: str, off: float, of_edge: str) -> tuple[str, str]:
+    """Say at length and shortly how far a force is off the normal [deg], and what it may do."""
     normal = f"{'inward' if way == 'pushing' else 'outward'} normal{of_edge}"
+    more, short = "", ""
+    if robot.steers:
+        side = width(robot.steers)
+        more, short = f", steering {side} deg either side", f", {side} either side"
+    if robot.reverse_limit:
+        more, short = f"{more}, and back", f"{short}, and back"
     if abs(off) < SQUARE:
-        return f"{way} along the {normal}", f"{way[:4]} along it"
+        return f"{way} along the {normal}{more}", f"{way[:4]} along it{short}"
     sense = "counter-clockwise" if off > 0.0 else "clockwise"
     return (
-        f"{way}, {abs(off):.1f} deg {sense} off the {normal}",
-        f"{way[:4]} {abs(off):.1f} {sense}",
+        f"{way}, {abs(off):.1f} deg {sense} off the {normal}{more}",
+        f"{way[:4]} {abs(off):.1f} {sense}{short}",
     )

@@ -4,8 +4,9 @@ from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Together
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.force_words import heading
 from swarmgrasp.swarm.stance import stance
-from swarmgrasp.words import Lengths, Unit, degrees, percent
+from swarmgrasp.words import Lengths, Unit, percent
 
 SAME = 1e-9
 """Relative difference of two qualities that is none."""
@@ -35,8 +36,8 @@ def proven(what: str, bound: float, quality: float, unit: Unit) -> str:
 def spot(outline: Outline, robot: Robot) -> list[str]:
     """Return x, y, the arc length, the direction and what it is off the normal, for a table."""
     placed, lengths = stance(outline, robot), Lengths.for_extent(outline.extent)
-    figures = [lengths.number(v) for v in (*robot.contact, placed.arc_length)]
-    return [*figures, degrees(robot.direction), placed.short]
+    along = "" if placed.arc_length is None else lengths.number(placed.arc_length)
+    return [*map(lengths.number, robot.contact), along, heading(robot), placed.short]
 
 
 def show_robots(report: Report, found: Together) -> None:

@@ -4,6 +4,7 @@ from swarmgrasp.cli.show.change import change, proven, spot
 from swarmgrasp.cli.show.report import ALONG, Column, Report
 from swarmgrasp.placement import Move
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.words import Lengths, Unit, degrees
 
@@ -39,7 +40,8 @@ def _pose_words(found: Move, robot: Robot) -> str:
     outline = found.problem.swarm.outline
     placed, lengths = stance(outline, robot), Lengths.for_extent(outline.extent)
     where = f"{placed.where}, contact {lengths.point(robot.contact)}"
-    return f"{where}, {degrees(robot.direction)} deg: {placed.way}"
+    way = f"{degrees(robot.direction)} deg" if robot.is_ray else force_words(robot)
+    return f"{where}, {way}: {placed.way}"
 
 
 def _table(report: Report, found: Move, unit: Unit) -> None:

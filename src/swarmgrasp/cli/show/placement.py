@@ -2,10 +2,12 @@
 
 from collections.abc import Sequence
 
+from swarmgrasp.cli.show.change import spot
 from swarmgrasp.cli.show.report import ALONG, Column, Report
 from swarmgrasp.placement import Placement
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import Stance, stance
 from swarmgrasp.words import Lengths, Unit, degrees, percent
 
@@ -64,8 +66,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
             *why,
             ("Where", _where(answer, placed)),
             ("", _spot(answer, placed)),
-            ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
-            ("Force", f"{Unit.for_size(robot.limit).text(robot.limit)}, its limit"),
+            *_way(robot, placed),
             ("Quality", _gain(answer.quality_before, answer.quality, unit)),
             *_beside(answer, answer, unit),
             ("Proven", _sure(answer, unit)),
@@ -85,7 +86,6 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
         "good" if helps else "caution",
     )
     report.blank()
-    lengths = Lengths.for_extent(first.problem.swarm.outline.extent)
     columns = [
         *(Column(text) for text in ("robot", "place")),
         *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
@@ -97,12 +97,11 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
     ]
     rows = []
     for answer in answers:
-        placed = _stance(answer)
-        rows.append([
-            answer.robot.name, answer.place, *_numbers(answer.robot, placed, lengths),
-            unit.number(answer.quality), _percent_gain(answer.quality_before, answer.quality)
-            if answer.improves else "none", placed.short,
-        ])  # fmt: skip
+        *figures, off = spot(first.problem.swarm.outline, answer.robot)
+        gain = _percent_gain(answer.quality_before, answer.quality) if answer.improves else "none"
+        rows.append(
+            [answer.robot.name, answer.place, *figures, unit.number(answer.quality), gain, off]
+        )
     report.table(columns, rows)
     report.blank()
     worst = max(answers, key=lambda a: a.gap if a.quality else 0.0)
@@ -120,7 +119,6 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -
     told = [answer for answer in answers if answer.improves and answer.runners_up]
     if not told:
         return
-    lengths = Lengths.for_extent(answers[0].problem.swarm.outline.extent)
     several = len(answers) > 1
     columns = [
         *([Column("instead of")] if several else []), Column("place"),
@@ -134,12 +132,11 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -
     for answer in told:
         more += len(answer.runners_up[MOST_TOLD:])
         for runner in answer.runners_up[:MOST_TOLD]:
-            placed = stance(answer.problem.swarm.outline, runner.robot)
-            rows.append([
-                *([answer.robot.name] if several else []), runner.place,
-                *_numbers(runner.robot, placed, lengths), unit.number(runner.quality),
-                f"{100.0 * runner.quality / answer.quality:.1f} %", placed.short,
-            ])  # fmt: skip
+            *figures, off = spot(answer.problem.swarm.outline, runner.robot)
+            instead_of = [answer.robot.name] if several else []
+            share = f"{100.0 * runner.quality / answer.quality:.1f} %"
+            reached = unit.number(runner.quality)
+            rows.append([*instead_of, runner.place, *figures, reached, share, off])
     report.blank()
     best = "best found" if any(answer.is_open for answer in told) else "best"
     report.headline(f"Next best: the {best} robot on each other edge, side or zone")
@@ -164,13 +161,20 @@ def _spot(answer: Placement, placed: Stance) -> str:
     """Return the contact."""
     lengths = Lengths.for_extent(answer.problem.swarm.outline.extent)
     point = lengths.point(answer.robot.contact)
+    if placed.arc_length is None:
+        return f"contact {point}"
     return f"contact {point}, {lengths.number(placed.arc_length)} m along the outline"
 
 
-def _numbers(robot: Robot, placed: Stance, lengths: Lengths) -> list[str]:
-    """Return x, y, arc length and direction for a table."""
-    figures = [lengths.number(v) for v in (*robot.contact, placed.arc_length)]
-    return [*figures, degrees(robot.direction)]
+def _way(robot: Robot, placed: Stance) -> list[tuple[str, str]]:
+    """Return as facts which way a robot pushes and how hard."""
+    if not robot.is_ray:
+        return [("Force", force_words(robot)), ("", placed.way)]
+    limit = Unit.for_size(robot.limit).text(robot.limit)
+    return [
+        ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
+        ("Force", f"{limit}, its limit"),
+    ]
 
 
 def _gain(before: float, after: float, unit: Unit) -> str:

@@ -3,14 +3,16 @@
 import math
 from collections.abc import Sequence
 
+from swarmgrasp.cli.show.change import spot
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.cli.show.sensitivities import show_sensitivities
 from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities
 from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import stance
-from swarmgrasp.words import Lengths, Unit, degrees, percent
+from swarmgrasp.words import Unit, percent
 
 EQUAL = 1e-9
 """Relative difference of two qualities that is none."""
@@ -170,22 +172,23 @@ def _show_robots(report: Report, swarm: Swarm, title: str) -> None:
         return
 
     unit = Unit.for_size(*(robot.limit for robot in swarm.robots))
-    lengths = Lengths.for_extent(swarm.outline.extent)
+    has_forces, has_groups = not swarm.has_rays_only, bool(swarm.rare.groups)
+    to = [Column("to [deg]", is_number=True), Column(f"limit [{unit.name}]", is_number=True)]
     columns = [
         Column("robot"),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]", "to [deg]")),
-        Column(f"limit [{unit.name}]", is_number=True), Column("place"),
+        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
+        *([Column("forces")] if has_forces else to),
+        *([Column("group")] if has_groups else []), Column("place"),
         Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
     rows = []
     for robot in swarm:
-        where, way = "on board", ""
-        if not robot.mounted:
-            placed = stance(swarm.outline, robot)
-            where, way = placed.where, placed.short
-        x, y = (lengths.number(v) for v in robot.contact)
-        limit = unit.number(robot.limit)
-        rows.append([robot.name, x, y, degrees(robot.direction), limit, where, way])
+        x, y, _, to_deg, off = spot(swarm.outline, robot)
+        rows.append([
+            robot.name, x, y,
+            *([force_words(robot, unit)] if has_forces else [to_deg, unit.number(robot.limit)]),
+            *([robot.group] if has_groups else []), stance(swarm.outline, robot).where, off,
+        ])  # fmt: skip
     report.blank()
     if title:
         report.headline(title)

@@ -4,6 +4,8 @@ import math
 from typing import Any
 
 from swarmgrasp.cli.show.report import Report
+from swarmgrasp.swarm import Newcomer, Robot
+from swarmgrasp.swarm.force_words import force_words, newcomer_words
 from swarmgrasp.verify import Verdict
 from swarmgrasp.words import TIMES, Unit, degrees, percent
 
@@ -68,14 +70,15 @@ def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]
     facts = []
     for claim, bound in zip(document["placements"], verdict.upper_bounds, strict=True):
         unit = Unit(1.0, TIMES) if has_task else Unit.for_size(claim["quality"], bound)
-        robot = claim["robot"]
-        x, y = robot["contact"]
+        robot = Robot.from_data(claim["robot"])
+        x, y = robot.contact
+        way = f"{degrees(robot.direction)} deg" if robot.is_ray else force_words(robot)
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
         gap = gap_of(claim["quality"], bound)
         near = f"the answer is at most {percent(gap)} below the best possible"
         near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
         facts += [
-            (robot["name"], f"at ({x:.6g}, {y:.6g}) m, {degrees(robot['direction'])} deg"),
+            (robot.name, f"at ({x:.6g}, {y:.6g}) m, {way}"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
             *([("", near)] if math.isfinite(gap) else []),
@@ -115,17 +118,12 @@ def criterion_words(criterion: dict[str, Any]) -> str:
 
 def _question(problem: dict[str, Any]) -> str:
     """Say what was asked: the newcomer, and where it may attach."""
-    newcomer, zones = problem["newcomer"], problem["zones"]
-    limit = Unit.for_size(newcomer["limit"]).text(newcomer["limit"])
-    attachment, half = newcomer["attachment"], newcomer["half_angle"]
-    way = "pushing any way" if attachment == "free" else f"{attachment}ing"
-    if attachment != "free":
-        within = 90.0 if half is None else math.degrees(half)
-        way += f" within {within:.4g} deg of the normal"
+    zones = problem["zones"]
     where = "the whole boundary" if zones is None else _count(len(zones), "zone")
     spacing = f"spacing {problem['spacing']:.6g} m" if problem["spacing"] else "no spacing"
     no_go = _count(len(problem["no_go"]), "no-go stretch", "no-go stretches")
-    return f"a robot of {limit}, {way}; {where}, {no_go}, {spacing}"
+    newcomer = newcomer_words(Newcomer.from_data(problem["newcomer"]))
+    return f"a robot of {newcomer}; {where}, {no_go}, {spacing}"
 
 
 def _count(number: int, noun: str, several: str = "") -> str:

@@ -1,0 +1,85 @@
+"""What a robot can exert, in words."""
+
+import math
+
+from swarmgrasp.swarm.robot import Newcomer, Robot
+from swarmgrasp.words import Unit, degrees, turned
+
+
+def force_words(robot: Robot, unit: Unit | None = None) -> str:
+    """Say how hard a robot pushes which way, in a unit, or in one that suits it.
+
+    Examples
+    --------
+    >>> force_words(Robot((0, 0), math.pi / 2, 210e3, steers=math.pi / 6))
+    '210 kN within 30 deg of 90 deg'
+    >>> force_words(Robot((0, 0), 0.0, 51e3, reverse_limit=40e3))
+    '51 kN ahead, 40 kN astern, at 0 deg'
+    >>> force_words(Robot((0, 0), 0.0, 1.5, steers=math.pi))
+    '1.5 N in any direction'
+    """
+    unit = unit or Unit.for_size(robot.limit)
+    friction = f", friction {robot.friction:.4g}" if robot.friction else ""
+    comma = "," if robot.reverse_limit else ""
+    return f"{strength_words(robot, unit)}{comma} {_way(robot)}{friction}"
+
+
+def newcomer_words(newcomer: Newcomer) -> str:
+    """Say how hard a newcomer pushes, which way it may, and how much of that it keeps.
+
+    Examples
+    --------
+    >>> newcomer_words(Newcomer(60e3, "push", math.pi / 6, steers=True))
+    '60 kN, pushing, steering within 30 deg of the normal'
+    """
+    way, half = f"{newcomer.attachment}ing", newcomer.half_angle
+    within = f"within {90 if half is None else width(half)} deg of the normal"
+    if newcomer.friction:
+        said = f"pushing along the normal, friction {newcomer.friction:.4g}"
+    elif newcomer.attachment == "free":
+        said = "steering any way" if newcomer.steers else "pushing any way"
+    else:
+        said = f"{way}, steering {within}" if newcomer.steers else f"{way} {within}"
+    return f"{strength_words(newcomer)}, {said}{', on board' if newcomer.mounted else ''}"
+
+
+def strength_words(robot: Robot | Newcomer, unit: Unit | None = None) -> str:
+    """Say how hard a robot pushes, both ways if it does.
+
+    Examples
+    --------
+    >>> strength_words(Robot((0, 0), 0.0, 20e3, least=2e3))
+    '2 to 20 kN'
+    """
+    unit = unit or Unit.for_size(robot.limit)
+    limit, other_way = (f"{f / unit.newtons:.5g}" for f in (robot.limit, robot.reverse_limit))
+    if robot.reverse_limit:
+        return f"{limit} {unit.name} ahead, {other_way} {unit.name} astern"
+    least = robot.least / unit.newtons if isinstance(robot, Robot) else 0.0
+    return f"{least:.5g} to {limit} {unit.name}" if least else f"{limit} {unit.name}"
+
+
+def _way(robot: Robot) -> str:
+    """Say which way a robot pushes."""
+    if robot.steers >= math.pi:
+        return "in any direction"
+    ahead = f"{round(turned(robot.direction), 1) + 0.0:g} deg"
+    if robot.envelope is not None:
+        return f"at most, by an envelope about {ahead}"
+    return f"within {width(robot.steers)} deg of {ahead}" if robot.steers else f"at {ahead}"
+
+
+def width(angle: float) -> str:
+    """Return a width [rad] in degrees as text.
+
+    Examples
+    --------
+    >>> width(math.pi / 6), width(1.0)
+    ('30', '57.3')
+    """
+    return f"{math.degrees(angle):.4g}"
+
+
+def heading(robot: Robot) -> str:
+    """Return the direction of a robot in degrees for a table; "any" if it has none."""
+    return "any" if robot.steers >= math.pi else degrees(robot.direction)
