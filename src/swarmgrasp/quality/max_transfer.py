@@ -15,6 +15,7 @@ from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.mean_reach import mean_reach
 from swarmgrasp.quality.opposed import opposition
 from swarmgrasp.quality.robot_sets import RobotSets
 from swarmgrasp.quality.weakest import Weakest, bounded_weakest
@@ -121,14 +122,12 @@ class Quality(Frozen, Answer):
 
     @cached_property
     def ceiling(self) -> float:
-        """Sum of the limits / pi [N], weighted by the metric; nan for a task.
+        """How far the robots push on average over all directions [N]; nan for a task.
 
-        No robots with these limits and directions exceed it, wherever they are (T3).
+        Weighted by the metric; of rays it is the sum of the limits / pi. No robots with these
+        forces exceed it, wherever they are (T3).
         """
-        if self.criterion.task is not None:
-            return float("nan")
-        forces = self._swarm.scaled_generators[:, :2]
-        return float(np.hypot(forces[:, 0], forces[:, 1]).sum() / np.pi)
+        return float("nan") if self.criterion.task is not None else mean_reach(self._swarm)
 
     @property
     def efficiency(self) -> float:

@@ -74,10 +74,13 @@ def _title(criterion: Criterion) -> str:
 def _efficiency(swarm: Swarm, found: Quality, unit: Unit) -> tuple[str, str]:
     """Tell how much of what the limits allow is reached."""
     weighted = "" if swarm.force_weights == (1.0, 1.0) else "weighted "
+    what = f"the {weighted}sum of the limits / pi"
+    if not swarm.has_rays_only:
+        what = f"the {weighted}mean of their forces over all directions"
     return (
         "Efficiency",
-        f"{percent(found.efficiency)} of {unit.text(found.ceiling)}, the {weighted}sum of the "
-        "limits / pi, which these robots could not exceed wherever they were",
+        f"{percent(found.efficiency)} of {unit.text(found.ceiling)}, {what}, which these robots "
+        "could not exceed wherever they were",
     )
 
 
