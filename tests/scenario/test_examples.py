@@ -1,5 +1,6 @@
 """The built-in scenarios load, fit the schema, and have the qualities they promise."""
 
+import math
 from dataclasses import replace
 
 import jsonschema
@@ -10,6 +11,7 @@ from ruamel.yaml import YAML
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.placement import Problem, place_sequence
 from swarmgrasp.quality import Criterion
+from swarmgrasp.quality import quality as exact_quality
 from swarmgrasp.scenario import example_names, example_text, load_example, scenario_schema
 from swarmgrasp.swarm import Swarm
 
@@ -55,6 +57,31 @@ def test_an_example_has_the_quality_it_promises(name: str, robots: int, expected
     swarm = load_example(name).swarm
     assert len(swarm) == robots
     assert quality(swarm) == pytest.approx(expected, rel=1e-7, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("harbour-tugs", 700e3 / math.sqrt(3.0)), ("drillship-azimuths", 6.756)],
+)
+def test_an_example_of_robots_that_steer_has_the_quality_it_promises(
+    name: str, expected: float
+) -> None:
+    """A closed form, and the value of published thrusters by their exact support function."""
+    swarm = load_example(name).swarm
+    assert not swarm.is_ray.any()
+    assert exact_quality(swarm).value == pytest.approx(expected, rel=1e-4)
+    told = example_text(name)
+    assert f"{exact_quality(swarm).value / (1e3 if expected > 1e3 else 1.0):.3f}" in told
+
+
+def test_a_switchboard_takes_both_of_its_thrusters() -> None:
+    """What is left of the azimuth drillship is the worst of the three pairs that may be left."""
+    scenario = load_example("drillship-azimuths")
+    swarm = scenario.swarm
+    pairs = [("bow", "stern"), ("bow port", "stern starboard"), ("bow starboard", "stern port")]
+    left = [exact_quality(swarm.without(pair)).value for pair in pairs]
+    found = exact_quality(swarm, **scenario.criterion.terms)
+    assert found.value == pytest.approx(min(left), rel=1e-6)
 
 
 def test_the_escort_ring_has_the_margins_it_promises() -> None:
