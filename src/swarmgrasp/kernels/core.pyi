@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 Normal = tuple[float, float, float]
 Best = tuple[float, float, float, float, int]
 """Quality [N] and (cos, sin, torque) [1, 1, m] of a robot, and its piece; -1 if there is none."""
+Place = tuple[float, int, float, float]
+"""Quality [N] of a robot, its piece, the share of the way along it, and its direction [rad]."""
 
 MARGINAL: float
 """Quality relative to sum |b_i| at and below which it counts as zero."""
@@ -20,6 +22,8 @@ FLOOR: float
 """Gap between bound and best, relative to `Search.size`, that is not worth closing."""
 UNASKED: float
 """Share of a task's size at and below which it asks for nothing: what rounding hides."""
+BOX: int
+"""Numbers of a box in what `Boxes.solve` returns."""
 WORK: float
 """Units of work that a search may do unless told otherwise: a second or two. See `work.h`."""
 
@@ -144,6 +148,52 @@ class Sets:
 
         In its worst pose: the force (2,) [N], and the moment arm of the contact (2,) [m].
         """
+
+class Boxes:
+    """A swarm and what a newcomer of one fixed direction can do, by boxes; see `boxes.h`.
+
+    Parameters
+    ----------
+    sets : Sets
+        The base swarm, and what is asked of it.
+    pieces : (k, 10)
+        See `sector.h`.
+    limit, reverse : float [N]
+        Of the newcomer.
+    work : float, optional
+        Units of work for all that is asked.
+    """
+
+    base: tuple[float, Normal]
+    """The base swarm's quality [N], and its weakest unit normal."""
+    size: float
+    """The largest wrenches of all [N]: what rounding is relative to."""
+    left: float
+    """Units of work; below 0 when it was not enough."""
+
+    def __new__(
+        cls, sets: Sets, pieces: Array, limit: float, reverse: float, work: float = ..., /
+    ) -> Boxes: ...
+    def solve(
+        self, gap: float, chosen: bytes | None, asks: int = ..., /
+    ) -> tuple[bool, Place, bytes]:
+        """Find the best robot over all pieces, or over those whose byte in `chosen` is not 0.
+
+        Stops at a relative gap, after so many exact qualities, or when the work is spent.
+
+        Returns whether the gap is closed, the best robot, and boxes (m, 36) that together cover
+        the pieces: piece, shares of the first and the last contact, directions [rad], what none
+        exceeds [N], and six terms of kind, vector (3,) and weight, 0 where there is none.
+        """
+
+    def qualities_at(self, robots: Array, /) -> bytes:
+        """Return the quality [N] and its unit normal, (m, 4), with each of many robots (m, 3).
+
+        These are moment arms [m] and directions [rad].
+        """
+
+    def normals(self) -> bytes:
+        """Return the unit normals met so far, (m, 3)."""
 
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).

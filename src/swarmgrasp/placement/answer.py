@@ -10,6 +10,7 @@ from typing import Any, Self
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.frozen import Frozen
+from swarmgrasp.placement.boxes import BoxOptimum
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
@@ -101,7 +102,7 @@ class Placement(Frozen, Answer):
     stopped_early: bool
     improves: bool
     runners_up: tuple[RunnerUp, ...]
-    _found: Optimum = field(repr=False)
+    _found: Optimum | BoxOptimum = field(repr=False)
 
     kind = "placements"
 
@@ -178,6 +179,7 @@ class Placement(Frozen, Answer):
                 "asked_runners_up", "stopped_early", "improves", "reason", "runners_up",
             ),
             "proofs": plain(self.certificate.proofs),
+            "boxes": plain(self.certificate.boxes),
         }  # fmt: skip
 
 

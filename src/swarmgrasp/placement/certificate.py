@@ -1,6 +1,7 @@
 """The proof that no allowed robot does better (T10)."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,42 @@ class Proof(Frozen, Plain):
     weights: NDArray[np.float64]
 
 
+@dataclass(frozen=True, eq=False)
+class BoxProof(Frozen, Plain):
+    """A convex combination of directions that bounds a box of contacts and directions (T23).
+
+    The wrenches b of unit forces in the box lie in the hull of six: at both contacts, in both
+    directions, and in the middle one so much longer that the arc between lies inside. With phi
+    what a newcomer adds along a direction, phi(x) = max(limit x, -reverse_limit x), and D what is
+    asked there, each vector says of a quality t at b
+
+    - "met", a unit normal n: t D(n) <= H(n) + phi(n . b);
+    - "demanded", if n has H(n) <= t D(n) and the newcomer is one-way: t D(n) <= H(n) + limit n . b;
+    - "travelling", g: t D(n) <= H(n) for the normal n = b x g across b. There is none where losses
+      or uncertain poses are asked for.
+
+    Attributes
+    ----------
+    start, end : tuple of float [m, m]
+        Contacts between which those of the box lie.
+    lo, hi : float [rad]
+        Directions, at most a right angle apart.
+    kinds : tuple of str
+    vectors : (m, 3)
+        In the metric's coordinates, at most 6.
+    weights : (m,)
+        Positive; of any sum.
+    """
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    lo: float
+    hi: float
+    kinds: tuple[Literal["met", "demanded", "travelling"], ...]
+    vectors: NDArray[np.float64]
+    weights: NDArray[np.float64]
+
+
 @dataclass(frozen=True)
 class Certificate:
     """Proofs that together bound every piece.
@@ -40,10 +77,13 @@ class Certificate:
     Attributes
     ----------
     proofs : tuple of Proof
-        Each piece is bounded by at least one of them.
+        Each piece is bounded by at least one of them,
+    boxes : tuple of BoxProof
+        or else these cover it.
     upper_bound : float [N]
         The greatest of the pieces' bounds; without a unit for a task.
     """
 
     proofs: tuple[Proof, ...]
+    boxes: tuple[BoxProof, ...]
     upper_bound: float

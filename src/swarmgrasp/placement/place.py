@@ -2,14 +2,14 @@
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from typing import Any, Unpack, overload
 
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
-from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
-from swarmgrasp.placement.search import Best, Optimum, search_for
+from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
+from swarmgrasp.placement.problem import Problem, check_fixed, problem_faults
+from swarmgrasp.placement.search import Best, Optimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.tolerant import Found, TolerantSearch
 from swarmgrasp.quality.aim import Aim
@@ -188,7 +188,7 @@ def place_sequence(
     """
     faults = problem_faults(problem) + count_faults(count) + _fraction_faults(gap, runners_up)
     refuse((ProblemInvalid, faults + call_faults(progress)))
-    check_ray_problem(problem, "placement")
+    check_fixed(problem)
     names = problem.swarm.names.fresh(problem.newcomer.name or "newcomer", int(count))
     placing = _placing(problem, gap)
     answers: list[Placement] = []
@@ -212,9 +212,15 @@ class _Placing:
     def __init__(self, problem: Problem, gap: float) -> None:
         self.problem, self.gap = problem, float(gap)
         self.pieces = problem.pieces()
-        self.search = search_for(problem, self.pieces.rows)
+        self.search = self.begin()
         # half of the gap is the search's, the other half the tie-break's
         self.half = math.sqrt(1.0 + self.gap) - 1.0
+
+    def begin(self) -> Search | BoxSearch:
+        """Return the search of the problem."""
+        if self.problem.has_rays_only:
+            return search_for(self.problem, self.pieces.rows)
+        return BoxSearch(self.problem, self.pieces)
 
     def placement(self, fraction: float | None, name: str) -> Placement:
         """Answer the problem, with a name for the robot."""
@@ -262,10 +268,10 @@ class _Placing:
         """
         self.problem = self.problem.with_swarm(answer.swarm_after)
         self.pieces = self.problem.pieces()
-        if self.search.aim is None:
+        if isinstance(self.search, Search) and self.search.aim is None:
             self.search.join(*self.wrench(answer.robot), self.pieces.rows)
         else:
-            self.search = search_for(self.problem, self.pieces.rows)
+            self.search = self.begin()
 
     def wrench(self, robot: Robot) -> tuple[float, float, float]:
         """Return the unit wrench [1, 1, m] of a robot in contact."""
@@ -273,13 +279,13 @@ class _Placing:
         (x, y), c, s = robot.contact, math.cos(robot.direction), math.sin(robot.direction)
         return c, s, (x - x0) * s - (y - y0) * c
 
-    def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Optimum | BoxOptimum, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search, best = self.search, found.best.quality
         target = min(best / (1.0 + self.half), best - 0.5 * search.floor)
-        robot, after = self.candidate(search.break_tie(found, target), name)
+        robot, after = self.candidate(search.break_tie(found.best, target), name)
         if 0.0 < after.quality - search.base.quality <= self.noise(robot, after):
-            anyone = replace(found, best=found.best._replace(piece=-1))
+            anyone = found.best._replace(piece=-1)
             least = search.base.quality - 0.5 * search.floor
             tied = self.candidate(search.break_tie(anyone, least), name)
             if after.quality - tied[1].quality <= self.noise(*tied):
@@ -302,7 +308,7 @@ class _Placing:
         """Turn a wrench on a piece into a robot in contact, with its quality."""
         contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
         robot = self.robot(contact, angle, name)
-        if self.search.aim is None:
+        if isinstance(self.search, Search) and self.search.aim is None:
             after = self.search.quality_with(*self.wrench(robot))
         else:
             swarm = self.problem.swarm.with_robot(robot)
@@ -312,10 +318,13 @@ class _Placing:
     def robot(self, contact: tuple[float, float], direction: float, name: str) -> Robot:
         """Return the newcomer in contact."""
         newcomer = self.problem.newcomer
-        return Robot(contact, direction, newcomer.limit, name, tolerance=newcomer.tolerance)
+        return Robot(
+            contact, direction, newcomer.limit, name, newcomer.mounted, newcomer.tolerance,
+            newcomer.reverse_limit,
+        )  # fmt: skip
 
     def others(
-        self, found: Optimum, winner: RunnerUp, name: str, fraction: float
+        self, found: Optimum | BoxOptimum, winner: RunnerUp, name: str, fraction: float
     ) -> list[tuple[RunnerUp, Weakest]]:
         """Find the best robot in every other place that is nearly as good."""
         least, bounds, parts = fraction * winner.quality, found.bounds, parts_of(self.pieces)
@@ -338,7 +347,7 @@ class _Placing:
 class _Aiming(_Placing):
     """One problem whose newcomer cannot hit its place exactly."""
 
-    def winner(self, found: Optimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Optimum | BoxOptimum, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search = self.search
         search.work.left += search.left  # it is not asked again

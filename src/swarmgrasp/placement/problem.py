@@ -140,6 +140,14 @@ class Problem(Frozen, Plain):
         return tolerance.least_limit
 
     @property
+    def has_rays_only(self) -> bool:
+        """Whether all robots push along one ray each, the newcomer too, and fail one by one."""
+        newcomer, swarm = self.newcomer, self.swarm
+        is_ray = not (newcomer.steers or newcomer.reverse_limit or newcomer.friction)
+        has_groups = bool(self.criterion.losing and swarm.rare.groups)
+        return is_ray and swarm.has_rays_only and not has_groups
+
+    @property
     def is_tolerant(self) -> bool:
         """Whether the newcomer's own pose is uncertain by the criterion."""
         tolerance = self.newcomer.tolerance
@@ -153,6 +161,21 @@ def check_ray_problem(problem: Problem, what: str) -> None:
         raise ForceSetUnsupported(
             f"{what} is for a newcomer that pushes along one ray from a place on the boundary: "
             "leave out what it steers, its reverse limit, its friction and that it is mounted"
+        )
+
+
+def check_fixed(problem: Problem) -> None:
+    """Raise `ForceSetUnsupported` unless the newcomer pushes along one line that it holds to."""
+    newcomer = problem.newcomer
+    if newcomer.steers or newcomer.friction:
+        raise ForceSetUnsupported(
+            "placement is for a newcomer that pushes along one line: leave out what it steers and "
+            "its friction"
+        )
+    if problem.is_tolerant and newcomer.reverse_limit:
+        raise ForceSetUnsupported(
+            "where a newcomer ends up that pushes both ways is not known how to bound: leave out "
+            "its tolerance or its reverse limit, or ask without the worst case"
         )
 
 

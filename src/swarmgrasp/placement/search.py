@@ -84,7 +84,7 @@ class Optimum(Frozen):
             key = (tuple(row[used]), tuple(share[used]))
             if key not in proofs:
                 proofs[key] = Proof(normals[row[used]], share[used])
-        return Certificate(tuple(proofs.values()), self.upper_bound)
+        return Certificate(tuple(proofs.values()), (), self.upper_bound)
 
 
 class Search:
@@ -169,15 +169,17 @@ class Search:
         found = Best(best[0] / unit, *best[1:])
         return Optimum(solved, found, bound / unit, bounds, rows, shares, normals, unit)
 
-    def break_tie(self, found: Optimum, target: float) -> Best:
+    def break_tie(self, best: Best, target: float) -> Best:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.
+
+        After `solve`, which found the best.
 
         When the weakest facet cannot be raised, or the contact does not matter to it, a whole
         set of robots shares the best quality. Of these the one is taken that makes the soft
         minimum of h over directions greatest, so that the robots to come are not stuck where
         this one could not help (T17).
         """
-        unit, best = self._unit, found.best
+        unit = self._unit
         tied = self._core.break_tie((best[0] * unit, *best[1:]), target * unit)
         return Best(tied[0] / unit, *tied[1:])
 
@@ -214,7 +216,7 @@ class Search:
 
 
 def search_for(problem: Problem, rows: Array) -> Search:
-    """Return the search of a problem's newcomer over these pieces."""
+    """Return the search of a problem's newcomer over these pieces, where all push along rays."""
     swarm, aim = problem.swarm, None
     if not problem.criterion.is_nominal:
         aim = Aim(swarm, problem.criterion)

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.placement.boxes import BoxOptimum
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import Optimum
@@ -82,7 +83,7 @@ class TolerantSearch:
     problem : Problem
         With a tolerance and the criterion of the worst case.
     pieces : Pieces
-    found : Optimum
+    found : Optimum or BoxOptimum
         The place of a newcomer that would hit it exactly: no tolerant one does better.
     zero : float [N]
         A quality that counts as 0.
@@ -91,7 +92,12 @@ class TolerantSearch:
     """
 
     def __init__(
-        self, problem: Problem, pieces: Pieces, found: Optimum, zero: float, work: Work
+        self,
+        problem: Problem,
+        pieces: Pieces,
+        found: Optimum | BoxOptimum,
+        zero: float,
+        work: Work,
     ) -> None:
         self.problem, self.pieces, self.found, self.work = problem, pieces, found, work
         tolerance = problem.newcomer.tolerance or Tolerance()

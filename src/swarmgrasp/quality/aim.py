@@ -54,6 +54,8 @@ class Aim:
     criterion : Criterion
     more : sequence of Poses
         Further robots of uncertain pose.
+    as_sets : bool
+        Take rays for sets, too.
 
     Attributes
     ----------
@@ -62,12 +64,14 @@ class Aim:
     unit : float [N]
     """
 
-    def __init__(self, swarm: Swarm, criterion: Criterion, more: Sequence[Poses] = ()) -> None:
+    def __init__(
+        self, swarm: Swarm, criterion: Criterion, more: Sequence[Poses] = (), as_sets: bool = False
+    ) -> None:
         self.swarm, self.criterion = swarm, criterion
         task = NO_TASK if criterion.task is None else criterion.task.generators * swarm.scale
         self.unit = 1.0 if criterion.task is None else float(np.linalg.norm(task, axis=1).max())
         has_groups = bool(criterion.losing and swarm.rare.groups)
-        kind = Rays if swarm.has_rays_only and not has_groups else RobotSets
+        kind = Rays if swarm.has_rays_only and not (has_groups or as_sets) else RobotSets
         x, y, z = (np.array(criterion.load) * swarm.scale).tolist()
         self.robots: Rays | RobotSets = kind(
             swarm, criterion.worst_case, criterion.losing, (x, y, z),

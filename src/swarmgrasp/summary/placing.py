@@ -76,7 +76,7 @@ def place_from(
     weights = bare.scale * newcomer.limit
     search = Search(support.sums, weights, pieces.rows, support.load)
     found = search.solve(GAP)
-    best = search.break_tie(found, found.best.quality / (1.0 + GAP) - search.floor)
+    best = search.break_tie(found.best, found.best.quality / (1.0 + GAP) - search.floor)
     contact, angle = pieces.robot_at(best.piece, best.c, best.s, best.torque)
     robot = Robot(contact, angle, newcomer.limit, newcomer.name or "newcomer")
     together = search.quality_with(best.c, best.s, best.torque)

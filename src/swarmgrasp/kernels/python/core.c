@@ -3,13 +3,10 @@
 #include "../place.h"
 #include "../quality.h"
 #include "../sector.h"
+#include "boxes_object.h"
 #include "criterion_object.h"
 #include "sets_object.h"
-
-/* What each copy of the module has for itself. */
-typedef struct {
-    PyObject *criterion_type, *sets_type;
-} State;
+#include "state.h"
 
 /* -- qualities --------------------------------------------------------------------------------- */
 
@@ -427,10 +424,12 @@ static int fill(PyObject *module) {
     state->sets_type = make_sets_type(module);
     return put(module, "Criterion", Py_XNewRef(state->criterion_type))
            || put(module, "Sets", Py_XNewRef(state->sets_type))
+           || put(module, "Boxes", make_boxes_type(module))
            || put(module, "Search", PyType_FromModuleAndSpec(module, &search_spec, NULL))
            || put(module, "MARGINAL", PyFloat_FromDouble(ZERO))
            || put(module, "FLOOR", PyFloat_FromDouble(FLOOR))
            || put(module, "UNASKED", PyFloat_FromDouble(UNASKED))
+           || put(module, "BOX", PyLong_FromLong(BOX_ROW))
            || put(module, "WORK", PyFloat_FromDouble(WORK)) ? -1 : 0;
 }
 

@@ -1,0 +1,639 @@
+/* A newcomer of fixed direction by branch and bound over boxes, with a matrix game for each (T23). Trusted
+ * are pieces as `Pieces` makes them, and a positive limit. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "boxes.h"
+#include "place.h"
+#include "quality.h"
+
+#define EXACT 1e-9      /* gap of a quality that is asked */
+#define PIVOTS 60       /* of a game; its combination is good at any time */
+#define LOWEST 6        /* normals through which others travel */
+#define BESIDE 3.0      /* diameters of a box within which its wrenches are across such a normal */
+#define EDGES 3         /* of h through one of them */
+#define ON_EDGE 1e-6    /* sine of the angle between a normal and a wrench across it */
+#define SAME 1e-9       /* square of the distance between unit normals that are one */
+#define TURNED_OFF 0.02 /* of the mean, up to which a travelling normal may all but vanish */
+#define MIDDLE 0.2      /* share of a box within which it is not cut near its ends */
+#define SMALLEST 1e-12  /* width of a box [rad], or share of a piece, that only rounding could split */
+#define FEW_POINTS 4    /* corners of a force set up to which all lines between them are edges */
+#define PASS 2.0        /* units of work that a normal takes in a box */
+
+/* -- what is known ------------------------------------------------------------------------------ */
+
+static double phi(const BoxSearch *s, double x) { return larger(s->limit * x, -s->reverse * x); }
+
+/* What a newcomer with the unit wrench b reaches at most, by one normal; D is some multiple of it. */
+static double reach_of(const BoxSearch *s, const Known *at, const double *b) {
+    double height = at->height + phi(s, dot(at->normal, b));
+    return at->extent > 0.0 ? height / at->extent : height < 0.0 ? 0.0 : INFINITY;
+}
+
+/* Make room for one more of some things. */
+static int has_room(void **things, int *room, int count, size_t size) {
+    if (count < *room)
+        return 1;
+    int more = 2 * *room + 64;
+    void *grown = realloc(*things, (size_t)more * size);
+    if (!grown)
+        return 0;
+    *things = grown;
+    *room = more;
+    return 1;
+}
+
+/* Add a unit normal to the pool, unless it is there. */
+static Status meet(BoxSearch *s, const double *normal) {
+    for (int k = 0; k < s->count; k++) {
+        double apart = 0.0;
+        for (int i = 0; i < 3; i++)
+            apart += (s->pool[k].normal[i] - normal[i]) * (s->pool[k].normal[i] - normal[i]);
+        if (apart <= SAME * SAME)
+            return SOLVED;
+    }
+    if (!has_room((void **)&s->pool, &s->room, s->count, sizeof *s->pool))
+        return NO_MEMORY;
+    Known *at = s->pool + s->count;
+    memcpy(at->normal, normal, sizeof at->normal);
+    Status status = sets_height(s->sets, normal, NULL, &at->height, &at->cap);
+    if (status != SOLVED)
+        return status;
+    at->extent = sets_extent(s->sets, normal);
+    if (at->extent <= UNASKED)
+        at->extent = 0.0;
+    double cap = at->extent > 0.0 ? larger(at->cap, 0.0) / at->extent : INFINITY;
+    if (cap < s->least_cap) {
+        s->least_cap = cap;
+        s->capped = s->count;
+    }
+    s->count++;
+    return spend(&s->work, s->sets->count);
+}
+
+/* List the wrenches across which h may have an edge: corners of force sets, and lines between them. */
+static Status list_kinks(BoxSearch *s) {
+    const Sets *sets = s->sets;
+    size_t most = 1;
+    for (int i = 0; i < sets->count; i++)
+        most += (size_t)sets->set[i].elements + FEW_POINTS * FEW_POINTS;
+    s->kink = malloc(3 * most * sizeof *s->kink);
+    if (!s->kink)
+        return NO_MEMORY;
+    for (int i = 0; i < sets->count; i++) {
+        const ForceSet *set = sets->set + i;
+        for (int k = 0; k < set->elements; k++)
+            for (int j = -1; j < (set->elements <= FEW_POINTS ? k : 0); j++) {
+                if (set->element[k].shape != POINT || (j >= 0 && set->element[j].shape != POINT))
+                    continue;
+                double force[2] = {set->element[k].at[0], set->element[k].at[1]};
+                if (j >= 0) {
+                    force[0] -= set->element[j].at[0];
+                    force[1] -= set->element[j].at[1];
+                }
+                double *kink = s->kink + 3 * (ptrdiff_t)s->kinks, size;
+                wrench_of(sets->scale, set->arm, force, kink);
+                size = length(kink);
+                if (size == 0.0)
+                    continue;
+                for (int c = 0; c < 3; c++)
+                    kink[c] /= size;
+                s->kinks++;
+            }
+    }
+    return SOLVED;
+}
+
+Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int many, double limit,
+                   double reverse, double units, int (*interrupted)(void)) {
+    *s = (BoxSearch){.sets = sets, .pieces = pieces, .many = many, .limit = limit,
+                     .reverse = reverse, .least_cap = INFINITY, .is_convex = sets->losing == 0,
+                     .work = work_of(units, interrupted)};
+    double bound, most = 0.0, opposite[3];
+    for (int k = 0; k < 2 * many; k++) {
+        const double *arm = pieces + PIECE * (ptrdiff_t)(k / 2) + 2 * (k & 1);
+        most = larger(most, sets->scale[2] * hypot(arm[0], arm[1]));
+    }
+    s->size = sets->weight
+              + larger(limit, reverse) * hypot(larger(sets->scale[0], sets->scale[1]), most);
+    for (int i = 0; i < sets->count; i++)
+        if (sets->set[i].adrift || sets->set[i].turning)
+            s->is_convex = 0;
+    Status status = list_kinks(s);
+    if (status == SOLVED)
+        status = sets_search(sets, NULL, EXACT, INFINITY, NULL, 0, &s->work, &s->quality, &bound,
+                             s->weakest);
+    if (is_fault(status))
+        return status;
+    for (int c = 0; c < 3; c++)
+        opposite[c] = -s->weakest[c];
+    status = meet(s, s->weakest);
+    if (!is_fault(status))
+        status = meet(s, opposite);
+    for (int c = 0; c < 6 && !is_fault(status); c++) {
+        double axis[3] = {0.0};
+        axis[c / 2] = c % 2 ? -1.0 : 1.0;
+        status = meet(s, axis);
+    }
+    return is_fault(status) ? status : SOLVED;
+}
+
+void boxes_end(BoxSearch *s) {
+    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->tableau, s->used};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        free(all[k]);
+}
+
+Status boxes_quality(BoxSearch *s, const double *arm, double direction, double *quality,
+                     double *normal) {
+    double c = cos(direction), sn = sin(direction), b[3], force[2] = {c, sn}, bound;
+    double start[2][3], low[2] = {INFINITY, INFINITY};
+    int starts = 0;
+    double ahead[ELEMENT] = {0.0, s->limit * c, s->limit * sn, direction - 0.5 * PI,
+                             direction + 0.5 * PI};
+    double astern[ELEMENT] = {0.0, -s->reverse * c, -s->reverse * sn, direction + 0.5 * PI,
+                              direction + 1.5 * PI};
+    Element element[2] = {element_of(ahead), element_of(astern)};
+    ForceSet set = {.arm = {arm[0], arm[1]}, .element = element, .elements = 2};
+    wrench_of(s->sets->scale, arm, force, b);
+    for (int k = 0; k < s->count; k++) {
+        double value = reach_of(s, s->pool + k, b);
+        int at = value < low[0] ? 0 : value < low[1] ? 1 : 2;
+        if (at == 2)
+            continue;
+        if (at == 0) {
+            memcpy(start[1], start[0], sizeof start[0]);
+            low[1] = low[0];
+        }
+        memcpy(start[at], s->pool[k].normal, sizeof start[0]);
+        low[at] = value;
+        starts = starts < 2 ? starts + 1 : 2;
+    }
+    Status status = sets_search(s->sets, &set, EXACT, INFINITY, start[0], starts, &s->work, quality,
+                                &bound, normal);
+    return status;
+}
+
+/* -- games -------------------------------------------------------------------------------------- */
+
+/* One pivot of a tableau of CORNERS rows, and one of prices, on a column. */
+static void pivot(double *t, int width, int row, int column) {
+    double by = 1.0 / t[row * width + column];
+    for (int j = 0; j < width; j++)
+        t[row * width + j] *= by;
+    for (int i = 0; i <= CORNERS; i++) {
+        double share = t[i * width + column];
+        if (i == row || share == 0.0)
+            continue;
+        for (int j = 0; j < width; j++)
+            t[i * width + j] -= share * t[row * width + j];
+    }
+}
+
+/* Of rows A (count, CORNERS + 1), the last number of each D, find weights y whose greatest
+ * sum y (A - level D) over the corners is least. Rows that cannot matter get none. Writes the rows
+ * that do and their weights, at most CORNERS, and the shares of the corners that do best against
+ * them. Returns how many. */
+static int play(BoxSearch *s, int count, double level, int *chosen, double *weight, double *share) {
+    const double *a = s->row;
+    double least_top = INFINITY, lowest = INFINITY;
+    int kept = 0;
+    for (int k = 0; k < count; k++) {
+        double top = -INFINITY;
+        for (int i = 0; i < CORNERS; i++)
+            top = larger(top, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
+        least_top = smaller(least_top, top);
+    }
+    for (int k = 0; k < count; k++) {
+        double low = INFINITY;
+        for (int i = 0; i < CORNERS; i++)
+            low = smaller(low, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
+        if (low > least_top)
+            continue;
+        lowest = smaller(lowest, low);
+        s->used[kept++] = k;
+    }
+    double unit = least_top - lowest; /* the values become 1 to 2 or so */
+    unit = unit > 0.0 ? unit : 1.0;
+    int width = kept + CORNERS + 1, basis[CORNERS];
+    double *t = s->tableau, *price = t + CORNERS * width;
+    for (int i = 0; i < CORNERS; i++) {
+        for (int j = 0; j < kept; j++) {
+            const double *row = a + (ptrdiff_t)s->used[j] * (CORNERS + 1);
+            t[i * width + j] = 1.0 + (row[i] - level * row[CORNERS] - lowest) / unit;
+        }
+        for (int j = 0; j < CORNERS; j++)
+            t[i * width + kept + j] = i == j;
+        t[i * width + width - 1] = 1.0;
+        basis[i] = kept + i;
+    }
+    for (int j = 0; j < width; j++)
+        price[j] = j < kept;
+    for (int turn = 0; turn < PIVOTS; turn++) {
+        int column = -1, row = -1;
+        double most = 1e-11, step = INFINITY;
+        for (int j = 0; j < width - 1; j++)
+            if (price[j] > most) {
+                most = price[j];
+                column = j;
+            }
+        if (column < 0)
+            break;
+        for (int i = 0; i < CORNERS; i++)
+            if (t[i * width + column] > 1e-9 && t[i * width + width - 1] < step * t[i * width + column]) {
+                step = t[i * width + width - 1] / t[i * width + column];
+                row = i;
+            }
+        if (row < 0)
+            break;
+        pivot(t, width, row, column);
+        basis[row] = column;
+    }
+    int found = 0;
+    double sum = 0.0, all = 0.0;
+    for (int i = 0; i < CORNERS; i++) {
+        double q = t[i * width + width - 1];
+        if (basis[i] < kept && q > 0.0) {
+            chosen[found] = s->used[basis[i]];
+            weight[found++] = q;
+            sum += q;
+        }
+        share[i] = larger(0.0, -price[kept + i]);
+        all += share[i];
+    }
+    for (int k = 0; k < found; k++)
+        weight[k] /= sum;
+    for (int i = 0; i < CORNERS; i++)
+        share[i] = all > 0.0 ? share[i] / all : 1.0 / CORNERS;
+    return found;
+}
+
+/* -- boxes -------------------------------------------------------------------------------------- */
+
+static double between(double a, double b, double share) { return a + share * (b - a); }
+
+/* The moment arm at a share of a piece. */
+static void arm_at(const double *piece, double share, double *arm) {
+    arm[0] = between(piece[0], piece[2], share);
+    arm[1] = between(piece[1], piece[3], share);
+}
+
+/* The corners of a box, unit forces or little longer: contact by contact, in three directions. */
+static void corners_of(const BoxSearch *s, const Box *box, double (*corner)[3], double (*force)[2]) {
+    double half = 0.5 * (box->hi - box->lo), more = 1.0 / cos(half);
+    double angle[3] = {box->lo, box->lo + half, box->hi};
+    for (int i = 0; i < CORNERS; i++) {
+        double arm[2], size = i % 3 == 1 ? more : 1.0;
+        arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, i < 3 ? box->from : box->to, arm);
+        force[i][0] = size * cos(angle[i % 3]);
+        force[i][1] = size * sin(angle[i % 3]);
+        wrench_of(s->sets->scale, arm, force[i], corner[i]);
+    }
+}
+
+/* The wrench of the task that is farthest along a normal. */
+static void farthest(const Sets *sets, const double *normal, double *wrench) {
+    double most = -INFINITY, size = length(normal);
+    memset(wrench, 0, 3 * sizeof *wrench);
+    if (sets->tasks == 0) {
+        for (int c = 0; c < 3; c++)
+            wrench[c] = normal[c] / size;
+        return;
+    }
+    for (int k = 0; k < sets->tasks; k++) {
+        const double *row = sets->task + 3 * (ptrdiff_t)k;
+        double reach = dot(row, normal);
+        if (!sets->is_polytope) {
+            for (int c = 0; c < 3; c++)
+                wrench[c] += reach * row[c];
+        } else if (reach > most) {
+            most = reach;
+            memcpy(wrench, row, 3 * sizeof *wrench);
+        }
+    }
+    size = length(wrench) > 0.0 && !sets->is_polytope ? sets_extent(sets, normal) : 1.0;
+    for (int c = 0; c < 3; c++)
+        wrench[c] /= size;
+}
+
+/* Write a row of the normals b x g, which at a level is worth no less than any quality above it (T23):
+ * with N the normals at the corners and d the task's wrench farthest along their sum, t D(n) <= h(n)
+ * gives t c <= sum mu (h(N) - level d . N) + level c with c the least d . N. Returns whether there is
+ * one. */
+static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double level, double *row,
+                     int *is_row) {
+    double normal[CORNERS][3], sum[3] = {0.0}, d[3], least = INFINITY, mean = 0.0, cap;
+    *is_row = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        cross(corner[i], g, normal[i]);
+        add(sum, normal[i]);
+        mean += length(normal[i]) / CORNERS;
+    }
+    if (!(length(sum) > TURNED_OFF * mean))
+        return SOLVED;
+    farthest(s->sets, sum, d);
+    for (int i = 0; i < CORNERS; i++)
+        least = smaller(least, dot(d, normal[i]));
+    if (!(least > TURNED_OFF * mean))
+        return SOLVED;
+    for (int i = 0; i < CORNERS; i++) {
+        Status status = sets_height(s->sets, normal[i], NULL, row + i, &cap);
+        if (status != SOLVED)
+            return status;
+        row[i] = (row[i] - level * dot(d, normal[i])) / least + level;
+    }
+    row[CORNERS] = 1.0;
+    *is_row = 1;
+    return spend(&s->work, (double)CORNERS * s->sets->count);
+}
+
+/* Bound a box by weights of rows, and keep them. */
+static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found, const int *chosen,
+                       const double *weight, double level) {
+    double asked = 0.0, most = -INFINITY;
+    for (int i = 0; i < CORNERS; i++) {
+        double sum = 0.0;
+        for (int k = 0; k < found; k++)
+            sum += weight[k] * s->row[(ptrdiff_t)chosen[k] * (CORNERS + 1) + i];
+        most = larger(most, sum);
+    }
+    for (int k = 0; k < found; k++)
+        asked += weight[k] * s->row[(ptrdiff_t)chosen[k] * (CORNERS + 1) + CORNERS];
+    double bound = asked > UNASKED ? most / asked : most < 0.0 ? 0.0 : INFINITY;
+    bound = larger(bound, level);
+    if (bound >= box->bound)
+        return;
+    box->bound = bound;
+    box->terms = found;
+    for (int k = 0; k < found; k++) {
+        box->term[k] = term[chosen[k]];
+        box->term[k].weight = weight[k];
+    }
+}
+
+/* Note what robots in a box reach at most at a level, and where they look best. */
+static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
+    double corner[CORNERS][3], force[CORNERS][2], middle[3] = {0.0}, wide = 0.0;
+    double weight[CORNERS], share[CORNERS];
+    int chosen[CORNERS], found, rows = s->count + LOWEST * (EDGES + 1) + CORNERS;
+    Term before[CORNERS];
+    int befores = box->terms;
+    memcpy(before, box->term, sizeof before);
+    if (rows > s->rows_room) {
+        size_t room = 2 * (size_t)rows;
+        double *row = realloc(s->row, room * (CORNERS + 1) * sizeof *row);
+        if (row)
+            s->row = row;
+        double *tableau = realloc(s->tableau, (CORNERS + 1) * (room + CORNERS + 1) * sizeof *tableau);
+        if (tableau)
+            s->tableau = tableau;
+        int *used = realloc(s->used, room * sizeof *used);
+        if (used)
+            s->used = used;
+        if (!row || !tableau || !used)
+            return NO_MEMORY;
+        s->rows_room = (int)room;
+    }
+    Term *term = malloc((size_t)rows * sizeof *term);
+    if (!term)
+        return NO_MEMORY;
+    corners_of(s, box, corner, force);
+    for (int i = 0; i < CORNERS; i++)
+        for (int c = 0; c < 3; c++)
+            middle[c] += corner[i][c] / CORNERS;
+    for (int i = 0; i < CORNERS; i++)
+        wide = larger(wide, 2.0 * sqrt(pow(corner[i][0] - middle[0], 2) + pow(corner[i][1] - middle[1], 2)
+                                       + pow(corner[i][2] - middle[2], 2)));
+    box->known = s->count;
+    box->terms = 0;
+    box->bound = INFINITY;
+    for (int k = 0; k < s->count; k++) {
+        const Known *at = s->pool + k;
+        double *row = s->row + (ptrdiff_t)k * (CORNERS + 1);
+        int is_demanded = s->reverse == 0.0 && at->height <= level * at->extent
+                          && (at->extent > 0.0 || at->height < 0.0);
+        for (int i = 0; i < CORNERS; i++) {
+            double x = dot(at->normal, corner[i]);
+            row[i] = at->height + (is_demanded ? s->limit * x : phi(s, x));
+        }
+        row[CORNERS] = at->extent;
+        term[k] = (Term){is_demanded ? DEMANDED : MET,
+                         {at->normal[0], at->normal[1], at->normal[2]}, 0.0};
+    }
+    found = play(s, s->count, level, chosen, weight, share);
+    keep_terms(s, box, term, found, chosen, weight, level);
+    Status status = spend(&s->work, PASS * s->count);
+    if (s->is_convex && box->bound > enough && status == SOLVED) {
+        int low[LOWEST], lows = 0, at = s->count, is_row;
+        double value[LOWEST];
+        for (int k = 0; k < s->count; k++) {
+            const Known *known = s->pool + k;
+            if (fabs(dot(known->normal, middle)) > BESIDE * wide || known->extent <= 0.0)
+                continue;
+            double here = reach_of(s, known, middle);
+            int j = lows < LOWEST ? lows++ : LOWEST;
+            if (j == LOWEST && !(here < value[--j]))
+                continue;
+            for (; j > 0 && here < value[j - 1]; j--) {
+                value[j] = value[j - 1];
+                low[j] = low[j - 1];
+            }
+            value[j] = here;
+            low[j] = k;
+        }
+        for (int k = 0; k < befores && status == SOLVED; k++)
+            if (before[k].kind == TRAVELLING) {
+                status = travel(s, corner, before[k].vector, level,
+                                s->row + (ptrdiff_t)at * (CORNERS + 1), &is_row);
+                term[at] = before[k];
+                at += is_row;
+            }
+        for (int l = 0; l < lows && status == SOLVED; l++) {
+            const double *normal = s->pool[low[l]].normal;
+            int edges = 0;
+            for (int k = 0; k <= s->kinks && edges < EDGES && status == SOLVED; k++) {
+                double g[3], *kink = s->kink + 3 * (ptrdiff_t)k, there[3];
+                if (k < s->kinks) {
+                    if (fabs(dot(kink, normal)) > ON_EDGE)
+                        continue;
+                    memcpy(g, kink, sizeof g);
+                } else if (edges == 0) {
+                    cross(normal, middle, g);
+                } else {
+                    break;
+                }
+                cross(middle, g, there);
+                double sign = dot(there, normal) < 0.0 ? -1.0 : 1.0;
+                for (int c = 0; c < 3; c++)
+                    g[c] *= sign;
+                edges++;
+                status = travel(s, corner, g, level, s->row + (ptrdiff_t)at * (CORNERS + 1), &is_row);
+                term[at] = (Term){TRAVELLING, {g[0], g[1], g[2]}, 0.0};
+                at += is_row;
+            }
+        }
+        if (at > s->count && !is_fault(status)) {
+            found = play(s, at, level, chosen, weight, share);
+            keep_terms(s, box, term, found, chosen, weight, level);
+        }
+    }
+    free(term);
+    if (s->least_cap <= box->bound) { /* no newcomer does better, anywhere */
+        box->bound = s->least_cap;
+        box->terms = 1;
+        box->term[0] = (Term){MET, {0.0}, 1.0};
+        memcpy(box->term[0].vector, s->pool[s->capped].normal, sizeof box->term[0].vector);
+    }
+    double along_ = 0.0, f[2] = {0.0}, mid = 0.5 * (box->lo + box->hi);
+    for (int i = 0; i < CORNERS; i++) {
+        along_ += i < 3 ? 0.0 : share[i];
+        f[0] += share[i] * force[i][0];
+        f[1] += share[i] * force[i][1];
+    }
+    double c = cos(mid), sn = sin(mid);
+    box->ask[0] = between(box->from, box->to, along_);
+    box->ask[1] = mid + atan2(c * f[1] - sn * f[0], c * f[0] + sn * f[1]);
+    return status;
+}
+
+/* -- the search --------------------------------------------------------------------------------- */
+
+static Status put_closed(BoxSearch *s, const Box *box) {
+    if (!has_room((void **)&s->closed, &s->closed_room, s->closes, sizeof *s->closed))
+        return NO_MEMORY;
+    s->closed[s->closes++] = *box;
+    return SOLVED;
+}
+
+static Status put_open(BoxSearch *s, const Box *box) {
+    if (!has_room((void **)&s->open, &s->open_room, s->opens, sizeof *s->open))
+        return NO_MEMORY;
+    int k = s->opens++;
+    for (; k > 0 && s->open[(k - 1) / 2].bound < box->bound; k = (k - 1) / 2)
+        s->open[k] = s->open[(k - 1) / 2];
+    s->open[k] = *box;
+    return SOLVED;
+}
+
+static Box take_open(BoxSearch *s) {
+    Box top = s->open[0], last = s->open[--s->opens];
+    int k = 0;
+    for (int child; (child = 2 * k + 1) < s->opens; k = child) {
+        if (child + 1 < s->opens && s->open[child + 1].bound > s->open[child].bound)
+            child++;
+        if (s->open[child].bound <= last.bound)
+            break;
+        s->open[k] = s->open[child];
+    }
+    if (s->opens)
+        s->open[k] = last;
+    return top;
+}
+
+/* What a bound may be for a box to be closed, and the level between it and the best. */
+static double enough_for(const BoxSearch *s, const Place *best, double gap, double *level) {
+    double most = best->quality + larger(gap * best->quality, FLOOR * s->size);
+    most = larger(most, ZERO * s->size);
+    *level = between(best->quality, most, 0.5);
+    return most;
+}
+
+/* Bound a box, and put it where it belongs. */
+static Status put_box(BoxSearch *s, Box *box, double level, double enough) {
+    Status status = bound_box(s, box, level, enough), put;
+    if (is_fault(status))
+        return status;
+    put = box->bound <= enough ? put_closed(s, box) : put_open(s, box);
+    return put == SOLVED ? status : put;
+}
+
+/* Ask the quality where a box looks best. */
+static Status ask(BoxSearch *s, const Box *box, Place *best) {
+    double arm[2], quality, normal[3];
+    arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, box->ask[0], arm);
+    Status status = boxes_quality(s, arm, box->ask[1], &quality, normal);
+    s->asks--;
+    if (status != SOLVED)
+        return status;
+    if (quality > best->quality)
+        *best = (Place){quality, box->ask[0], box->ask[1], box->piece};
+    return meet(s, normal);
+}
+
+/* Cut a box across its longer side, where it was asked if that is not near an end. */
+static int cut(const BoxSearch *s, const Box *box, Box *halves) {
+    const double *p = s->pieces + PIECE * (ptrdiff_t)box->piece;
+    double longest = s->sets->scale[2] * hypot(p[2] - p[0], p[3] - p[1]) * (box->to - box->from);
+    int is_across = longest > box->hi - box->lo;
+    double first = is_across ? box->from : box->lo, last = is_across ? box->to : box->hi;
+    double at = box->ask[!is_across], width = last - first;
+    if (!(width > SMALLEST))
+        return 0;
+    if (at < first + MIDDLE * width || at > last - MIDDLE * width)
+        at = between(first, last, 0.5);
+    halves[0] = halves[1] = *box;
+    if (is_across)
+        halves[0].to = halves[1].from = at;
+    else
+        halves[0].hi = halves[1].lo = at;
+    return 1;
+}
+
+/* Put the boxes of a piece, each a right angle wide at most. */
+static Status put_piece(BoxSearch *s, int piece, double level, double enough) {
+    const double *p = s->pieces + PIECE * (ptrdiff_t)piece;
+    int parts = p[5] - p[4] > 0.5 * PI ? 2 : 1;
+    Status status = SOLVED;
+    for (int k = 0; k < parts && !is_fault(status); k++) {
+        Box box = {.piece = piece, .to = p[0] == p[2] && p[1] == p[3] ? 0.0 : 1.0};
+        box.lo = k ? between(p[4], p[5], 0.5) : p[4];
+        box.hi = k + 1 < parts ? between(p[4], p[5], 0.5) : p[5];
+        status = put_box(s, &box, level, enough);
+    }
+    return status;
+}
+
+Status boxes_solve(BoxSearch *s, const char *chosen, double gap, int asks, Place *best) {
+    double level, enough;
+    Status status = SOLVED;
+    *best = (Place){.quality = s->quality, .piece = -1};
+    s->opens = s->closes = 0;
+    s->asks = asks;
+    enough = enough_for(s, best, gap, &level);
+    for (int k = 0; k < s->many && !is_fault(status); k++)
+        if (!chosen || chosen[k])
+            status = put_piece(s, k, level, enough);
+    while (status == SOLVED && s->opens) {
+        enough = enough_for(s, best, gap, &level);
+        if (s->open[0].bound <= enough)
+            break;
+        Box box = take_open(s), halves[2];
+        if (box.known < s->count) {
+            status = put_box(s, &box, level, enough);
+            continue;
+        }
+        if (s->asks <= 0) {
+            put_open(s, &box); /* there is room: it came from there */
+            status = OUT_OF_BUDGET;
+            break;
+        }
+        status = ask(s, &box, best);
+        if (status != SOLVED) {
+            put_open(s, &box);
+            break;
+        }
+        enough = enough_for(s, best, gap, &level);
+        if (!cut(s, &box, halves)) {
+            status = put_closed(s, &box);
+            continue;
+        }
+        for (int k = 0; k < 2 && !is_fault(status); k++)
+            status = put_box(s, halves + k, level, enough);
+    }
+    for (int k = 0; k < s->opens && !is_fault(status); k++) {
+        Status put = put_closed(s, s->open + k);
+        status = put == SOLVED ? status : put;
+    }
+    s->opens = 0;
+    return status;
+}

@@ -1,0 +1,88 @@
+/* Placement of a newcomer of one fixed direction, one-way or two-way, beside robots with force sets, by
+ * branch and bound over boxes of contacts and directions (T23).
+ *
+ * The wrenches of a box lie in the hull of a few corners, and whatever bounds the quality linearly over
+ * these bounds it in the box. Three kinds of normals n do, at a level t >= 0 below which bounds are of no
+ * interest; phi is what the newcomer adds, D the task's part:
+ *   MET         t D(n) <= H(n) + phi(n . b), convex in b.
+ *   DEMANDED    If H(n) <= t D(n), a one-way newcomer that betters t pushes along n, and phi is linear.
+ *   TRAVELLING  n(b) = b x g, to which the newcomer adds nothing: t D(n(b)) <= h(n(b)), where h, without
+ *               losses, is convex.
+ * A convex combination of them, from a matrix game, bounds the box. A search has up to some thousands
+ * of boxes; each costs a pass over the normals met, and a few hundred heights. */
+#ifndef SWARMGRASP_BOXES_H
+#define SWARMGRASP_BOXES_H
+
+#include "sector.h"
+#include "sets.h"
+
+#define CORNERS 6 /* wrenches whose hull holds those of a box; normals that bound one, at most */
+#define ASKS 1500 /* exact qualities that a search may take unless told otherwise */
+
+typedef enum { MET, DEMANDED, TRAVELLING } Kind;
+
+typedef struct {
+    Kind kind;
+    double vector[3]; /* the unit normal, in the metric's coordinates, or g */
+    double weight;
+} Term;
+
+/* Robots of a piece between two contacts, and two directions at most a right angle apart. */
+typedef struct {
+    int piece;
+    double from, to; /* shares of the way from the piece's first end to its last */
+    double lo, hi;   /* [rad] */
+    double bound;    /* what none of them exceeds */
+    double ask[2];   /* the share and the direction that look best */
+    int known;       /* normals in the pool when it was bounded */
+    int terms;
+    Term term[CORNERS];
+} Box;
+
+/* A normal met, and what the base swarm holds along it. */
+typedef struct {
+    double normal[3], height, cap, extent;
+} Known;
+
+typedef struct {
+    double quality, share, direction;
+    int piece; /* -1 if none betters the base swarm */
+} Place;
+
+typedef struct {
+    const Sets *sets;
+    const double *pieces;       /* (many, PIECE) */
+    int many;
+    double limit, reverse;      /* of the newcomer [N] */
+    double size;                /* of all wrenches together [N]: what rounding is relative to */
+    int is_convex;              /* whether h is: no losses, and no poses that may be worst */
+    double quality, weakest[3]; /* of the base swarm */
+    Known *pool;
+    int count, room;
+    double least_cap;           /* relative to D, and the row that has it */
+    int capped;
+    double *kink;               /* (kinks, 3) wrenches across which h may have an edge */
+    int kinks;
+    Box *open, *closed;         /* a heap, greatest bound first; and what was bounded */
+    int opens, open_room, closes, closed_room;
+    double *row, *tableau;      /* room for a game */
+    int *used, rows_room;
+    int asks;                   /* exact qualities left */
+    Work work;
+} BoxSearch;
+
+/* Prepare a search, for `units` of work in all. Returns a status; end it in any case. */
+Status boxes_begin(BoxSearch *search, const Sets *sets, const double *pieces, int many, double limit,
+                   double reverse, double units, int (*interrupted)(void));
+void boxes_end(BoxSearch *search);
+
+/* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds the
+ * best by more than `gap` of it, or by what rounding hides. All boxes are in `closed` then. Returns
+ * SOLVED, OUT_OF_BUDGET, or a fault. */
+Status boxes_solve(BoxSearch *search, const char *chosen, double gap, int asks, Place *best);
+
+/* Find the quality with the newcomer at a moment arm, and the unit normal that attains it. */
+Status boxes_quality(BoxSearch *search, const double *arm, double direction, double *quality,
+                     double *normal);
+
+#endif

@@ -1,0 +1,212 @@
+"""The place of a newcomer of one fixed direction beside robots with force sets (T23).
+
+One-way or two-way: by branch and bound over boxes of contacts and directions.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.frozen import Frozen
+from swarmgrasp.kernels import core
+from swarmgrasp.placement.certificate import BoxProof, Certificate
+from swarmgrasp.placement.pieces import Pieces
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import WORK, Best
+from swarmgrasp.placement.ties import Spot, Tie
+from swarmgrasp.quality.aim import Aim, Work
+from swarmgrasp.quality.robot_sets import RobotSets
+from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.swarm.robot import SAME_ANGLE
+
+Array = NDArray[np.float64]
+PIECE, FROM, TO, LO, HI, BOUND, TERMS = range(7)
+"""Columns of the kernel's boxes."""
+KINDS: tuple[Literal["met"], Literal["demanded"], Literal["travelling"]] = (
+    "met",
+    "demanded",
+    "travelling",
+)
+"""What the terms are, by the kernel's numbers."""
+
+
+@dataclass(frozen=True, eq=False)
+class BoxOptimum(Frozen):
+    """The best robot over some pieces, and the boxes that bound them.
+
+    Attributes
+    ----------
+    solved : bool
+        Whether the search came as near as asked; the bounds hold in any case.
+    best : Best
+    upper_bound : float [N]
+        What no robot exceeds.
+    bounds : (k,) [N]
+        What no robot on each piece exceeds; 0 for those left out.
+    boxes : (m, 36)
+        See `core.Boxes`.
+    normals_met : (n, 3)
+        Unit normals that the search has met.
+    """
+
+    solved: bool
+    best: Best
+    upper_bound: float
+    bounds: Array
+    boxes: Array
+    normals_met: Array
+    _rows: Array
+    _origin: Array
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """The proofs of all bounds."""
+        return Certificate((), tuple(self._proofs()), self.upper_bound)
+
+    def _proofs(self) -> Iterator[BoxProof]:
+        """Yield the proof of each box."""
+        for row in self.boxes:
+            terms = row[TERMS:].reshape(-1, 5)
+            terms = terms[terms[:, 4] > 0.0]
+            arms = self._rows[int(row[PIECE])]
+            ends = row[FROM : TO + 1, None] * (arms[2:4] - arms[:2]) + arms[:2] + self._origin
+            (x, y), (to_x, to_y) = ends.tolist()
+            yield BoxProof(
+                (x, y),
+                (to_x, to_y),
+                float(row[LO]),
+                float(row[HI]),
+                tuple(KINDS[int(kind)] for kind in terms[:, 0]),
+                terms[:, 1:4],
+                terms[:, 4],
+            )
+
+
+class BoxSearch:
+    """The place of a newcomer, by the criterion of a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+    pieces : Pieces
+
+    Attributes
+    ----------
+    aim : Aim
+    base : Weakest
+        The base swarm's quality and weakest normal.
+    opposite : float [N]
+        Its support function at the opposite normal.
+    floor, zero : float [N]
+        A difference not worth closing, and a quality that counts as 0.
+    work : Work
+        What exact qualities by the aim may take besides: as much as the search.
+    """
+
+    def __init__(self, problem: Problem, pieces: Pieces) -> None:
+        self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
+        self._unit = self.aim.unit
+        self._rows, self._origin = pieces.rows, problem.swarm.outline.origin
+        self._limits = problem.certain_limit, problem.newcomer.reverse_limit
+        sets = self.aim.robots
+        assert isinstance(sets, RobotSets)
+        self._core = core.Boxes(sets.core, self._rows, *self._limits, WORK)
+        self.work = Work(WORK)
+        value, normal = self._core.base
+        self.base = Weakest(value / self._unit, normal)
+        self.opposite = float(self.aim.values(-np.array(normal))[0])
+        size = self._core.size / self._unit
+        self.floor, self.zero = core.FLOOR * size, core.MARGINAL * size
+
+    @property
+    def left(self) -> float:
+        """Units of work; below 0 when it was not enough."""
+        return self._core.left
+
+    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> BoxOptimum:
+        """Find the best robot over all pieces, or over the chosen ones.
+
+        Parameters
+        ----------
+        gap : float
+            Largest difference between bound and best, relative to the best.
+        chosen : sequence of int, optional
+        """
+        wanted = np.zeros(len(self._rows), dtype=bool)
+        wanted[slice(None) if chosen is None else list(chosen)] = True
+        for one, other in self._twins():
+            if wanted[one]:
+                wanted[other] = False
+        solved, (value, piece, share, angle), found = self._core.solve(gap, wanted.tobytes())
+        boxes = np.frombuffer(found).reshape(-1, core.BOX).copy()
+        boxes[:, BOUND] /= self._unit
+        bounds = np.zeros(len(self._rows))
+        np.maximum.at(bounds, boxes[:, PIECE].astype(int), boxes[:, BOUND])
+        for one, other in self._twins():
+            if wanted[one]:
+                bounds[other] = bounds[one]
+        self._boxes, self._spot = boxes, Spot(piece, share, angle)
+        best = Best(self.base.quality, 0.0, 0.0, 0.0, -1)
+        if piece >= 0:
+            best = Best(value / self._unit, *self._wrench(self._spot), piece)
+        top = float(boxes[:, BOUND].max(initial=0.0))
+        return BoxOptimum(
+            solved, best, top, bounds, boxes, self._normals(), self._rows, self._origin
+        )
+
+    def _twins(self) -> list[tuple[int, int]]:
+        """Return pieces of the same robots: pushing one way is pulling the other."""
+        if self._limits[0] != self._limits[1]:
+            return []
+        seen: dict[tuple[float, ...], int] = {}
+        twins = []
+        for k, row in enumerate(self._rows.tolist()):
+            first, last, lo, hi = tuple(row[:2]), tuple(row[2:4]), row[4], row[5]
+            other = seen.get((*last, *first, hi - lo))
+            if other is not None and _is_half_turn(lo - float(self._rows[other, 4])):
+                twins.append((other, k))
+            seen[(*first, *last, hi - lo)] = k
+        return twins
+
+    def _wrench(self, spot: Spot) -> tuple[float, float, float]:
+        """Return the unit wrench [1, 1, m] of a robot."""
+        row, share = self._rows[spot.piece], spot.share
+        x, y = (row[:2] * (1.0 - share) + row[2:4] * share).tolist()
+        c, s = math.cos(spot.direction), math.sin(spot.direction)
+        return c, s, x * s - y * c
+
+    def break_tie(self, best: Best, target: float) -> Best:
+        """Of the robots of at least the target quality [N], take the one that lifts the rest most.
+
+        After `solve`, which found the best.
+        """
+        rivals = self._boxes[self._boxes[:, BOUND] >= target]
+        tie = Tie(self.aim, self._limits, self._rows, self._normals(), target)
+        start = self._spot if best.piece >= 0 else None
+        spot = tie.best(rivals[:, PIECE : HI + 1], start, self._qualities)
+        if spot is None:  # nothing helps, and nothing was found that does no harm: anywhere
+            lo, hi = self._rows[0, 4:6].tolist()
+            spot = Spot(0, 0.5, 0.5 * (lo + hi))
+        if spot is start:
+            return best
+        (value,) = self._qualities(tie.robots(np.array([spot]))).tolist()
+        return Best(value, *self._wrench(spot), spot.piece)
+
+    def _normals(self) -> Array:
+        """Return the unit normals met so far (n, 3)."""
+        return np.frombuffer(self._core.normals()).reshape(-1, 3)
+
+    def _qualities(self, robots: Array) -> Array:
+        """Return the quality (c,) [N] with each of robots (c, 3): moment arms and directions."""
+        found = np.frombuffer(self._core.qualities_at(np.ascontiguousarray(robots)))
+        return found.reshape(-1, 4)[:, 0] / self._unit
+
+
+def _is_half_turn(turn: float) -> bool:
+    """Tell whether a turn [rad] is half a one, or one and a half, and so on."""
+    return abs(math.remainder(turn - math.pi, math.tau)) <= SAME_ANGLE
