@@ -364,7 +364,7 @@ def test_uncertain_robots_contribute_their_least():
     assert found.held(team, normals).height == pytest.approx(held, abs=0.03)
     assert (found.held(team, normals).height <= held + 1e-12).all()
     for normal in normals:
-        worst = np.maximum(team.worst(normal) @ normal, 0.0).sum()
+        worst = np.maximum(team.worst(normal).known @ normal, 0.0).sum()
         assert worst == pytest.approx(found.held(team, normal[None]).height[0], abs=1e-12)
 
 

@@ -8,6 +8,8 @@
 #include "quality.h"
 
 #define EXACT 1e-9      /* gap of a quality that is asked */
+#define STARTS 3       /* normals at which it begins */
+#define PARALLEL 1e-9   /* sine of the angle between wrenches that have no common plane */
 #define PIVOTS 60       /* of a game; its combination is good at any time */
 #define LOWEST 6        /* normals through which others travel */
 #define BESIDE 3.0      /* diameters of a box within which its wrenches are across such a normal */
@@ -144,11 +146,36 @@ void boxes_end(BoxSearch *s) {
         free(all[k]);
 }
 
+/* Of the normals across a unit wrench and an edge of h, find one with the least H / D. */
+static Status find_across(BoxSearch *s, const double *b, double *value, double *normal) {
+    Status status = SOLVED;
+    *value = INFINITY;
+    for (int k = 0; k < 2 * s->kinks && status == SOLVED; k++) {
+        double n[3], height, cap;
+        cross(b, s->kink + 3 * (ptrdiff_t)(k / 2), n);
+        double size = (k & 1 ? -1.0 : 1.0) * length(n);
+        if (!(fabs(size) > PARALLEL))
+            continue;
+        for (int c = 0; c < 3; c++)
+            n[c] /= size;
+        status = sets_height(s->sets, n, NULL, &height, &cap);
+        if (status != SOLVED)
+            return status;
+        double extent = sets_extent(s->sets, n);
+        double here = extent > UNASKED ? height / extent : height < 0.0 ? 0.0 : INFINITY;
+        if (here < *value) {
+            *value = here;
+            memcpy(normal, n, sizeof n);
+        }
+        status = spend(&s->work, s->sets->count);
+    }
+    return status;
+}
+
 Status boxes_quality(BoxSearch *s, const double *arm, double direction, double *quality,
                      double *normal) {
     double c = cos(direction), sn = sin(direction), b[3], force[2] = {c, sn}, bound;
-    double start[2][3], low[2] = {INFINITY, INFINITY};
-    int starts = 0;
+    double start[STARTS][3], low[STARTS] = {INFINITY, INFINITY};
     double ahead[ELEMENT] = {0.0, s->limit * c, s->limit * sn, direction - 0.5 * PI,
                              direction + 0.5 * PI};
     double astern[ELEMENT] = {0.0, -s->reverse * c, -s->reverse * sn, direction + 0.5 * PI,
@@ -156,22 +183,32 @@ Status boxes_quality(BoxSearch *s, const double *arm, double direction, double *
     Element element[2] = {element_of(ahead), element_of(astern)};
     ForceSet set = {.arm = {arm[0], arm[1]}, .element = element, .elements = 2};
     wrench_of(s->sets->scale, arm, force, b);
+    Status status = find_across(s, b, quality, normal);
+    if (status != SOLVED)
+        return status;
+    if (*quality <= ZERO * s->size) {
+        *quality = 0.0;
+        return SOLVED;
+    }
+    int starts = *quality < INFINITY;
+    if (starts) {
+        low[0] = *quality;
+        memcpy(start[0], normal, sizeof start[0]);
+    }
     for (int k = 0; k < s->count; k++) {
         double value = reach_of(s, s->pool + k, b);
-        int at = value < low[0] ? 0 : value < low[1] ? 1 : 2;
-        if (at == 2)
+        int at = starts < STARTS ? starts++ : STARTS;
+        if (at == STARTS && !(value < low[--at]))
             continue;
-        if (at == 0) {
-            memcpy(start[1], start[0], sizeof start[0]);
-            low[1] = low[0];
+        for (; at > 0 && value < low[at - 1]; at--) {
+            low[at] = low[at - 1];
+            memcpy(start[at], start[at - 1], sizeof start[at]);
         }
-        memcpy(start[at], s->pool[k].normal, sizeof start[0]);
         low[at] = value;
-        starts = starts < 2 ? starts + 1 : 2;
+        memcpy(start[at], s->pool[k].normal, sizeof start[at]);
     }
-    Status status = sets_search(s->sets, &set, EXACT, INFINITY, start[0], starts, &s->work, quality,
-                                &bound, normal);
-    return status;
+    return sets_search(s->sets, &set, EXACT, INFINITY, start[0], starts, &s->work, quality, &bound,
+                       normal);
 }
 
 /* -- games -------------------------------------------------------------------------------------- */

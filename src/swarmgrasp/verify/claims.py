@@ -163,6 +163,18 @@ class ProofClaim(_Form):
     weights: list[Number] = Field(min_length=1)
 
 
+class BoxClaim(_Form):
+    """A convex combination that bounds a box of contacts and directions."""
+
+    start: Point
+    end: Point
+    lo: Angle
+    hi: Angle
+    kinds: list[Literal["met", "demanded", "travelling"]]
+    vectors: list[Wrench] = Field(min_length=1)
+    weights: list[Number]
+
+
 class PlacementClaim(_Form):
     """What is said of one newcomer."""
 
@@ -178,6 +190,7 @@ class PlacementClaim(_Form):
     reason: str
     runners_up: list[RunnerUpClaim]
     proofs: list[ProofClaim]
+    boxes: list[BoxClaim]
 
 
 class OutlineClaim(_Form):

@@ -30,6 +30,9 @@ UNASKED = 4e-15
 ROUNDED = 1e-14
 """Share of sum |b_i| by which rounding may change a sum of up to 100 robots, and by that / D their
 quality; it grows with the number of more."""
+STEPS, NEAR_BY = tuple(0.5 * 0.6**k for k in range(45)), 40
+"""From how far to how near a weakest direction is looked for around the best so far, and at how
+many places each time: where robots are no rays."""
 PARALLEL = 1e-12
 """Sine of the angle between generators that have no common plane."""
 BLOCK = 200_000
@@ -95,6 +98,25 @@ class Judge:
         found = np.maximum(found, 0.0)
         return np.asarray(np.where(found > UNASKED, found * self.unit, 0.0))
 
+    def farthest(self, normals: Array) -> Array:
+        """Return wrenches d (m, 3) of the task, so that D(n) >= d . n relative to its size.
+
+        Those farthest along normals (m, 3).
+        """
+        with np.errstate(divide="ignore", invalid="ignore"):
+            if self._criterion.task is None:
+                found = normals / np.linalg.norm(normals, axis=1)[:, None]
+            elif self._is_polytope:
+                found = self._rows[(normals @ self._rows.T).argmax(axis=1)]
+            else:
+                along = normals @ self._rows.T
+                found = (along @ self._rows) / np.linalg.norm(along, axis=1)[:, None]
+        return np.asarray(np.nan_to_num(found, posinf=0.0, neginf=0.0))
+
+    def is_convex(self, team: Team) -> bool:
+        """Tell whether H is known to be convex: without losses and uncertain poses."""
+        return self._criterion.losing == 0 and not team.spread
+
     def held(self, team: Team, normals: Array) -> Held:
         """Return what a newcomer to a team finds at unit normals (m, 3)."""
         step = max(1, BLOCK // max(1, len(team)))
@@ -104,11 +126,13 @@ class Judge:
 
     def _summed(self, team: Team, normals: Array) -> tuple[Array, Array]:
         """Return H and what no newcomer lifts it beyond, at unit normals."""
-        terms, lost = np.maximum(team.least(normals), 0.0), self._criterion.losing
+        terms, lost = team.exerted(normals), self._criterion.losing
         held = normals @ self.load
         if lost == 0:
             return held + terms.sum(axis=1), np.full(len(normals), np.inf)
         kept = terms.shape[1] - lost
+        held = held + np.minimum(terms, 0.0).sum(axis=1)  # what robots always exert is not lost
+        terms = np.maximum(terms, 0.0)
         if kept < 0:
             return held, held
         terms = np.partition(terms, kept, axis=1)
@@ -123,32 +147,37 @@ class Judge:
         Of uncertain poses, or of too many robots, it is known only that no direction holds
         less: the given unit normals (k, 3), their opposites, and others spread evenly.
         """
-        if not team.spread and self.is_plain and len(team) <= MOST_SWEPT:
-            return (exact_quality(team.known),) * 2
-        if not team.spread and not self.is_plain and len(team) <= MOST_LISTED:
-            low, most, _ = self.listed(team.known)
-            return low, most
+        if not team.spread and not team.round:
+            if self.is_plain and len(team) <= MOST_SWEPT:
+                return (exact_quality(team.known),) * 2
+            if not self.is_plain and len(team) <= MOST_LISTED:
+                low, most, _ = self.listed(team)
+                return low, most
         known = np.concatenate([normals, -normals, spiral(AROUND)])
         most, at = self.weakest(self.held(team, known), known, self.size(team))
-        falls = bool(team.spread) and len(team) <= MOST_DESCENDED
+        falls = bool(team.spread) and not team.round and len(team) <= MOST_DESCENDED
         while falls and most > 0.0:
             _, least, place = self.listed(team.worst(at))
             falls = least < most * (1.0 - PARALLEL)
             most, at = (least, place) if falls else (most, at)
+        for step in STEPS if team.round else ():
+            near = at + step * spiral(NEAR_BY)
+            near /= np.linalg.norm(near, axis=1)[:, None]
+            least, place = self.weakest(self.held(team, near), near, self.size(team))
+            most, at = (least, place) if least < most else (most, at)
         return 0.0, max(most, 0.0)
 
-    def listed(self, generators: Array) -> tuple[float, float, Array]:
+    def listed(self, team: Team) -> tuple[float, float, Array]:
         """List all vertices: bounds of the quality from both sides, and a normal that attains it.
 
         Between the planes n . b_i = 0 H is concave, and D is convex: H >= t D holds
         everywhere if it does where two planes meet. The axes' planes leave no region
         without such a place.
         """
-        team = Team(self.scale, generators, ())
-        size = self.size(team)
+        size, generators = self.size(team), team.known
         low, most, at = np.inf, np.inf, np.zeros(3)
         for candidates in vertices(generators):
-            normals = candidates[self._may_be_below(most, generators, candidates, size)]
+            normals = candidates[self._may_be_below(most, team, candidates, size)]
             if not len(normals):
                 continue
             levels = self.held(team, normals)
@@ -161,15 +190,16 @@ class Judge:
         return max(low, 0.0), max(most, 0.0), at
 
     def _may_be_below(
-        self, value: float, generators: Array, normals: Array, size: float
+        self, value: float, team: Team, normals: Array, size: float
     ) -> NDArray[np.bool_]:
         """Tell at which unit normals (m, 3) H / D may be below a value: a quick first look."""
-        products = normals @ generators.T
+        products = normals @ team.known.T
         np.abs(products, out=products)
-        held = normals @ (self.load + 0.5 * generators.sum(axis=0))
+        held = normals @ (self.load + 0.5 * team.known.sum(axis=0))
         least = held + 0.5 * products.sum(axis=1)
         if self._criterion.losing:
-            least -= float(self._criterion.losing) * products.max(axis=1, initial=0.0)
+            most = team.by_machine(products).max(axis=1, initial=0.0)
+            least -= float(self._criterion.losing) * most
         with np.errstate(invalid="ignore"):
             above = least > value * self.extents(normals) + ABSOLUTE * size
         return np.asarray(~above)

@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from swarmgrasp.errors import AnswerInvalid
-from swarmgrasp.verify.allowed import Allowed
+from swarmgrasp.verify.allowed import Allowed, Piece
 from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.boxes import Boxes
 from swarmgrasp.verify.digest import digest_of
 from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, ROUNDED, UNASKED, Judge, over
 from swarmgrasp.verify.recompute import (
@@ -136,7 +137,13 @@ class _Check:
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
         self.pieces = list(Allowed(asked, boundary, present).pieces())
         units = [units_of(proof.normals) for proof in claim.proofs]
-        self.normals = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
+        for box in claim.boxes:
+            met = [
+                v for v, kind in zip(box.vectors, box.kinds, strict=False) if kind != "travelling"
+            ]
+            units.append(units_of(met) if met else None)
+        rows = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
+        self.normals = np.unique(rows, axis=0)
         self.surely, self.bound = self.upper_bounds()
         self.noise = self.least_noise([*present, claim.robot])
 
@@ -171,11 +178,7 @@ class _Check:
         one that can.
         """
         claim, unit = self.claim, self.unit
-        most = claim.upper_bound + self.slack(claim.upper_bound)
-        if claim.upper_bound == 0.0:  # so it is of what counts as 0
-            most = 2.0 * self.zero
-        if self.is_tolerant:
-            most = math.inf
+        most = math.inf if self.is_tolerant else self.most
         if not (self.bound < math.inf and self.surely <= most):
             yield (
                 f"the proofs show an upper bound of {self.bound:.12g}{unit} only, not "
@@ -197,6 +200,13 @@ class _Check:
                 f"{claim.asked_gap:g}"
             )
 
+    @property
+    def most(self) -> float:
+        """What the proofs may show at most."""
+        if self.claim.upper_bound == 0.0:  # so it is of what counts as 0
+            return 2.0 * self.zero
+        return self.claim.upper_bound + self.slack(self.claim.upper_bound)
+
     def unchecked(self) -> Iterator[str]:
         """Yield what is taken on trust."""
         claimed = self.claim.quality
@@ -207,7 +217,9 @@ class _Check:
             )
         plain = self.judge.is_plain
         most, count = (MOST_SWEPT if plain else MOST_LISTED), len(self.base) + 1
-        if self.base.spread or self.is_tolerant:
+        if self.base.round:
+            yield "the qualities of robots that are no rays are bounded from above only"
+        elif self.base.spread or self.is_tolerant:
             yield "the worst of the uncertain poses is bounded from above, not recomputed"
         elif count > most:
             how = "" if plain else ", by this criterion,"
@@ -237,8 +249,12 @@ class _Check:
         robot, newcomer = claim.robot, self.asked.newcomer
         if robot.limit != newcomer.limit:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
+        if robot.reverse_limit != newcomer.reverse_limit:
+            yield f"{what} has the reverse limit {robot.reverse_limit:.12g} N, not the newcomer's"
         if robot.tolerance != newcomer.tolerance:
             yield f"{what} has another tolerance than the newcomer"
+        if robot.steers or robot.friction or robot.least or robot.envelope or robot.group:
+            yield f"{what} exerts other forces than the newcomer"
         if robot.mounted:
             yield f"{what} is mounted; a newcomer is on the boundary"
         contact = np.array(robot.contact)
@@ -275,6 +291,10 @@ class _Check:
         pieces = [piece for piece in self.pieces if not piece.is_sliver] or self.pieces
         if not pieces:
             return math.inf, math.inf
+        if self.claim.boxes:
+            return self.box_bounds(pieces)
+        if self.asked.newcomer.reverse_limit > 0.0:  # the proofs know newcomers that push one way
+            return math.inf, math.inf
         origin = self.boundary.origin
         p, q = (
             np.array([end - origin for end in ends])
@@ -300,3 +320,14 @@ class _Check:
             hidden = rounding / extent[extent > 0.0].min(initial=np.inf)
             surely, bounds = np.minimum(surely, found - hidden), np.minimum(bounds, found + hidden)
         return max(float(surely.max()), 0.0), max(float(bounds.max()), 0.0)
+
+    def box_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
+        """Do the same by the boxes, which should cover the pieces."""
+        limits = self.certain_limit, self.asked.newcomer.reverse_limit
+        boxes = Boxes(
+            self.judge, self.base, self.claim.boxes, limits, self.boundary.origin, self.most,
+            self.rounding * self.judge.unit,
+        )  # fmt: skip
+        if not all(boxes.cover(piece, self.boundary.sliver) for piece in pieces):
+            return math.inf, math.inf
+        return max(float(boxes.surely.max()), 0.0), max(float(boxes.bound.max()), 0.0)

@@ -1,0 +1,209 @@
+"""What boxes of contacts and directions prove, and whether they cover what is allowed (T23).
+
+The wrenches b of unit forces in a box lie in the hull of six: b = sum mu_i P_i. What a newcomer
+adds along a normal n is phi(n . b), phi(x) = max(limit x, -reverse x), which is convex. If it
+reaches the quality t at b, then for a "met" normal
+
+    t D(n) <= H(n) + phi(n . b) <= sum mu_i (H(n) + phi(n . P_i)).
+
+If t is above a level L and H(n) <= L D(n), a one-way newcomer pushes along n: phi is linear there
+("demanded"). And for any g ("travelling") the normal n(b) = b x g is across b, and linear in it;
+with N_i = P_i x g, h convex, and d a wrench of the task, so that D(n) >= d . n, t D(n) <= h(n)
+gives
+
+    (t - L) c <= (t - L) d . n <= sum mu_i (h(N_i) - L d . N_i),   c = min d . N_i > 0.
+
+So any convex combination of these bounds t: by its greatest right side over the six, if that is
+above L.
+"""
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.verify.allowed import Piece
+from swarmgrasp.verify.judge import UNASKED, Judge
+from swarmgrasp.verify.recompute import ANGLE, Array, units_of
+from swarmgrasp.verify.team import Team
+
+if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
+    from swarmgrasp.verify.claims import BoxClaim
+
+WIDEST = math.pi / 2 + ANGLE
+"""Angle [rad] between the directions of a box, at most."""
+CORNERS = 6
+"""Wrenches whose hull holds those of a box."""
+
+
+class Boxes:
+    """The boxes of an answer.
+
+    Parameters
+    ----------
+    judge : Judge
+    team : Team
+        The robots already there.
+    claims : iterable of BoxClaim
+    limits : tuple of float [N, N]
+        The newcomer's, ahead and astern.
+    origin : (2,) [m, m]
+        Of moments.
+    level : float
+        A quality below which nothing needs a proof.
+    rounding : float [N]
+        By which H may be off.
+    """
+
+    def __init__(
+        self, judge: Judge, team: Team, claims: "Iterable[BoxClaim]", limits: tuple[float, float],
+        origin: Array, level: float, rounding: float,
+    ) -> None:  # fmt: skip
+        self._judge, self._team, self._limits = judge, team, limits
+        self._level, self._rounding = level * judge.unit, rounding
+        claims = tuple(claims)
+        self.ends = np.array([(box.start, box.end) for box in claims]).reshape(-1, 2, 2)
+        self.sectors = np.array([(box.lo, box.hi) for box in claims]).reshape(-1, 2)
+        self.corners = _corners(self.ends - origin, self.sectors) * judge.scale
+        self.surely, self.bound = self._bounds(claims)
+
+    def _bounds(self, claims: "tuple[BoxClaim, ...]") -> tuple[Array, Array]:
+        """Return bounds of each box [N], less and more what rounding hides."""
+        count = len(claims)
+        sums, asked, hidden = np.zeros((count, CORNERS)), np.zeros(count), np.zeros(count)
+        capped, is_proof = np.full(count, np.inf), np.zeros(count, dtype=bool)
+        owner, kinds, vectors, weights = [], [], [], []
+        for k, claim in enumerate(claims):
+            units, own = units_of(claim.vectors), np.array(claim.weights)
+            width = claim.hi - claim.lo
+            fits = len(claim.kinds) == len(claim.vectors) == len(own) and (own > 0.0).all()
+            if units is None or not fits or not 0.0 <= width <= WIDEST:
+                continue
+            is_proof[k] = True
+            owner += [k] * len(own)
+            kinds += claim.kinds
+            vectors.append(units)
+            own = own / own.max()
+            weights.append(own / own.sum())
+        if not owner:
+            return np.full(count, np.inf), np.full(count, np.inf)
+        box, kind = np.array(owner), np.array(kinds)
+        vector, weight = np.concatenate(vectors), np.concatenate(weights)
+        travels = kind == "travelling"
+        for chosen, rows in ((~travels, self._met), (travels, self._travelling)):
+            if not chosen.any():
+                continue
+            values, extent, off, cap = rows(box[chosen], kind[chosen], vector[chosen])
+            share = weight[chosen]
+            np.add.at(sums, box[chosen], share[:, None] * values)
+            np.add.at(asked, box[chosen], share * extent)
+            np.add.at(hidden, box[chosen], share * off)
+            np.minimum.at(capped, box[chosen], cap)
+        most = sums.max(axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            found, hidden = most / asked, hidden / asked
+        unasked = asked <= UNASKED
+        found[unasked] = np.where(most[unasked] < -self._rounding, 0.0, np.inf)
+        hidden[unasked] = 0.0
+        found = np.minimum(np.maximum(found, self._level), capped)
+        found[~is_proof] = np.inf
+        return (found - hidden) / self._judge.unit, (found + hidden) / self._judge.unit
+
+    def _met(
+        self, box: NDArray[np.intp], kind: NDArray[np.str_], normals: Array
+    ) -> tuple[Array, Array, Array, Array]:
+        """Return right sides at the corners, D relative to the task's size, rounding, and caps."""
+        different, which = np.unique(normals, axis=0, return_inverse=True)
+        height, cap, extent = (
+            part[which.reshape(-1)] for part in self._judge.held(self._team, different)
+        )
+        extent = extent / self._judge.unit
+        ahead, astern = self._limits
+        along = np.einsum("kic,kc->ki", self.corners[box], normals)
+        gain = np.maximum(ahead * along, -astern * along)
+        below = (height <= self._level * extent + self._rounding) & (extent > 0.0)
+        if astern == 0.0:
+            demanded = (kind == "demanded") & below
+            gain[demanded] = ahead * along[demanded]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            caps = np.where(extent > 0.0, np.maximum(cap, 0.0) / extent, np.inf)
+        return height[:, None] + gain, extent, np.full(len(box), self._rounding), caps
+
+    def _travelling(
+        self, box: NDArray[np.intp], kind: NDArray[np.str_], vectors: Array
+    ) -> tuple[Array, Array, Array, Array]:
+        """Return the same for normals that travel; without end where there is no such bound."""
+        del kind
+        normals = np.cross(self.corners[box], vectors[:, None, :])
+        sizes = np.linalg.norm(normals, axis=2)
+        ways = self._judge.farthest(normals.sum(axis=1))
+        along = np.einsum("kic,kc->ki", normals, ways)
+        least = along.min(axis=1)
+        known = (least > 0.0) & self._judge.is_convex(self._team)
+        least = np.where(known, least, 1.0)
+        units = normals / np.where(sizes > 0.0, sizes, 1.0)[:, :, None]
+        height = self._judge.held(self._team, units.reshape(-1, 3)).height.reshape(-1, CORNERS)
+        rows = (height * sizes - self._level * along) / least[:, None] + self._level
+        rows[~known] = np.inf
+        off = self._rounding * sizes.max(axis=1) / least
+        return rows, np.ones(len(box)), off, np.full(len(box), np.inf)
+
+    def cover(self, piece: Piece, sliver: float) -> bool:
+        """Tell whether the boxes cover a piece, but for what is no more than rounding.
+
+        Parameters
+        ----------
+        piece : Piece
+        sliver : float [m]
+        """
+        step = piece.q - piece.p
+        length = float(np.linalg.norm(step))
+        away = self.ends - piece.p
+        if length > 0.0:
+            across = np.abs(away[..., 0] * step[1] - away[..., 1] * step[0]) / length
+            shares = np.sort((away @ step) / length**2, axis=1)
+            near = sliver / length
+        else:
+            across, near = np.linalg.norm(away, axis=2), 0.0
+            shares = np.tile([0.0, 1.0], (len(away), 1))
+        beside = (across <= sliver).all(axis=1)
+        shares, sectors = shares[beside], self.sectors[beside]
+        turn = math.pi if self._limits[0] == self._limits[1] else math.tau
+        sectors = sectors + turn * np.ceil((piece.lo - ANGLE - sectors[:, 1]) / turn)[:, None]
+        # by another turn it may reach the other end
+        boxes = np.vstack([np.hstack([shares, sectors + more]) for more in (0.0, turn)])
+        return _is_covered(boxes, near, (piece.lo, piece.hi))
+
+
+def _corners(arms: Array, sectors: Array) -> Array:
+    """Return the wrenches (k, 6, 3) [1, 1, m] whose hull holds all unit forces of boxes."""
+    half = 0.5 * (sectors[:, 1] - sectors[:, 0])
+    angles = np.column_stack([sectors[:, 0], sectors[:, 0] + half, sectors[:, 1]])
+    sizes = np.ones_like(angles)
+    sizes[:, 1] = 1.0 / np.cos(np.clip(half, 0.0, WIDEST / 2))
+    fx, fy = (sizes * np.cos(angles))[:, None, :], (sizes * np.sin(angles))[:, None, :]
+    torque = arms[:, :, 0, None] * fy - arms[:, :, 1, None] * fx
+    found = np.stack(np.broadcast_arrays(fx, fy, torque), axis=-1)
+    return found.reshape(-1, CORNERS, 3)
+
+
+def _is_covered(boxes: Array, near: float, sector: tuple[float, float]) -> bool:
+    """Tell whether rectangles (k, 4) of shares and directions cover [0, 1] and a sector."""
+    cuts = np.unique(np.clip(boxes[:, :2], 0.0, 1.0))
+    if not len(cuts) or cuts[0] > near or cuts[-1] < 1.0 - near:
+        return False
+    for left, right in pairwise(cuts):
+        if right - left <= near:
+            continue
+        over = boxes[(boxes[:, 0] <= left + near) & (boxes[:, 1] >= right - near)]
+        reached = sector[0]
+        for lo, hi in over[np.argsort(over[:, 2]), 2:]:
+            if lo > reached + ANGLE:
+                break
+            reached = max(reached, hi)
+        if reached < sector[1] - ANGLE:
+            return False
+    return True
