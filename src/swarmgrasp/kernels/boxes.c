@@ -141,7 +141,7 @@ Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int man
 }
 
 void boxes_end(BoxSearch *s) {
-    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->tableau, s->used};
+    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->tableau, s->used, s->term};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         free(all[k]);
 }
@@ -408,6 +408,21 @@ static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found
     }
 }
 
+/* Make room for a game of so many rows. */
+static int make_room(BoxSearch *s, size_t rows) {
+    free(s->row);
+    free(s->tableau);
+    free(s->used);
+    free(s->term);
+    s->row = malloc(rows * (CORNERS + 1) * sizeof *s->row);
+    s->tableau = malloc((CORNERS + 1) * (rows + CORNERS + 1) * sizeof *s->tableau);
+    s->used = malloc(rows * sizeof *s->used);
+    s->term = malloc(rows * sizeof *s->term);
+    int is_made = s->row && s->tableau && s->used && s->term;
+    s->rows_room = is_made ? (int)rows : 0;
+    return is_made;
+}
+
 /* Note what robots in a box reach at most at a level, and where they look best. */
 static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     double corner[CORNERS][3], force[CORNERS][2], middle[3] = {0.0}, wide = 0.0;
@@ -416,31 +431,17 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     Term before[CORNERS];
     int befores = box->terms;
     memcpy(before, box->term, sizeof before);
-    if (rows > s->rows_room) {
-        size_t room = 2 * (size_t)rows;
-        double *row = realloc(s->row, room * (CORNERS + 1) * sizeof *row);
-        if (row)
-            s->row = row;
-        double *tableau = realloc(s->tableau, (CORNERS + 1) * (room + CORNERS + 1) * sizeof *tableau);
-        if (tableau)
-            s->tableau = tableau;
-        int *used = realloc(s->used, room * sizeof *used);
-        if (used)
-            s->used = used;
-        if (!row || !tableau || !used)
-            return NO_MEMORY;
-        s->rows_room = (int)room;
-    }
-    Term *term = malloc((size_t)rows * sizeof *term);
-    if (!term)
+    if (rows > s->rows_room && !make_room(s, 2 * (size_t)rows))
         return NO_MEMORY;
+    Term *term = s->term;
     corners_of(s, box, corner, force);
     for (int i = 0; i < CORNERS; i++)
         for (int c = 0; c < 3; c++)
             middle[c] += corner[i][c] / CORNERS;
-    for (int i = 0; i < CORNERS; i++)
-        wide = larger(wide, 2.0 * sqrt(pow(corner[i][0] - middle[0], 2) + pow(corner[i][1] - middle[1], 2)
-                                       + pow(corner[i][2] - middle[2], 2)));
+    for (int i = 0; i < CORNERS; i++) {
+        double off[3] = {corner[i][0] - middle[0], corner[i][1] - middle[1], corner[i][2] - middle[2]};
+        wide = larger(wide, 2.0 * length(off));
+    }
     box->known = s->count;
     box->terms = 0;
     box->bound = INFINITY;
@@ -514,21 +515,20 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
             keep_terms(s, box, term, found, chosen, weight, level);
         }
     }
-    free(term);
     if (s->least_cap <= box->bound) { /* no newcomer does better, anywhere */
         box->bound = s->least_cap;
         box->terms = 1;
         box->term[0] = (Term){MET, {0.0}, 1.0};
         memcpy(box->term[0].vector, s->pool[s->capped].normal, sizeof box->term[0].vector);
     }
-    double along_ = 0.0, f[2] = {0.0}, mid = 0.5 * (box->lo + box->hi);
+    double beyond = 0.0, f[2] = {0.0}, mid = 0.5 * (box->lo + box->hi);
     for (int i = 0; i < CORNERS; i++) {
-        along_ += i < 3 ? 0.0 : share[i];
+        beyond += i < 3 ? 0.0 : share[i];
         f[0] += share[i] * force[i][0];
         f[1] += share[i] * force[i][1];
     }
     double c = cos(mid), sn = sin(mid);
-    box->ask[0] = between(box->from, box->to, along_);
+    box->ask[0] = between(box->from, box->to, beyond);
     box->ask[1] = mid + atan2(c * f[1] - sn * f[0], c * f[0] + sn * f[1]);
     return status;
 }

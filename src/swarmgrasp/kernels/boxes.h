@@ -66,6 +66,7 @@ typedef struct {
     Box *open, *closed;         /* a heap, greatest bound first; and what was bounded */
     int opens, open_room, closes, closed_room;
     double *row, *tableau;      /* room for a game */
+    Term *term;
     int *used, rows_room;
     int asks;                   /* exact qualities left */
     Work work;
@@ -81,7 +82,8 @@ void boxes_end(BoxSearch *search);
  * SOLVED, OUT_OF_BUDGET, or a fault. */
 Status boxes_solve(BoxSearch *search, const char *chosen, double gap, int asks, Place *best);
 
-/* Find the quality with the newcomer at a moment arm, and the unit normal that attains it. */
+/* Find the quality with the newcomer at a moment arm, and the unit normal that attains it. Returns a
+ * status; OUT_OF_BUDGET means that it may be far less. */
 Status boxes_quality(BoxSearch *search, const double *arm, double direction, double *quality,
                      double *normal);
 

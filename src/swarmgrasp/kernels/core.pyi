@@ -22,6 +22,8 @@ FLOOR: float
 """Gap between bound and best, relative to `Search.size`, that is not worth closing."""
 UNASKED: float
 """Share of a task's size at and below which it asks for nothing: what rounding hides."""
+ASKS: int
+"""Exact qualities that `Boxes.solve` may take unless told otherwise."""
 BOX: int
 """Numbers of a box in what `Boxes.solve` returns."""
 WORK: float
@@ -189,7 +191,7 @@ class Boxes:
     def qualities_at(self, robots: Array, /) -> bytes:
         """Return the quality [N] and its unit normal, (m, 4), with each of many robots (m, 3).
 
-        These are moment arms [m] and directions [rad].
+        These are moment arms [m] and directions [rad]. What takes more work than is left is 0.
         """
 
     def normals(self) -> bytes:

@@ -128,7 +128,9 @@ class BoxSearch:
         """Units of work; below 0 when it was not enough."""
         return self._core.left
 
-    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> BoxOptimum:
+    def solve(
+        self, gap: float, chosen: Sequence[int] | None = None, asks: int = core.ASKS
+    ) -> BoxOptimum:
         """Find the best robot over all pieces, or over the chosen ones.
 
         Parameters
@@ -136,13 +138,15 @@ class BoxSearch:
         gap : float
             Largest difference between bound and best, relative to the best.
         chosen : sequence of int, optional
+        asks : int
+            Exact qualities after which it stops with the bound it has.
         """
         wanted = np.zeros(len(self._rows), dtype=bool)
         wanted[slice(None) if chosen is None else list(chosen)] = True
         for one, other in self._twins():
             if wanted[one]:
                 wanted[other] = False
-        solved, (value, piece, share, angle), found = self._core.solve(gap, wanted.tobytes())
+        solved, (value, piece, share, angle), found = self._core.solve(gap, wanted.tobytes(), asks)
         boxes = np.frombuffer(found).reshape(-1, core.BOX).copy()
         boxes[:, BOUND] /= self._unit
         bounds = np.zeros(len(self._rows))

@@ -167,10 +167,10 @@ def check_ray_problem(problem: Problem, what: str) -> None:
 def check_fixed(problem: Problem) -> None:
     """Raise `ForceSetUnsupported` unless the newcomer pushes along one line that it holds to."""
     newcomer = problem.newcomer
-    if newcomer.steers or newcomer.friction:
+    if newcomer.steers or newcomer.friction or newcomer.mounted:
         raise ForceSetUnsupported(
-            "placement is for a newcomer that pushes along one line: leave out what it steers and "
-            "its friction"
+            "placement is for a newcomer that pushes along one line from a place on the boundary: "
+            "leave out what it steers, its friction and that it is mounted"
         )
     if problem.is_tolerant and newcomer.reverse_limit:
         raise ForceSetUnsupported(

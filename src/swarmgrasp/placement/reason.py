@@ -36,7 +36,7 @@ def reason_of(answer: "Placement") -> str:
     swarm, criterion = answer.problem.swarm, answer.problem.criterion
     if answer.improves:
         return f"what remains weakest is {_weakest(answer, answer.after)}"
-    if len(swarm) + 1 < criterion.fewest:
+    if answer.problem.has_rays_only and len(swarm) + 1 < criterion.fewest:
         return too_few_words(criterion, len(swarm) + 1, "this one")
     weakest = _weakest(answer, answer.before)
     before = answer.before.quality
@@ -45,13 +45,14 @@ def reason_of(answer: "Placement") -> str:
             f"no allowed robot raises what is weakest, {weakest}, by more than rounding in the "
             f"outline's coordinates may make of none, {_value(answer.noise, answer)}"
         )
-    if before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
+    is_one_way = answer.problem.newcomer.reverse_limit == 0.0
+    if is_one_way and before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
         opposite = "the opposite way"
         if criterion.task is not None:
             opposite = f"at {criterion.weakest_words(swarm, -np.array(answer.before.normal))}"
         return (
             f"the swarm is equally weak at {weakest} and {opposite}, and one "
-            "robot can push only one way: place two"
+            "robot can push only one way: place two, or one that reverses"
         )
     if answer.is_open:
         return (

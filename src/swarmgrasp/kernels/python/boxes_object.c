@@ -139,6 +139,8 @@ static PyObject *boxes_qualities_method(PyObject *object, PyObject *robots) {
         for (int k = 0; k < count && !is_fault(status); k++, found += 4) {
             const double *robot = (const double *)view.buf + 3 * (Py_ssize_t)k;
             status = boxes_quality(s, robot, robot[2], found, found + 1);
+            if (status == OUT_OF_BUDGET)
+                *found = 0.0;
         }
         give_back(object);
     }

@@ -429,6 +429,7 @@ static int fill(PyObject *module) {
            || put(module, "MARGINAL", PyFloat_FromDouble(ZERO))
            || put(module, "FLOOR", PyFloat_FromDouble(FLOOR))
            || put(module, "UNASKED", PyFloat_FromDouble(UNASKED))
+           || put(module, "ASKS", PyLong_FromLong(ASKS))
            || put(module, "BOX", PyLong_FromLong(BOX_ROW))
            || put(module, "WORK", PyFloat_FromDouble(WORK)) ? -1 : 0;
 }
