@@ -25,7 +25,7 @@ def test_a_ridge_is_told_and_thrusters_do_not_move(capsys):
     """Empty cells for what cannot move, and why both ways may be worse."""
     found = sensitivities(load_example("supply-vessel").swarm)
     show_sensitivities(Report(), found, Unit.for_size(found.quality.value))
-    assert "8 facets are equally weak" in capsys.readouterr().out
+    assert "8 directions are equally weak" in capsys.readouterr().out
     assert all(slopes["contact"] == [None, None] for slopes in found.to_data().values())
 
 

@@ -130,7 +130,6 @@ RAYS_ONLY = {
     "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
     "landscape": lambda: sg.cell_qualities(sg.Problem(STEERING, Newcomer()), (2, 2)),
     "many robots": lambda: sg.qualities_with(STEERING, [(1, 0)], [0.0]),
-    "sensitivity": lambda: sg.sensitivities(STEERING),
     "summary": lambda: sg.Summary.of(STEERING, 12),
     "push forces": lambda: sg.forces(STEERING, (1.0, 0.0, 0.0)),
     "steering newcomer": lambda: sg.place(FIXED, Newcomer(steers=True)),

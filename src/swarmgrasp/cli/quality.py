@@ -39,8 +39,8 @@ def quality(
     worst_case
         The quality in the worst poses that the robots' tolerances allow, and these poses.
     sensitivities
-        Also what the quality gains or loses per metre of contact, per degree of direction and
-        per unit of limit of each robot.
+        Also what the quality gains or loses per metre of contact, per degree of direction and of
+        the ends of what steers, and per unit of limit and of reverse limit of each robot.
     json
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units.

@@ -6,25 +6,28 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.errors import CriterionInvalid
+from swarmgrasp.errors import CriterionInvalid, ForceSetUnsupported
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
+from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.quality.heights import Array, Heights
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.opposed import opposition
+from swarmgrasp.quality.robot_sets import RobotSets
+from swarmgrasp.quality.set_slopes import KINDS, set_slopes
 from swarmgrasp.quality.shares import shares_at
 from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.swarm.swarm import check_rays, check_swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
 KINK = 1e-7
 """Difference of two slopes that is a kink, relative to how fast the robot's wrench changes."""
+ROUGH_KINK = 1e-5
+"""The same of robots that have force sets, whose slopes are found less closely."""
 ROUNDING = 1e-12
 """Share of what a robot's wrench changes by, along a facet's normal, that is none."""
-KINDS = ("contact", "direction", "limit")
-"""What may change of a robot."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,17 +48,26 @@ class Sensitivities(Frozen, Told):
         Per radian that the force turns clockwise, and counter-clockwise.
     limit : (n, 2) [N/N]
         Per newton that the limit falls, and rises.
-    kinks : (n, 3) bool
-        Whether contact, direction and limit have two slopes that are not opposite.
+    reverse_limit : (n, 2) [N/N]
+        Per newton that the reverse limit falls, and rises; nan for robots without.
+    start, end : (n, 2) [N/rad]
+        Per radian that the clockwise, or the other, end of what a robot steers turns clockwise, and
+        counter-clockwise; nan for robots that do not steer, or all around.
+    kinks : (n, 6) bool
+        Whether these have two slopes that are not opposite.
     quality : Quality
         What they are the slopes of.
     weakest : (m, 3)
-        Unit normals of all facets as weak as the weakest, in the metric's coordinates.
+        Unit normals of all facets as weak as the weakest, in the metric's coordinates; of force
+        sets those that a search finds.
     """
 
     contact: Array
     direction: Array
     limit: Array
+    reverse_limit: Array
+    start: Array
+    end: Array
     kinks: NDArray[np.bool_]
     quality: Quality
     weakest: Array
@@ -63,7 +75,7 @@ class Sensitivities(Frozen, Told):
 
     def to_data(self) -> dict[str, Any]:
         """Return the slopes as plain data, those of each robot by its name."""
-        slopes = picked(self, "contact", "direction", "limit", "kinks")
+        slopes = picked(self, *KINDS, "kinks")
         rows = zip(*slopes.values(), strict=True)
         return {
             self.swarm.names[i]: dict(zip(slopes, row, strict=True)) for i, row in enumerate(rows)
@@ -76,7 +88,7 @@ class Sensitivities(Frozen, Told):
 
     @property
     def is_ridge(self) -> bool:
-        """Whether several facets are equally weak."""
+        """Whether several facets, or directions, are equally weak."""
         return len(self.weakest) > 1
 
 
@@ -86,7 +98,9 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     The slopes are exact, and one-sided where the quality has a kink (T19): at a corner, where
     several facets are equally weak, or where more than two robots span the weakest one. They
     take the quality itself and a list of those facets, which costs about as much for 1 000 robots
-    as some hundred qualities.
+    as some hundred qualities. Of robots that steer, reverse or rub, and of groups that may be
+    lost, directions as weak as the weakest are searched for: one that is missed leaves a slope too
+    high.
 
     Parameters
     ----------
@@ -106,6 +120,8 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
         If it is no `Swarm`.
     CriterionInvalid
         If a term is outside its range, or the worst case is asked for.
+    ForceSetUnsupported
+        If the quality is 0 and not all robots push along one ray each.
 
     Examples
     --------
@@ -119,7 +135,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     >>> grasp = Swarm(square, [Robot(c, a) for c, a in pulls], characteristic_length=1.0)
     >>> found = sensitivities(grasp)
     >>> found.contact[0].round(4).tolist(), found.kinks[0].tolist(), len(found.weakest)
-    ([-0.211, -0.8704], [True, True, True], 8)
+    ([-0.211, -0.8704], [True, True, True, False, False, False], 8)
 
     Where nobody turns the object to starboard, quality is 0, and one metre counter-clockwise for
     any of the first four would give 1 N:
@@ -131,7 +147,6 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
     """
     check_swarm(swarm)
-    check_rays(swarm, "sensitivity")
     criterion = Criterion(**terms)
     if criterion.worst_case:
         raise CriterionInvalid(
@@ -139,12 +154,31 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
             "or ask for those of quality(swarm, worst_case=True).worst_swarm"
         )
     found = quality(swarm, **terms)
-    moves = _moves(swarm)
-    facets, slopes, largest = _slopes(_heights(swarm, criterion), found, moves)
-    kinks = np.abs(slopes.sum(axis=1)) > KINK * largest.max(axis=1)
-    slopes[0, :, swarm.mounted], kinks[0, swarm.mounted] = np.nan, False
-    contact, direction, limit = (np.ascontiguousarray(columns.T) for columns in slopes)
-    return Sensitivities(contact, direction, limit, kinks.T.copy(), found, facets, swarm)
+    aim = Aim(swarm, criterion)
+    if isinstance(aim.robots, RobotSets):
+        check_held(found)
+        slopes, largest, facets = set_slopes(aim, found.value, found.direction, _tangents(swarm))
+        share = ROUGH_KINK
+    else:
+        share = KINK
+        slopes, largest = np.full((2, len(KINDS), 2, len(swarm)), np.nan)
+        facets, slopes[:3], largest[:3] = _slopes(_heights(swarm, criterion), found, _moves(swarm))
+    slopes[0, :, swarm.mounted] = np.nan
+    kinks = np.abs(slopes.sum(axis=1)) > share * largest.max(axis=1)
+    columns = {k: np.ascontiguousarray(kind.T) for k, kind in zip(KINDS, slopes, strict=True)}
+    return Sensitivities(
+        **columns, kinks=kinks.T.copy(), quality=found, weakest=facets, swarm=swarm
+    )
+
+
+def check_held(found: Quality) -> None:
+    """Raise `ForceSetUnsupported` where the quality of robots that have force sets is 0."""
+    if found.value == 0.0:
+        raise ForceSetUnsupported(
+            "the quality is 0; its slopes are known for robots that push along one ray each, "
+            "without groups that may be lost, and some of these do not: ask for the quality of "
+            "the swarm with one robot moved"
+        )
 
 
 def _heights(swarm: Swarm, criterion: Criterion) -> Heights:

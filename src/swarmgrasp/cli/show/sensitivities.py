@@ -5,9 +5,11 @@ from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.quality import Sensitivities
-from swarmgrasp.words import Unit, digits
+from swarmgrasp.words import Unit, digits, list_words
 
 WAYS = ("-", "+")
+TURNED = ("along", "to", "start", "end")
+"""Columns of what goes clockwise, or the other way."""
 
 
 def show_sensitivities(report: Report, found: Sensitivities, unit: Unit) -> None:
@@ -29,7 +31,11 @@ def show_sensitivities(report: Report, found: Sensitivities, unit: Unit) -> None
         ("along", f"{of}/m", found.contact / unit.newtons),
         ("to", f"{of}/deg", found.direction_per_degree / unit.newtons),
         ("limit", f"{of}/{limits.name}", found.limit * limits.newtons / unit.newtons),
+        ("astern", f"{of}/{limits.name}", found.reverse_limit * limits.newtons / unit.newtons),
+        ("start", f"{of}/deg", np.radians(found.start) / unit.newtons),
+        ("end", f"{of}/deg", np.radians(found.end) / unit.newtons),
     ]
+    kinds = [kind for kind in kinds if not np.isnan(kind[2]).all()]
     columns, cells = [Column("robot")], [list(swarm.names)]
     for name, per, slopes in kinds:
         columns += [Column(f"{name} {way} [{per}]", is_number=True) for way in WAYS]
@@ -39,9 +45,18 @@ def show_sensitivities(report: Report, found: Sensitivities, unit: Unit) -> None
     report.table(columns, list(zip(*cells, strict=True)))
     if found.is_ridge:
         report.sentence(
-            f"{len(found.weakest)} facets are equally weak: it may fall whichever way a robot goes."
+            f"{len(found.weakest)} directions are equally weak: it may fall whichever way a robot "
+            "goes."
         )
-    report.note("Along and to: - clockwise, + counter-clockwise; limit: - weaker, + stronger.")
+    names = [name for name, _, _ in kinds]
+    turned = [name for name in names if name in TURNED]
+    sized = [name for name in names if name not in TURNED]
+    report.note(
+        f"{list_words(turned).capitalize()}: - clockwise, + counter-clockwise; "
+        f"{list_words(sized)}: - weaker, + stronger."
+    )
+    if "start" in names:
+        report.note("Start and end: the ends of what a robot steers, counter-clockwise.")
 
 
 def _columns(slopes: NDArray[np.float64]) -> list[list[str]]:
