@@ -147,11 +147,11 @@ static int is_turning(const Active *robot, const ForceSet *set, int which, const
     for (int j = 0; j < 3; j++)
         if (robot->which[j] != which || along(p, point[j]) <= 0.0)
             return 0;
-    if (e->shape == WIDE) { /* nor does the triangle reach across the gap */
+    if (e->shape == WIDE && along(e->middle, p) < 0.0) { /* nor does the triangle reach over the gap */
         int left = 0, right = 0;
         for (int j = 0; j < 3; j++) {
-            left |= across(e->middle, point[j]) > 0.0 && along(e->middle, point[j]) < 0.0;
-            right |= across(e->middle, point[j]) < 0.0 && along(e->middle, point[j]) < 0.0;
+            left |= across(e->middle, point[j]) > 0.0;
+            right |= across(e->middle, point[j]) < 0.0;
         }
         return !(left && right);
     }

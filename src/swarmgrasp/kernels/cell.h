@@ -9,11 +9,14 @@
 #define SUMS 9      /* arrays of sums of machines */
 #define BASIC 100.0 /* and a triangle besides */
 
-/* A robot that matters on a triangle: what it exerts at the corners, and by which elements. */
+/* A robot that matters on a triangle: what it exerts at the corners, and by which elements; and the same
+ * at the corner that halves will have. */
 typedef struct {
     int robot;
     int which[3]; /* of its elements; -1 if its pose is uncertain */
     double at[3];
+    int next_which;
+    double next_at;
 } Active;
 
 /* A robot whose best force turns on a triangle: r |p|, with p = |p(m)| f + J d on the plane. */

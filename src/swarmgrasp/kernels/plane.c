@@ -39,16 +39,20 @@ static void note(double value, const double *d, double *least, double *where) {
     }
 }
 
-/* Tell whether a point lies in a counter-clockwise or clockwise polygon. */
+/* Tell whether a point lies in a polygon, either way around, even if that is next to a line. */
 static int is_within(const Polygon *polygon, const double *d) {
-    int left = 0, right = 0;
+    int left = 0, right = 0, above[2] = {0, 0}, below[2] = {0, 0};
     for (int i = 0; i < polygon->count; i++) {
         const double *p = polygon->at[i], *q = polygon->at[(i + 1) % polygon->count];
         double turn = (q[0] - p[0]) * (d[1] - p[1]) - (q[1] - p[1]) * (d[0] - p[0]);
         left |= turn > 0.0;
         right |= turn < 0.0;
+        for (int k = 0; k < 2; k++) {
+            above[k] |= d[k] <= p[k];
+            below[k] |= d[k] >= p[k];
+        }
     }
-    return !(left && right);
+    return !(left && right) && above[0] && below[0] && above[1] && below[1];
 }
 
 /* Find the least of one linear function and the quadratic one over a polygon. */

@@ -9,29 +9,27 @@
 #include "quality.h"
 #include "triangle.h"
 
-#define AROUND 26    /* directions looked at to begin with, */
+#define AROUND 26    /* directions looked at to begin with, the axes among them: upright robots and
+                        rings are weakest there */
 #define STEPS 40     /* and steps down from the best of them, */
 #define STEP 0.3     /* the first of which turns so far [rad] */
 #define SHORT 1e-4   /* and the last */
 #define DEPTH 110    /* halvings until a triangle is a point, and more */
-#define POINT_EDGE 1e-11 /* edge of a triangle that is a point */
 
 /* Where minima lie on a curve, the gap decides how many triangles there are: it gets wider. */
 static const struct {
     double cells, gap;
 } ladder[] = {{3000.0, 1e-8}, {6000.0, 1e-7}};
 
-/* Note what a robot exerts at a corner. */
-static void value_at(const Hunt *h, Active *robot, int corner, const double *normal) {
-    const ForceSet *set = set_of(h, robot->robot);
-    if (set->turning || set->adrift || !set->elements) {
-        robot->at[corner] = exert(h->sets->scale, set, normal, NULL, NULL, NULL);
-        robot->which[corner] = -1;
-        return;
-    }
+/* Find what a robot exerts at a corner, and by which element. */
+static double value_at(const Hunt *h, int robot, const double *normal, int *which) {
+    const ForceSet *set = set_of(h, robot);
     double p[2];
+    *which = -1;
+    if (set->turning || set->adrift || !set->elements)
+        return exert(h->sets->scale, set, normal, NULL, NULL, NULL);
     lever(h->sets->scale, set->arm, normal, p);
-    robot->at[corner] = support(set, p, NULL, robot->which + corner);
+    return support(set, p, NULL, which);
 }
 
 /* Of the robots on a triangle keep those that matter, and add up the wrenches of those that exert the
@@ -74,7 +72,8 @@ static Status explore_half(Hunt *h, const Triangle *whole, size_t begin, size_t 
     for (size_t a = begin; a < end; a++) {
         Active *copy = h->active + end + (a - begin);
         *copy = h->active[a];
-        value_at(h, copy, corner, normal);
+        copy->at[corner] = copy->next_at;
+        copy->which[corner] = copy->next_which;
     }
     return explore(h, &half, end, end + (end - begin), depth - 1);
 }
@@ -108,7 +107,7 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
         return SOLVED;
     double edge, normal[3], size;
     int from = longest_edge(triangle->normal, &edge), to = (from + 1) % 3;
-    if (depth == 0 || edge <= POINT_EDGE) {
+    if (depth == 0 || edge <= SMALLEST) {
         h->bound = smaller(h->bound, triangle->bound);
         return SOLVED;
     }
@@ -117,6 +116,8 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
     size = length(normal);
     for (int k = 0; k < 3; k++)
         normal[k] /= size;
+    for (size_t a = begin; a < end; a++)
+        h->active[a].next_at = value_at(h, h->active[a].robot, normal, &h->active[a].next_which);
     status = explore_half(h, triangle, begin, end, from, normal, depth);
     if (status == OUT_OF_BUDGET)
         h->bound = smaller(h->bound, triangle->bound);
@@ -223,8 +224,11 @@ static Status look_around(Hunt *h, const double *start, int starts) {
         double normal[3], slope[3];
         if (starts)
             memcpy(normal, start + 3 * k, sizeof normal);
+        else if (k < 6)
+            for (int i = 0; i < 3; i++)
+                normal[i] = i == k / 2 ? 1.0 - 2.0 * (k % 2) : 0.0;
         else
-            on_spiral(k, AROUND, normal);
+            on_spiral(k - 6, AROUND - 6, normal);
         offer(h, normal, slope_at(h, normal, slope), sets_extent(h->sets, normal));
         Status status = spend(h->work, EACH * robots_of(h) + BASIC);
         if (status != SOLVED)
@@ -246,7 +250,7 @@ static Status explore_octant(Hunt *h, int octant) {
     for (int i = 0; i < robots_of(h); i++) {
         h->active[i] = (Active){.robot = i};
         for (int j = 0; j < 3; j++)
-            value_at(h, h->active + i, j, triangle.normal + 3 * j);
+            h->active[i].at[j] = value_at(h, i, triangle.normal + 3 * j, h->active[i].which + j);
     }
     return explore(h, &triangle, 0, (size_t)robots_of(h), DEPTH);
 }
