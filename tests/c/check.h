@@ -39,6 +39,7 @@ void test_facets(void);
 void test_sphere(void);
 void test_criterion(void);
 void test_place(void);
+void test_sets(void);
 void test_forces(void);
 
 #endif

@@ -112,6 +112,8 @@ class Sets:
     poses : (q, 12)
         Of rays whose direction is uncertain, sorted by robot: the robot, its limit [N], and a
         piece.
+    failures : (f, n)
+        1 for the robots that each of some failures takes, 0 for the others; the worst happens.
     """
 
     weight: float
@@ -130,6 +132,7 @@ class Sets:
         is_polytope: bool,
         parts: Array,
         poses: Array,
+        failures: Array,
         /,
     ) -> Sets: ...
     def least(

@@ -55,8 +55,12 @@ Status sets_begin(Sets *sets, const Robots *robots) {
     sets->machine = calloc(count + 1, sizeof *sets->machine);
     sets->element = malloc((all + 1) * sizeof *sets->element);
     sets->place = malloc((places + 1) * sizeof *sets->place);
-    if (!sets->set || !sets->machine || !sets->element || !sets->place)
+    sets->fails = malloc((size_t)robots->failures * count + 1);
+    if (!sets->set || !sets->machine || !sets->element || !sets->place || !sets->fails)
         return NO_MEMORY;
+    sets->failures = robots->failures;
+    for (size_t k = 0; k < (size_t)robots->failures * count; k++)
+        sets->fails[k] = robots->failure[k] != 0.0;
     Element *element = sets->element;
     double *place = sets->place;
     const double *row = robots->row;
@@ -91,10 +95,12 @@ void sets_end(Sets *sets) {
     free(sets->machine);
     free(sets->element);
     free(sets->place);
+    free(sets->fails);
     sets->set = NULL;
     sets->machine = NULL;
     sets->element = NULL;
     sets->place = NULL;
+    sets->fails = NULL;
 }
 
 /* The least support along a straight part, over the shares s of the way. It is convex, and smooth
@@ -253,25 +259,59 @@ double add_greatest(double *terms, int count, int most, double *last) {
     return sum;
 }
 
+/* H without the robots that a failure takes, of what robots exert; `sum` (machines,) is room. */
+static double height_after(const Sets *sets, const char *fails, const double *exerted, int robots,
+                           int machines, double *sum, double *last) {
+    double height = 0.0;
+    memset(sum, 0, (size_t)machines * sizeof *sum);
+    for (int i = 0; i < robots; i++)
+        if (!fails || i == sets->count || !fails[i]) {
+            height += exerted[i];
+            sum[i < sets->count ? sets->machine[i] : sets->machines] += exerted[i];
+        }
+    return height - add_greatest(sum, machines, sets->losing, last);
+}
+
 Status sets_height(const Sets *sets, const double *normal, const ForceSet *extra, double *height,
                    double *cap) {
-    int machines = sets->machines + (extra != NULL);
-    double *sum = sets->losing ? calloc((size_t)machines + 1, sizeof *sum) : NULL, last;
-    if (sets->losing && !sum)
+    int machines = sets->machines + (extra != NULL), robots = sets->count + (extra != NULL);
+    double load = dot(sets->load, normal), total = 0.0, last;
+    int is_plain = !sets->losing && !sets->failures;
+    double *exerted = is_plain ? NULL : malloc(((size_t)robots + (size_t)machines + 1) * sizeof *exerted);
+    if (!is_plain && !exerted)
         return NO_MEMORY;
-    *height = dot(sets->load, normal);
-    for (int i = 0; i < sets->count + (extra != NULL); i++) {
+    for (int i = 0; i < robots; i++) {
         double value = exert(sets->scale, i < sets->count ? sets->set + i : extra, normal, NULL, NULL, NULL);
-        *height += value;
-        if (sum)
-            sum[i < sets->count ? sets->machine[i] : sets->machines] += value;
+        total += value;
+        if (exerted)
+            exerted[i] = value;
     }
+    *height = is_plain ? load + total : INFINITY;
     *cap = INFINITY;
-    if (sum) {
-        *height -= add_greatest(sum, machines, sets->losing, &last);
-        *cap = *height + last;
+    for (int f = 0; exerted && f < (sets->failures ? sets->failures : 1); f++) {
+        const char *fails = sets->failures ? sets->fails + (ptrdiff_t)f * sets->count : NULL;
+        double left = load + height_after(sets, fails, exerted, robots, machines, exerted + robots, &last);
+        *height = smaller(*height, left);
+        if (sets->losing)
+            *cap = smaller(*cap, left + last);
     }
-    free(sum);
+    free(exerted);
+    return SOLVED;
+}
+
+Status sets_after(const Sets *sets, int failure, Sets *left) {
+    const char *fails = sets->fails + (ptrdiff_t)failure * sets->count;
+    *left = *sets;
+    left->failures = left->count = 0;
+    left->set = malloc(((size_t)sets->count + 1) * sizeof *left->set);
+    left->machine = malloc(((size_t)sets->count + 1) * sizeof *left->machine);
+    if (!left->set || !left->machine)
+        return NO_MEMORY;
+    for (int i = 0; i < sets->count; i++)
+        if (!fails[i]) {
+            left->set[left->count] = sets->set[i];
+            left->machine[left->count++] = sets->machine[i];
+        }
     return SOLVED;
 }
 

@@ -1,7 +1,7 @@
 /* The quality of robots that have force sets, by a criterion (T20, T21, T25, T26).
  *
  * H(n) is the load's part and what each robot can exert along n, without the `losing` machines that
- * add most; a machine is the robots of one group. The quality is the least H(n) / D(n), where D is the
+ * add most; a machine is the robots of one group. If failures are named, it is the least after any. The quality is the least H(n) / D(n), where D is the
  * support function of the task: |n| for the unit ball. For 2 to 10^5 robots. */
 #ifndef SWARMGRASP_SETS_H
 #define SWARMGRASP_SETS_H
@@ -28,6 +28,8 @@ typedef struct {
                                contact lies, as moment arms; sorted by robot */
     int poses;
     const double *pose;     /* (poses, POSE) the robot, its limit [N], and a piece; sorted by robot */
+    int failures;
+    const double *failure;  /* (failures, count) which robots each takes: 1, the others 0 */
 } Robots;
 
 typedef struct {
@@ -35,6 +37,8 @@ typedef struct {
     ForceSet *set;          /* (count,) of the robots */
     int *machine;           /* (count,) which each belongs to, below */
     int machines;
+    int failures;           /* of which the worst happens before any loss, or 0 */
+    char *fails;            /* (failures, count) which robots each takes */
     double scale[3];        /* turns wrenches into the metric's coordinates [1, 1, 1/m] */
     int losing;
     double load[3];         /* [N] in the metric's coordinates */
@@ -73,6 +77,9 @@ double add_greatest(double *terms, int count, int most, double *last);
  * before the last loss, which no newcomer exceeds, goes to `cap`: INFINITY if none is lost. */
 Status sets_height(const Sets *sets, const double *normal, const ForceSet *extra, double *height,
                    double *cap);
+
+/* Copy sets as a failure leaves them; free `set` and `machine`. Returns a status. */
+Status sets_after(const Sets *sets, int failure, Sets *left);
 
 /* The task's support function. */
 double sets_extent(const Sets *sets, const double *normal);

@@ -298,9 +298,10 @@ static void end_hunt(Hunt *h) {
     free(h->kind);
 }
 
-Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below,
-                   const double *start, int starts, Work *work, double *value, double *bound,
-                   double *normal) {
+/* Search sets without failures. */
+static Status search(const Sets *sets, const ForceSet *extra, double gap, double below,
+                     const double *start, int starts, Work *work, double *value, double *bound,
+                     double *normal) {
     double weight = sets->weight + (extra ? largest_wrench(sets->scale, extra) : 0.0), cap;
     Hunt h = {.sets = sets, .extra = extra, .gap = gap, .zero = ZERO * weight, .work = work,
               .floor = SETS_FLOOR * weight, .rounding = SETS_ROUNDING * weight, .best = below,
@@ -328,6 +329,35 @@ Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double b
             return valued;
         *value = height / extent;
         *bound = smaller(*bound, *value);
+    }
+    return status;
+}
+
+Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below,
+                   const double *start, int starts, Work *work, double *value, double *bound,
+                   double *normal) {
+    Status status = SOLVED;
+    if (!sets->failures)
+        return search(sets, extra, gap, below, start, starts, work, value, bound, normal);
+    *value = below;
+    *bound = INFINITY;
+    memset(normal, 0, 3 * sizeof *normal);
+    for (int f = 0; f < sets->failures && !is_fault(status) && (f == 0 || *value > 0.0); f++) {
+        Sets left;
+        double least, reach, weakest[3];
+        Status found = sets_after(sets, f, &left);
+        if (found == SOLVED)
+            found = search(&left, extra, gap, *value, start, starts, work, &least, &reach, weakest);
+        free(left.set);
+        free(left.machine);
+        if (is_fault(found))
+            return found;
+        status = found == OUT_OF_BUDGET ? found : status;
+        *bound = smaller(*bound, reach);
+        if (length(weakest) > 0.0) {
+            *value = least;
+            memcpy(normal, weakest, sizeof weakest);
+        }
     }
     return status;
 }

@@ -96,11 +96,12 @@ def worst_case(swarm: Swarm, found: Quality | None, placements: Sequence[Placeme
         found = quality(swarm, **criterion.terms) if asked else None
     if found is None or not (found.criterion.losing or found.criterion.worst_case):
         return WorstCase()
-    lost = frozenset(map(swarm.index, found.lost))
+    gone = frozenset(map(swarm.index, found.gone))
     if not found.criterion.worst_case:
-        return WorstCase(lost=lost)
+        return WorstCase(lost=gone)
     tolerances = swarm.tolerances
-    absent = frozenset(i for i, known in tolerances.items() if known.may_be_absent) - lost
+    absent = frozenset(i for i, known in tolerances.items() if known.may_be_absent)
+    lost = gone - absent
     there = [i for i in range(len(swarm)) if i not in lost | absent]
     poses = dict(zip(there, found.worst_swarm.robots, strict=True))
     spreads = []

@@ -60,7 +60,7 @@ class Aim:
     Attributes
     ----------
     robots : Rays or RobotSets
-        Rays if that is all there is; groups that may be lost take sets.
+        Rays if that is all there is; groups and failures take sets.
     unit : float [N]
     """
 
@@ -70,13 +70,17 @@ class Aim:
         self.swarm, self.criterion = swarm, criterion
         task = NO_TASK if criterion.task is None else criterion.task.generators * swarm.scale
         self.unit = 1.0 if criterion.task is None else float(np.linalg.norm(task, axis=1).max())
-        has_groups = bool(criterion.losing and swarm.rare.groups)
-        kind = Rays if swarm.has_rays_only and not (has_groups or as_sets) else RobotSets
         x, y, z = (np.array(criterion.load) * swarm.scale).tolist()
-        self.robots: Rays | RobotSets = kind(
+        asked = (
             swarm, criterion.worst_case, criterion.losing, (x, y, z),
             np.ascontiguousarray(task / self.unit), isinstance(criterion.task, Polytope), more,
         )  # fmt: skip
+        has_machines = bool(criterion.failures or (criterion.losing and swarm.rare.groups))
+        self.robots: Rays | RobotSets
+        if swarm.has_rays_only and not (has_machines or as_sets):
+            self.robots = Rays(*asked)
+        else:
+            self.robots = RobotSets(*asked, criterion.failures)
         self.spreads = self.robots.spreads
 
     @property
@@ -91,8 +95,8 @@ class Aim:
         if isinstance(self.robots, Rays):
             return self.robots
         raise ProblemInvalid(
-            "this is known for robots that push along one ray each, without groups that may be "
-            "lost; some of these steer, reverse, or have another set of forces"
+            "this is known for robots that push along one ray each, without groups or failures; "
+            "some of these steer, reverse, or have another set of forces"
         )
 
     @property
@@ -147,6 +151,17 @@ class Aim:
         """Return the robots whose loss hurts most along a normal, the worst first."""
         return self.robots.lost_at(normal)
 
+    def failure_at(self, normal: Normal) -> int | None:
+        """Return which of the criterion's failures is the worst along a normal, if any."""
+        return self.robots.failure_at(normal) if isinstance(self.robots, RobotSets) else None
+
+    def gone_at(self, normal: Normal) -> set[int]:
+        """Return the robots that are not there in the worst case: lost, failing, or absent."""
+        gone = {i for i, poses in self.spreads.items() if poses is None}
+        if isinstance(self.robots, RobotSets):
+            gone |= set(self.robots.failing_at(normal))
+        return gone | set(self.lost_at(normal))
+
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the wrenches (n, 3) [N] of the robots at their best in their worst poses.
 
@@ -160,8 +175,7 @@ class Aim:
 
     def worst_swarm(self, normal: Normal) -> Swarm:
         """Return the swarm as it is in the worst case along a normal, without those lost."""
-        poses, gone = self.worst_poses(normal), set(self.lost_at(normal))
-        gone |= {i for i, robot in poses.items() if robot is None}
+        poses, gone = self.worst_poses(normal), self.gone_at(normal)
         if not poses:
             return self.swarm.without_rows(gone)
         robots = [

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
-from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, numbers, shown
+from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, items, numbers, shown
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.words import TIMES, Unit, wrench_words
+from swarmgrasp.words import TIMES, Unit, list_words, wrench_words
 
 MOST_LOST = 10**9
 """Robots that may be lost; all there are, if that is more."""
@@ -24,6 +24,7 @@ class Terms(TypedDict, total=False):
     worst_case: bool
     load: tuple[float, float, float]
     task: Task | None
+    failures: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Criterion(Plain):
     Attributes
     ----------
     losing : int
-        After the worst loss of so many robots.
+        After the worst loss of so many robots; those of one group are lost as one.
     worst_case : bool
         In the worst poses that the robots' tolerances allow.
     load : tuple of float [N, N, N m]
@@ -46,6 +47,8 @@ class Criterion(Plain):
     task : Polytope or Ellipsoid, optional
         Quality is the largest factor by which the task may grow, without a unit. When left out,
         the task is the metric's unit ball, and quality is in newtons.
+    failures : tuple of tuple of str
+        After the worst of these failures: each takes robots and groups, by name, before any loss.
 
     Raises
     ------
@@ -62,6 +65,7 @@ class Criterion(Plain):
     worst_case: bool = False
     load: tuple[float, float, float] = (0.0, 0.0, 0.0)
     task: Task | None = None
+    failures: tuple[tuple[str, ...], ...] = ()
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -82,14 +86,29 @@ class Criterion(Plain):
             faults.append(
                 f"the task is {shown(self.task)}; it should be a Polytope or an Ellipsoid"
             )
+        named = items(self.failures)
+        failures = tuple(items(failure) or () for failure in named or ())
+        if named is None or not all(
+            failure and all(isinstance(name, str) and name for name in failure)
+            for failure in failures
+        ):
+            faults.append(
+                f"the failures are {shown(self.failures)}; each should be a list of names of "
+                'robots and groups, such as [["bus A"], ["R1", "R2"]]'
+            )
         if faults:
             raise CriterionInvalid(faults)
-        vars(self).update(losing=int(self.losing), worst_case=bool(self.worst_case), load=load)
+        vars(self).update(
+            losing=int(self.losing), worst_case=bool(self.worst_case), load=load, failures=failures
+        )
 
     @property
     def terms(self) -> Terms:
         """The criterion as the keywords of `quality` and `place`."""
-        return Terms(losing=self.losing, worst_case=self.worst_case, load=self.load, task=self.task)
+        return Terms(
+            losing=self.losing, worst_case=self.worst_case, load=self.load, task=self.task,
+            failures=self.failures,
+        )  # fmt: skip
 
     @property
     def is_nominal(self) -> bool:
@@ -166,6 +185,12 @@ class Criterion(Plain):
         parts = []
         if self.worst_case:
             parts.append("in the worst poses")
+        if self.failures:
+            parts.append(
+                f"after the failure of {list_words(self.failures[0])}"
+                if len(self.failures) == 1
+                else f"after the worst of {len(self.failures)} failures"
+            )
         if self.losing:
             parts.append(
                 f"after the worst loss of {self.losing} robot{'s' if self.losing > 1 else ''}"

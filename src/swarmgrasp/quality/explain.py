@@ -1,13 +1,15 @@
 """Why a quality is what it is, in plain sentences."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.heights import ON_FACET
-from swarmgrasp.words import Unit, list_words, percent
+from swarmgrasp.words import Unit, degrees, list_words, percent
 
 if TYPE_CHECKING:
     from swarmgrasp.quality.max_transfer import Quality
@@ -89,16 +91,24 @@ def limit_sentences(found: "Quality", swarm: "Swarm", unit: Unit, now: str = "")
         said = [
             f"{way}: there it exerts at most {x} along x, {y} along y and {turn} of torque at once."
         ]
-    lost = set(found.lost)
-    setters = [name for name in found.facet_robots if name not in lost]
-    if len(setters) > 1:
+    gone = set(found.gone)
+    setters = [name for name in found.facet_robots if name not in gone]
+    if len(setters) > 1 and swarm.has_rays_only:
         said.append(f"{crew_words(setters)} set this limit: they span the weakest facet.")
+    elif setters and not swarm.has_rays_only:
+        verb = "sets" if len(setters) == 1 else "set"
+        said.append(f"{crew_words(setters)} {verb} this limit, where the best force jumps.")
     return said
 
 
 def loss_sentences(found: "Quality") -> list[str]:
-    """Say whose loss is worst."""
-    return [f"The worst loss is that of {crew_words(found.lost)}."] if found.lost else []
+    """Say which failure and whose loss are worst."""
+    said = []
+    if len(found.criterion.failures) > 1:
+        said.append(f"The worst failure is that of {crew_words(found.failure)}.")
+    if found.lost:
+        said.append(f"The worst loss is that of {crew_words(found.lost)}.")
+    return said
 
 
 def _headline(found: "Quality", unit: Unit) -> str:
@@ -126,19 +136,58 @@ def _work_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
     """Say who works and who does not when the swarm makes the weakest wrench."""
     if found.value == 0.0 or found.criterion.worst_case:
         return []
+    gone = np.zeros(len(swarm), dtype=bool)
+    gone[[swarm.index(name) for name in found.gone]] = True
+    if not swarm.has_rays_only:
+        return _steering_sentences(found, swarm, gone)
     generators = swarm.scaled_generators
     products = generators @ found.direction
     rounding = ON_FACET * np.linalg.norm(generators, axis=1)
-    lost = np.zeros(len(swarm), dtype=bool)
-    lost[[swarm.index(name) for name in found.lost]] = True
     parts = []
     for chosen, does in ((products > rounding, "at full force"), (products < -rounding, "nothing")):
-        indices = np.flatnonzero(chosen & ~lost).tolist()
+        indices = np.flatnonzero(chosen & ~gone).tolist()
         if indices:
             parts.append(
                 f"{crew_words([swarm.names[i] for i in indices])} {_works(len(indices), does)}"
             )
     return [f"There {list_words(parts)}."] if parts else []
+
+
+def _steering_sentences(found: "Quality", swarm: "Swarm", gone: NDArray[np.bool_]) -> list[str]:
+    """Say how each robot pushes when the swarm makes the weakest wrench, if they are few."""
+    there = np.flatnonzero(~gone).tolist()
+    if len(there) > MOST_NAMED:
+        return []
+    wrenches = Aim(swarm, found.criterion).worst_wrenches(tuple(found.direction.tolist()))
+    forces = wrenches[:, :2] / swarm.scale[:2]
+    does: dict[str, list[str]] = {}
+    for i in there:
+        does.setdefault(_steers(swarm, i, forces[i]), []).append(swarm.names[i])
+    parts = [f"{list_words(names)} {_plural(verb, len(names))}" for verb, names in does.items()]
+    return [f"There {list_words(parts)}."] if parts else []
+
+
+def _steers(swarm: "Swarm", i: int, force: NDArray[np.float64]) -> str:
+    """Say what a robot does that exerts a force (2,) [N]."""
+    size, steers = float(np.hypot(*force)), float(swarm.steers[i])
+    if size <= ON_FACET * float(swarm.limits[i]):
+        return "adds nothing"
+    way = math.atan2(force[1], force[0])
+    off = math.remainder(way - float(swarm.directions[i]), math.tau)
+    if 0.0 < steers < math.pi and abs(abs(off) - steers) <= ON_FACET:
+        return f"steers to its {'port' if off > 0.0 else 'starboard'} limit"
+    if steers == 0.0 and abs(off) <= ON_FACET and not swarm.leasts[i]:
+        return "works at full force"
+    if steers == 0.0 and abs(abs(off) - math.pi) <= ON_FACET:
+        return "works astern"
+    return f"pushes at {degrees(way)} deg"
+
+
+def _plural(verb: str, count: int) -> str:
+    """Return what one robot does, or the same of several."""
+    first, _, rest = verb.partition(" ")
+    stem = "push" if first == "pushes" else first.removesuffix("s")
+    return verb if count == 1 else f"{stem} {rest}".replace(" its ", " their ")
 
 
 def _works(count: int, does: str) -> str:
@@ -161,7 +210,7 @@ def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
 def _bound_sentences(found: "Quality", unit: Unit) -> list[str]:
     """Say how near the quality is to what is proven."""
     said = []
-    if found.bound < found.value:
+    if unit.text(found.bound) != unit.text(found.value):
         said.append(f"It is proven to be {unit.text(found.bound)} or more.")
     if found.value > 0.0 and found.criterion.is_nominal:
         share, ceiling = percent(found.efficiency), unit.text(found.ceiling)

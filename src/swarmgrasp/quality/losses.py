@@ -13,12 +13,12 @@ from swarmgrasp.swarm.swarm import check_swarm
 
 @dataclass(frozen=True, eq=False)
 class Loss(Frozen, Told):
-    """What the loss of one robot leaves.
+    """What the loss of one robot, or of one group, leaves.
 
     Attributes
     ----------
     name : str
-        Of the robot.
+        Of the robot or the group.
     quality_before : float [N]
         With it; with a task, without a unit.
     after : Quality
@@ -35,7 +35,7 @@ class Loss(Frozen, Told):
 
     @property
     def quality(self) -> float:
-        """Quality without the robot [N]."""
+        """Quality without it [N]."""
         return self.after.value
 
     @property
@@ -45,7 +45,7 @@ class Loss(Frozen, Told):
 
     @property
     def direction_words(self) -> str:
-        """The weakest direction without the robot, in words."""
+        """The weakest direction without it, in words."""
         return self.after.weakest_words
 
     @property
@@ -58,12 +58,12 @@ class Loss(Frozen, Told):
 
 
 def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
-    """Tell for each robot what its loss would leave, the worst first.
+    """Tell for each robot what its loss would leave, the worst first; a group is lost as one.
 
     Parameters
     ----------
     swarm : Swarm
-    losing, worst_case, load, task
+    losing, worst_case, load, task, failures
         As for `Criterion`; `losing` robots are lost beside each.
 
     Raises
@@ -87,8 +87,23 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
     check_swarm(swarm)
     Criterion(**terms)
     before = quality(swarm, **terms).value
+    machines: dict[str | int, list[int]] = {}
+    for i in range(len(swarm)):
+        machines.setdefault(swarm.rare.groups.get(i) or i, []).append(i)
     found = [
-        Loss(name, before, quality(swarm.without_rows([i]), **terms))
-        for i, name in enumerate(swarm.names)
+        Loss(name if isinstance(name, str) else swarm.names[name], before, after)
+        for name, rows in machines.items()
+        for after in [_after(swarm, rows, terms)]
     ]
     return tuple(sorted(found, key=lambda loss: loss.quality))
+
+
+def _after(swarm: Swarm, rows: list[int], terms: Terms) -> Quality:
+    """Compute the quality without the robots in some rows; failures take those of them left."""
+    left = swarm.without_rows(rows)
+    known = {*left.names, *left.rare.groups.values()}
+    named = [[name for name in failure if name in known] for failure in terms.get("failures", ())]
+    failures = tuple(tuple(names) for names in named if names)
+    beside = terms.copy()
+    beside["failures"] = failures
+    return quality(left, **beside)

@@ -1,6 +1,5 @@
 """Max-Transfer quality: the largest ball, or task, of wrenches a swarm can make (T1, T2, T16)."""
 
-import math
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -16,7 +15,7 @@ from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.mean_reach import mean_reach
-from swarmgrasp.quality.opposed import opposition
+from swarmgrasp.quality.opposed import is_opposed
 from swarmgrasp.quality.robot_sets import RobotSets
 from swarmgrasp.quality.weakest import Weakest, bounded_weakest
 from swarmgrasp.swarm import Swarm
@@ -72,9 +71,21 @@ class Quality(Frozen, Answer):
 
     @cached_property
     def lost(self) -> tuple[str, ...]:
-        """Names of the robots whose loss hurts most, the worst first."""
+        """Names of the robots and groups whose loss hurts most, the worst first."""
+        groups = self._swarm.rare.groups
         rows = self._aim.lost_at(self._normal) if self.criterion.losing else ()
-        return tuple(self._swarm.names[i] for i in rows)
+        return tuple(dict.fromkeys(groups.get(i) or self._swarm.names[i] for i in rows))
+
+    @cached_property
+    def failure(self) -> tuple[str, ...]:
+        """The worst of the criterion's failures: the names that it takes."""
+        worst = self._aim.failure_at(self._normal)
+        return () if worst is None else self.criterion.failures[worst]
+
+    @cached_property
+    def gone(self) -> tuple[str, ...]:
+        """Names of the robots that are not there in the worst case: lost, failing, or absent."""
+        return tuple(self._swarm.names[i] for i in sorted(self._aim.gone_at(self._normal)))
 
     @cached_property
     def worst_swarm(self) -> Swarm:
@@ -106,14 +117,12 @@ class Quality(Frozen, Answer):
     def force_closure(self) -> ForceClosure:
         """Whether the swarm, in the worst case, can resist a disturbance in every direction."""
         if self.criterion.task is not None or self.criterion.has_load:
-            losing, worst_case = self.criterion.losing, self.criterion.worst_case
-            return quality(self._swarm, losing=losing, worst_case=worst_case).force_closure
+            terms = self.criterion.terms | {"load": (0.0, 0.0, 0.0), "task": None}
+            return quality(self._swarm, **terms).force_closure
         if self.value > 0.0:
             return ForceClosure.YES if self.value > self.noise else ForceClosure.MARGINAL
         swarm = self._swarm if self.criterion.is_nominal else self.worst_swarm
-        if not swarm.has_rays_only:
-            return ForceClosure.MARGINAL if swarm.noise > 0.0 else ForceClosure.NO
-        return ForceClosure.NO if _is_opposed(swarm) else ForceClosure.MARGINAL
+        return ForceClosure.NO if is_opposed(swarm) else ForceClosure.MARGINAL
 
     @property
     def is_force_closure(self) -> bool:
@@ -152,6 +161,7 @@ class Quality(Frozen, Answer):
             **picked(
                 self, "criterion", "value", "bound", "noise", "force_closure", "direction",
                 "weakest_wrench", "ceiling", "efficiency", "explanation", "facet_robots", "lost",
+                "failure",
             ),
             "worst_robots": plain(self.worst_swarm.robots),
         }  # fmt: skip
@@ -230,15 +240,3 @@ def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
 def _sizes(generators: NDArray[np.float64]) -> NDArray[np.float64]:
     """(n,) [N]: |b_i|."""
     return np.asarray(np.sqrt(np.einsum("ij,ij->i", generators, generators)))
-
-
-def _is_opposed(swarm: Swarm) -> bool:
-    """Tell whether a swarm without quality has none for certain, whatever the outline's rounding.
-
-    Exact robots need not be opposed by more than 0.
-    """
-    if swarm.noise == 0.0:
-        return True
-    shares = swarm.errors / _sizes(swarm.scaled_generators)
-    most = float(shares.max())
-    return opposition(swarm.scaled_generators, shares / most) > math.sqrt(3.0) * most

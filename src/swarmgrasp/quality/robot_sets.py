@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.errors import RobotInvalid
+from swarmgrasp.errors import CriterionInvalid, RobotInvalid
 from swarmgrasp.kernels import core
-from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.heights import ON_FACET, largest
 from swarmgrasp.quality.poses import Poses, poses_of
+from swarmgrasp.ranges import shown
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.swarm.force_set import force_sets_of
 
@@ -35,6 +36,8 @@ class Certain(NamedTuple):
     machines: Array
     parts: Array
     poses: Array
+    astern: tuple[int, ...]
+    """The robots that the last rows are the other ways of."""
 
 
 def certain_sets(
@@ -93,7 +96,37 @@ def certain_sets(
         np.concatenate(machines).astype(float),
         np.array(parts, dtype=float).reshape(-1, 5),
         np.array(rows, dtype=float).reshape(-1, 12),
+        tuple(astern),
     )
+
+
+def _failing(
+    swarm: Swarm, failures: Sequence[Sequence[str]], count: int, astern: Sequence[int]
+) -> NDArray[np.bool_]:
+    """Return which rows of a swarm's arrays (f, count) each failure takes.
+
+    Raises
+    ------
+    CriterionInvalid
+        If a name is none of a robot or a group; all such names are told.
+    """
+    found, faults = np.zeros((len(failures), count), dtype=bool), []
+    members: dict[str, list[int]] = {}
+    for i, group in swarm.rare.groups.items():
+        members.setdefault(group, []).append(i)
+    for row, names in zip(found, failures, strict=True):
+        for name in names:
+            if name in members:
+                row[members[name]] = True
+            elif name in swarm:
+                row[swarm.index(name)] = True
+            else:
+                faults.append(f"a failure takes {shown(name)}, which is no robot and no group")
+    if faults:
+        raise CriterionInvalid(faults)
+    if astern:
+        found[:, -len(astern) :] = found[:, list(astern)]
+    return found
 
 
 def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
@@ -133,6 +166,8 @@ class RobotSets:
     ----------
     swarm, worst_case, losing, load, task, is_polytope, more
         As for `Rays`, but that `losing` counts machines.
+    failures : sequence of sequence of str
+        The worst of them happens, before any loss: each takes robots and groups, by name.
 
     Attributes
     ----------
@@ -146,16 +181,19 @@ class RobotSets:
 
     def __init__(
         self, swarm: Swarm, worst_case: bool, losing: int, load: Normal, task: Array,
-        is_polytope: bool, more: Sequence[Poses],
+        is_polytope: bool, more: Sequence[Poses], failures: Sequence[Sequence[str]] = (),
     ) -> None:  # fmt: skip
         self._swarm, self._losing, self._count = swarm, losing, len(swarm) + len(more)
         self.spreads = poses_of(swarm) if worst_case else {}
-        arms, elements, counts, machines, parts, poses = certain_sets(swarm, self.spreads, more)
+        arms, elements, counts, machines, parts, poses, astern = certain_sets(
+            swarm, self.spreads, more
+        )
         self._machines = machines.astype(int)
+        self._failing = _failing(swarm, failures, len(machines), astern)
         x, y, z = swarm.scale.tolist()
         self.core = core.Sets(
             arms, elements, counts, machines, (x, y, z), losing, load, task, is_polytope, parts,
-            poses,
+            poses, self._failing.astype(float),
         )  # fmt: skip
         self.size = self.core.weight
 
@@ -175,10 +213,23 @@ class RobotSets:
         """Return worths, forces and moment arms (n, 5) along a normal."""
         return np.frombuffer(self.core.forces(normal)).reshape(-1, 5)
 
+    def _sums(self, worths: Array, failing: NDArray[np.bool_] | None) -> Array:
+        """Return what machines exert, of what their robots do, after a failure."""
+        left = worths if failing is None else np.where(failing, 0.0, worths)
+        return np.asarray(np.bincount(self._machines, left), dtype=float)
+
+    def failure_at(self, normal: Normal) -> int | None:
+        """Return which failure is the worst along a normal; None if none is named."""
+        worths, heights = self._best(normal)[:, 0], []
+        for failing in self._failing:
+            sums = self._sums(worths, failing)
+            heights.append(sums.sum() - largest(sums[None], self._losing)[0])
+        return int(np.argmin(heights)) if heights else None
+
     def lost_at(self, normal: Normal) -> tuple[int, ...]:
         """Return the robots of the machines whose loss hurts most along a normal, worst first."""
-        worths = self._best(normal)[:, 0]
-        sums = np.bincount(self._machines, worths)
+        worths, failure = self._best(normal)[:, 0], self.failure_at(normal)
+        sums = self._sums(worths, None if failure is None else self._failing[failure])
         order = np.argsort(-sums, kind="stable")[: self._losing]
         own = self._machines[: len(self._swarm)]
         return tuple(
@@ -187,6 +238,13 @@ class RobotSets:
             if sums[machine] > ON_FACET * self.size / len(worths)
             for i in np.flatnonzero(own == machine).tolist()
         )
+
+    def failing_at(self, normal: Normal) -> tuple[int, ...]:
+        """Return the robots that the failure takes that is the worst along a normal."""
+        failure = self.failure_at(normal)
+        if failure is None:
+            return ()
+        return tuple(np.flatnonzero(self._failing[failure][: len(self._swarm)]).tolist())
 
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the wrenches (n, 3) that are best along a normal, in the robots' worst poses.

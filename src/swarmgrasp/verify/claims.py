@@ -146,6 +146,8 @@ class CriterionClaim(_Form):
     worst_case: bool
     load: Wrench
     task: TaskClaim | None
+    failures: list[list[str]] = Field(max_length=0)
+    """Named failures are not checked: an answer with any is refused."""
 
 
 class RunnerUpClaim(_Form):

@@ -107,7 +107,7 @@ def _beside(
     facts = []
     if criterion.losing or criterion.worst_case:
         facts.append(("As it stands", unit.text(plain)))
-    if found.bound < found.value:
+    if unit.text(found.bound) != unit.text(found.value):
         facts.append(("Certified", f"no less than {unit.text(found.bound)}"))
     if found.lost:
         facts.append(("Worst loss", _worst_loss(found, lost)))

@@ -8,9 +8,9 @@ typedef struct {
     Py_buffer task;
 } SetsObject;
 
-enum { ARMS, ELEMENTS, COUNTS, MACHINES, PARTS, POSES, TASK, ARRAYS };
+enum { ARMS, ELEMENTS, COUNTS, MACHINES, PARTS, POSES, FAILURES, TASK, ARRAYS };
 
-static const int width[ARRAYS] = {2, ELEMENT, 1, 1, PART, POSE, 3};
+static const int width[ARRAYS] = {2, ELEMENT, 1, 1, PART, POSE, 1, 3};
 
 static void sets_dealloc(PyObject *object) {
     SetsObject *self = (SetsObject *)object;
@@ -68,9 +68,10 @@ static PyObject *sets_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) 
         PyErr_SetString(PyExc_TypeError, "Sets takes no keyword arguments");
         return NULL;
     }
-    if (!PyArg_ParseTuple(args, "OOOO(ddd)i(ddd)OpOO:Sets", array + ARMS, array + ELEMENTS,
+    if (!PyArg_ParseTuple(args, "OOOO(ddd)i(ddd)OpOOO:Sets", array + ARMS, array + ELEMENTS,
                           array + COUNTS, array + MACHINES, s, s + 1, s + 2, &given.losing, w, w + 1,
-                          w + 2, array + TASK, &given.is_polytope, array + PARTS, array + POSES)
+                          w + 2, array + TASK, &given.is_polytope, array + PARTS, array + POSES,
+                          array + FAILURES)
         || !are_finite(s) || !are_finite(w))
         return NULL;
     if (given.losing < 0) {
@@ -85,9 +86,12 @@ static PyObject *sets_new(PyTypeObject *type, PyObject *args, PyObject *kwargs) 
         goto done;
     Robots robots = {rows_of(view + ARMS, 2), view[ARMS].buf, view[ELEMENTS].buf, view[COUNTS].buf,
                      view[MACHINES].buf, rows_of(view + PARTS, PART), view[PARTS].buf,
-                     rows_of(view + POSES, POSE), view[POSES].buf};
-    if (rows_of(view + COUNTS, 1) != robots.count || rows_of(view + MACHINES, 1) != robots.count) {
-        PyErr_SetString(PyExc_ValueError, "a count and a machine for each arm are wanted");
+                     rows_of(view + POSES, POSE), view[POSES].buf, 0, view[FAILURES].buf};
+    int failing = rows_of(view + FAILURES, 1);
+    robots.failures = robots.count ? failing / robots.count : 0;
+    if (rows_of(view + COUNTS, 1) != robots.count || rows_of(view + MACHINES, 1) != robots.count
+        || failing != robots.failures * robots.count) {
+        PyErr_SetString(PyExc_ValueError, "a count, a machine and failures for each arm are wanted");
         goto done;
     }
     if (!fit(&robots, rows_of(view + ELEMENTS, ELEMENT)))
