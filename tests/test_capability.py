@@ -163,3 +163,19 @@ def test_wrong_questions_are_refused():
         capability(swarm, weather, [0.0], losing=-1)
     with pytest.raises(SwarmInvalid, match="no Swarm"):
         capability(BARGE, weather)
+
+
+def test_a_group_of_azimuths_is_lost_as_one():
+    """Ahead, three of five azimuths hold three fifths of the wind's force."""
+    hull = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    places = [(30, 0, "bus A"), (-30, 0, "bus A"), (25, 0, "bus B"), (-25, 0, "bus B"), (0, 0, "")]
+    robots = [
+        Robot((x, y), 0.0, 60e3, f"{x} {y}", mounted=True, steers=math.pi, group=group)
+        for x, y, group in places
+    ]
+    weather = Environment(Wind(150.0, 500.0, WindCoefficients(0.9, 0.7, 0.7)))
+    found = capability(Swarm(hull, robots), weather, [0.0, math.pi / 2])
+    assert found.loss_words == "one robot or group"
+    assert set(found.lost_names(0)) <= {"bus A", "bus B"}
+    ahead = (found.after_loss[0] / found.intact[0]) ** 2
+    assert ahead == pytest.approx(3.0 / 5.0)

@@ -72,8 +72,15 @@ class Capability(Frozen, Answer):
         )  # fmt: skip
         return {**told, "worst_losses": [list(self.lost_names(i)) for i in range(len(self.intact))]}
 
+    @property
+    def loss_words(self) -> str:
+        """What is lost, such as "one robot"; a group counts as one."""
+        kind = "robot or group" if self.swarm.rare.groups else "robot"
+        plural = kind.replace("robot", "robots").replace("group", "groups")
+        return f"one {kind}" if self.losing == 1 else f"{self.losing} {plural}"
+
     def lost_names(self, index: int) -> tuple[str, ...]:
-        """Return the names of the robots whose loss is worst at a bearing.
+        """Return the names of the robots and groups whose loss is worst at a bearing.
 
         Both halves of a thruster that pushes either way, "bow +" and "bow -", are "bow".
         """
@@ -95,7 +102,9 @@ class Capability(Frozen, Answer):
         return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
     def whole(self, name: str) -> str:
-        """Return the name of a thruster that pushes either way, of either half; or a robot's."""
+        """Return the name of what fails with a robot: its group, or the thruster it is half of."""
+        if name in self.swarm and (group := self.swarm[name].group):
+            return group
         stem, sign = name[:-2], name[-2:]
         halves = sign in (" +", " -") and f"{stem} +" in self.swarm and f"{stem} -" in self.swarm
         return stem if halves else name

@@ -136,3 +136,18 @@ def test_it_is_saved_and_drawn_elsewhere(vessel, tmp_path: Path):
     assert save(capability_diagram(vessel), tmp_path / "a.svg").stat().st_size > 10_000
     figure = Figure()
     assert capability_diagram(vessel, ax=figure.add_subplot()) is figure
+
+
+def test_the_forces_of_azimuths_are_circles_on_the_hull():
+    """Those of the group that is lost have another colour."""
+    hull = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    robots = [
+        Robot((x, y), 0.0, 60e3, mounted=True, steers=math.pi, group=group)
+        for x, y, group in [(30, 0, "A"), (-30, 0, "A"), (25, 5, "B"), (-25, 5, "B")]
+    ]
+    weather = Environment(Wind(150.0, 500.0, WindCoefficients(0.9, 0.7, 0.7)))
+    figure = capability_diagram(capability(Swarm(hull, robots), weather, [0.0, math.pi / 2]))
+    assert not by_gid(figure, "robot")
+    for gid in ("robot-area", "lost-area"):
+        (areas,) = by_gid(figure, gid)
+        assert len(areas.get_paths()) == 2

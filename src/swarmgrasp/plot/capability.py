@@ -6,6 +6,8 @@ from typing import Any, Final, cast
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
@@ -15,7 +17,7 @@ from numpy.typing import NDArray
 from swarmgrasp.capability import Capability
 from swarmgrasp.environment import KNOT, beaufort, vessel_type
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import Arrows, draw_arrows
+from swarmgrasp.plot.arrows import Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
 
 Vector = NDArray[np.float64]
@@ -31,7 +33,7 @@ FINE: Final = 12
 MOST_AVOIDED: Final = 40
 """With more robots than this, labels do not keep clear of their arrows, which are thinner."""
 
-COLUMNS: Final = (0.5, 1.70, 2.32, 2.94, 3.54, 4.02)
+COLUMNS: Final = (0.5, 1.66, 2.38, 2.98, 3.56, 4.02)
 """Where the columns of the caption's table begin [in]."""
 
 LONGEST_NAME: Final = 20
@@ -192,15 +194,20 @@ def _draw_hull(page: Page, found: Capability, top: float) -> None:
         zorder=3, gid="hull",
     )  # fmt: skip
     arrows = Arrows(outline, swarm.robots)
-    ends = [(*placed(np.array(arrows.ends(robot))),) for robot in swarm.robots]
     lost = set(found.lost_names(found.worst_after_loss))
+    many = len(swarm) > MOST_AVOIDED
     missing = [found.whole(name) in lost for name in swarm.names]
     for gone, colour, gid in ((False, style.INK, "robot"), (True, style.VERMILION, "lost")):
-        chosen = [end for end, is_lost in zip(ends, missing, strict=True) if is_lost == gone]
-        many = len(ends) > MOST_AVOIDED
-        draw_arrows(ax, chosen, color=colour, width=0.008 if many else 0.014, gid=gid)
-    for tail, tip in ends[:MOST_AVOIDED]:
-        page.keep_clear(tail, tip)
+        chosen = [r for r, is_lost in zip(swarm.robots, missing, strict=True) if is_lost == gone]
+        ends = [(*placed(np.array(shaft)),) for r in chosen for shaft in arrows.shafts(r)]
+        draw_arrows(ax, ends, color=colour, width=0.008 if many else 0.014, gid=gid)
+        areas = [placed(arrows.area(robot)) for robot in chosen if has_area(robot)]
+        shade: dict[str, Any] = {"facecolor": to_rgba(colour, 0.1), "edgecolor": colour}
+        ax.add_collection(
+            PolyCollection(areas, **shade, linewidth=0.6, zorder=3.5, gid=f"{gid}-area")
+        )
+        for tail, tip in () if many else ends:
+            page.keep_clear(tail, tip)
     corners = placed(np.vstack([outline.vertices, outline.vertices[:1]]))
     for start, end in itertools.pairwise(corners):
         page.keep_clear(start, end)
@@ -242,7 +249,7 @@ def _label_envelopes(page: Page, found: Capability, top: float) -> None:
     """Name both envelopes beside their lines."""
     for text, speeds, look, side in (
         ("all robots", found.intact, INTACT, 0.0),
-        (f"after the worst\nloss of {_count(found)}", found.after_loss, AFTER_LOSS, math.pi),
+        (f"after the worst\nloss of {found.loss_words}", found.after_loss, AFTER_LOSS, math.pi),
     ):
         text = text if speeds.any() else f"no wind held\n{text}"
         line = _envelope(found, speeds, top)[:-1]
@@ -254,11 +261,6 @@ def _label_envelopes(page: Page, found: Capability, top: float) -> None:
             text, spots, ways, fontsize=8.0, color=look["color"], gid="envelope",
             path_effects=[withStroke(linewidth=2.0, foreground="white")],
         )  # fmt: skip
-
-
-def _count(found: Capability) -> str:
-    """Write how many robots are lost."""
-    return "one robot" if found.losing == 1 else f"{found.losing} robots"
 
 
 def _write_caption(ax: Axes, found: Capability, title: str) -> None:

@@ -39,9 +39,8 @@ def _facts(found: Capability) -> list[tuple[str, str]]:
     facts = [("Intact", _least(found, found.intact, i, found.holds_current))]
     if found.intact[i] > 0.0:
         facts.append(("", f"there the robots are weakest at {wrench_words(found.directions[i])}"))
-    count = "one robot" if found.losing == 1 else f"{found.losing} robots"
     least = _least(found, found.after_loss, j, found.holds_current_after_loss)
-    facts.append((f"Without {count}", least))
+    facts.append((f"Without {found.loss_words}", least))
     if lost:
         said = f"the worst loss there: {lost}"
         facts.append(("", said if found.after_loss[j] > 0.0 else f"losing {lost} is enough"))
