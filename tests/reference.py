@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import combinations, pairwise, product
 
 import numpy as np
-from scipy.optimize import Bounds, LinearConstraint, linprog, lsq_linear, milp
+from scipy.optimize import Bounds, LinearConstraint, linprog, lsq_linear, milp, minimize
 from scipy.spatial import ConvexHull
 
 # -- generators and quality -----------------------------------------------------------
@@ -495,3 +495,77 @@ def check_closed(mesh):
     assert set(sides.values()) == {1}
     assert all((b, a) in sides for a, b in sides)
     assert len(mesh.vertices) - len(mesh.edges) + len(mesh.faces) == 2
+
+
+# -- robots as sets of forces -----------------------------------------------------------
+
+
+def force_support(robot, p):
+    """Return the greatest F . p over the forces F of a robot, for vectors p (m, 2); (m,).
+
+    From its fields: limits, reverse limit, steering, friction, least force or envelope.
+    """
+    turn, size = np.arctan2(p[:, 1], p[:, 0]) - robot.direction, np.hypot(p[:, 0], p[:, 1])
+    if robot.envelope is not None or robot.friction:
+        limit, least, mu = robot.limit, robot.least, robot.friction or 0.0
+        corners = robot.envelope or [(u, s * mu * u) for u in (limit, least) for s in (1.0, -1.0)]
+        local = size[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
+        return (local @ np.array(corners).T).max(axis=1)
+    off = np.abs(np.arctan2(np.sin(turn), np.cos(turn)))
+    ahead = size * np.cos(np.maximum(off - robot.steers, 0.0))
+    back = size * np.cos(np.maximum(math.pi - off - robot.steers, 0.0))
+    return np.maximum.reduce([robot.limit * ahead, robot.reverse_limit * back, robot.least * ahead])
+
+
+def height_of_sets(swarm, normals, losing=0, load=(0, 0, 0), failures=()):
+    """H(n) (m,) of robots of any kind at normals (m, 3), in the metric's coordinates (T20, T25)."""
+    n, heights = normals * swarm.scale, []
+    worths = []
+    for robot in swarm:
+        x, y = np.subtract(robot.contact, swarm.outline.origin)
+        worths.append(force_support(robot, n[:, :2] + n[:, 2:] * np.array([-y, x])))
+    for failure in failures or [()]:
+        machines = {}
+        for robot, worth in zip(swarm, worths, strict=True):
+            if not {robot.name, robot.group} & set(failure):
+                key = robot.group or (robot.name,)
+                machines[key] = machines.get(key, 0.0) + worth
+        rows = np.array([*machines.values(), np.zeros(len(normals))])
+        lost = np.sort(np.maximum(rows, 0.0), axis=0)[::-1][:losing].sum(axis=0)
+        heights.append(rows.sum(axis=0) - lost)
+    return normals @ (np.asarray(load, dtype=float) * swarm.scale) + np.min(heights, axis=0)
+
+
+def quality_of_sets(swarm, seed, near, descents, losing=0, load=(0, 0, 0), task=None, failures=()):
+    """Return the least H / D that 2 000 directions and descents from the best of them find.
+
+    An upper bound of the quality, and after two descents nearly always the quality. `near` (3,) is
+    among the directions, and others are around it.
+    """
+    rng = np.random.default_rng(seed)
+    kind = None if task is None else "polytope" if hasattr(task, "vertices") else "ellipsoid"
+    rows = None if task is None else task.generators * swarm.scale
+
+    def value(normals):
+        """H / D (m,); inf where the task asks for next to nothing."""
+        normals = np.reshape(normals, (-1, 3))
+        extent = task_support(rows, kind, normals)
+        reach = np.linalg.norm(normals, axis=1)
+        reach = reach * (1.0 if rows is None else np.linalg.norm(rows, axis=1).max())
+        height = height_of_sets(swarm, normals, losing, load, failures)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.where(extent > 1e-6 * reach, height / extent, np.inf)
+
+    around = np.reshape(near, (1, 3)) + 0.03 * rng.normal(size=(200, 3))
+    normals = np.vstack([rng.normal(size=(1800, 3)), around, [near], np.eye(3), -np.eye(3)])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    values = value(normals)
+    best = float(values.min())
+    for start in normals[np.argsort(values)[:descents]]:
+        if np.isfinite(value(start)[0]):
+            options = {"xatol": 1e-9, "fatol": 1e-13 * abs(best), "maxiter": 400}
+            found = minimize(
+                lambda n: float(value(n)[0]), start, method="Nelder-Mead", options=options
+            )
+            best = min(best, float(found.fun))
+    return max(best, 0.0)

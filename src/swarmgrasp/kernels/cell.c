@@ -210,26 +210,21 @@ static void take_all(Hunt *h, const Triangle *triangle, const Frame *f, size_t b
     }
 }
 
-/* Take the forces of the robots that jump at another normal; returns H there. */
-static double take_again(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin, size_t end,
-                         const double *normal, Taken *taken) {
-    const double *scale = h->sets->scale;
+/* Take the forces of the robots that jump at another place on the plane; returns H there. */
+static double take_again(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin,
+                         const double *d, const double *normal, Taken *taken) {
     double height = dot(triangle->fixed, normal);
-    int next = 0;
     memset(taken->jagged, 0, sizeof taken->jagged);
     memset(&taken->loose, 0, sizeof taken->loose);
-    for (size_t a = begin; a < end; a++) {
-        const Active *robot = h->active + a;
-        const ForceSet *set = set_of(h, robot->robot);
+    for (int i = 0; i < taken->turning; i++) {
+        const Bend *bend = h->bend + i;
+        double ahead = bend->size + along(bend->ahead, d), side = along(bend->side, d);
+        height += bend->radius * sqrt(ahead * ahead + side * side);
+    }
+    for (int i = 0; i < taken->kinky; i++) {
+        const Active *robot = h->active + begin + h->kinky[i];
         double wrench[3];
-        if (h->is_lost && h->is_lost[machine_of(h, robot->robot)])
-            continue;
-        if (next == taken->kinky || h->kinky[next] != (int)(a - begin)) {
-            height += exert(scale, set, normal, NULL, NULL, NULL);
-            continue;
-        }
-        next++;
-        height += exert(scale, set, normal, wrench, NULL, NULL);
+        height += exert(h->sets->scale, set_of(h, robot->robot), normal, wrench, NULL, NULL);
         if (robot->which[0] < 0)
             add_loose(h, triangle, f, robot->robot, normal, &taken->loose);
         else
@@ -371,8 +366,8 @@ int is_held(Hunt *h, Triangle *triangle, size_t begin, size_t end) {
     for (int t = 1; t < TRIES && least < 0.0; t++) {
         double normal[3], at[2] = {where[0], where[1]}, before = least;
         normal_at(&f, at, normal);
-        double height = take_again(h, triangle, &f, begin, end, normal, &taken);
-        charge(h->work, EACH * (double)(end - begin));
+        double height = take_again(h, triangle, &f, begin, at, normal, &taken);
+        charge(h->work, 1.0 * taken.turning + EACH * taken.kinky);
         offer(h, normal, height, sets_extent(h->sets, normal));
         Cut fresh;
         cut_of(h, &f, &taken, target, &asked, &fresh);

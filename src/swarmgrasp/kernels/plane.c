@@ -15,20 +15,30 @@ typedef struct {
 
 /* Keep the part of a polygon in which a linear function is not negative. */
 static void clip(Polygon *polygon, const Cut *side) {
-    Polygon left = {.count = 0};
+    Polygon left;
+    double at[CORNERS];
+    int below = 0;
     for (int i = 0; i < polygon->count; i++) {
-        const double *p = polygon->at[i], *q = polygon->at[(i + 1) % polygon->count];
-        double at_p = cut_at(side, p), at_q = cut_at(side, q);
-        if (at_p >= 0.0 && left.count < CORNERS)
+        at[i] = cut_at(side, polygon->at[i]);
+        below += at[i] < 0.0;
+    }
+    if (below == 0)
+        return;
+    left.count = 0;
+    for (int i = 0; i < polygon->count && below < polygon->count; i++) {
+        int j = i + 1 < polygon->count ? i + 1 : 0;
+        const double *p = polygon->at[i], *q = polygon->at[j];
+        if (at[i] >= 0.0 && left.count < CORNERS)
             memcpy(left.at[left.count++], p, sizeof left.at[0]);
-        if ((at_p < 0.0) != (at_q < 0.0) && at_p != 0.0 && at_q != 0.0 && left.count < CORNERS) {
-            double share = at_p / (at_p - at_q);
+        if ((at[i] < 0.0) != (at[j] < 0.0) && at[i] != 0.0 && at[j] != 0.0 && left.count < CORNERS) {
+            double share = at[i] / (at[i] - at[j]);
             for (int k = 0; k < 2; k++)
                 left.at[left.count][k] = p[k] + share * (q[k] - p[k]);
             left.count++;
         }
     }
-    *polygon = left;
+    polygon->count = left.count;
+    memcpy(polygon->at, left.at, (size_t)left.count * sizeof left.at[0]);
 }
 
 static void note(double value, const double *d, double *least, double *where) {
@@ -85,7 +95,8 @@ double least_on_triangle(double corner[3][2], const Cut *cut, int cuts, const do
                          double *where) {
     double least = INFINITY;
     for (int k = 0; k < cuts; k++) {
-        Polygon polygon = {.count = 3};
+        Polygon polygon;
+        polygon.count = 3;
         memcpy(polygon.at, corner, 3 * sizeof polygon.at[0]);
         for (int i = 0; i < cuts && polygon.count; i++)
             if (i != k) {

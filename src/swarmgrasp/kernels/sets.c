@@ -190,8 +190,8 @@ static double worst_pose(const double *scale, const ForceSet *set, const double 
     return least;
 }
 
-double exert(const double *scale, const ForceSet *set, const double *normal, double *wrench,
-             double *force, double *arm) {
+double exert_at_worst(const double *scale, const ForceSet *set, const double *normal, double *wrench,
+                      double *force, double *arm) {
     double f[2] = {0.0, 0.0}, c[2] = {set->arm[0], set->arm[1]}, value = 0.0;
     if (set->turning) {
         value = worst_pose(scale, set, normal, f, c);
@@ -208,10 +208,6 @@ double exert(const double *scale, const ForceSet *set, const double *normal, dou
                 memcpy(f, by, sizeof f);
             }
         }
-    } else if (set->elements) {
-        double p[2];
-        lever(scale, c, normal, p);
-        value = support(set, p, f, NULL);
     }
     if (wrench)
         wrench_of(scale, c, f, wrench);

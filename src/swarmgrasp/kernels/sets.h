@@ -58,11 +58,32 @@ void sets_end(Sets *sets);
 /* The largest |wrench| [N] of a robot, or a little more. */
 double largest_wrench(const double *scale, const ForceSet *set);
 
+/* The same as `exert` for a robot of uncertain pose, or of no forces. */
+double exert_at_worst(const double *scale, const ForceSet *set, const double *normal, double *wrench,
+                      double *force, double *arm);
+
 /* What a robot can exert along a normal of any length, in its worst pose; below 0 if it always
  * exerts something. Writes the wrench (3,) [N] that does, its force (2,) [N] and the moment arm (2,) [m]
  * of its contact, unless NULL. */
-double exert(const double *scale, const ForceSet *set, const double *normal, double *wrench,
-             double *force, double *arm);
+static inline double exert(const double *scale, const ForceSet *set, const double *normal,
+                           double *wrench, double *force, double *arm) {
+    double p[2], f[2];
+    if (set->turning || set->adrift || !set->elements)
+        return exert_at_worst(scale, set, normal, wrench, force, arm);
+    lever(scale, set->arm, normal, p);
+    if (!wrench && !force && !arm)
+        return support(set, p, NULL, NULL);
+    double value = support(set, p, f, NULL);
+    for (int k = 0; k < 2; k++) {
+        if (force)
+            force[k] = f[k];
+        if (arm)
+            arm[k] = set->arm[k];
+    }
+    if (wrench)
+        wrench_of(scale, set->arm, f, wrench);
+    return value;
+}
 
 /* Find what a robot can exert along a normal if its contact is on one straight part (4,), known only
  * to itself; writes that contact's moment arm (2,) [m], and the force (2,) [N], unless NULL. */
