@@ -13,6 +13,8 @@
 #define SETS_FLOOR 1e-13
 /* And so much of it may be added to H where the task asks for next to nothing. */
 #define SETS_ROUNDING 4e-15
+/* Units of work for each robot, beside `WORK`, that a search may take: 10^4 are usual of 10^5. */
+#define SETS_PER_ROBOT 1e5
 #define PART 5 /* numbers in a row of `Robots.part` */
 #define POSE (PIECE + 2) /* and in one of `Robots.pose` */
 

@@ -18,8 +18,9 @@ from swarmgrasp.swarm.force_set import force_sets_of
 
 Array = NDArray[np.float64]
 Normal = tuple[float, float, float]
-CERTIFIED = 1e-9
-"""Relative gap between a value and its bound; the kernel makes it wider where it takes long."""
+CERTIFIED, UNSURE = 1e-9, 1e-7
+"""Relative gap between a value and its bound, with known poses and with uncertain ones; the kernel
+makes it wider where it takes long."""
 
 ASIDE = 1e-7
 """How far beside a normal robots are looked at whose best force may change there,"""
@@ -177,8 +178,6 @@ class RobotSets:
         As for `Rays`.
     """
 
-    gap = CERTIFIED
-
     def __init__(
         self, swarm: Swarm, worst_case: bool, losing: int, load: Normal, task: Array,
         is_polytope: bool, more: Sequence[Poses], failures: Sequence[Sequence[str]] = (),
@@ -188,6 +187,7 @@ class RobotSets:
         arms, elements, counts, machines, parts, poses, astern = certain_sets(
             swarm, self.spreads, more
         )
+        self.gap = UNSURE if len(parts) or len(poses) else CERTIFIED
         self._machines = machines.astype(int)
         self._failing = _failing(swarm, failures, len(machines), astern)
         x, y, z = swarm.scale.tolist()

@@ -119,7 +119,7 @@ static PyObject *sets_least(PyObject *object, PyObject *args) {
     double gap, below, units = -1.0, value, bound, n[3];
     if (!PyArg_ParseTuple(args, "dd|d:least", &gap, &below, &units))
         return NULL;
-    Work work = work_of(units < 0.0 ? WORK + PER_ROBOT * sets->count : units, interrupted);
+    Work work = work_of(units < 0.0 ? WORK + SETS_PER_ROBOT * sets->count : units, interrupted);
     leave(1);
     Status status = sets_search(sets, NULL, gap, below, NULL, 0, &work, &value, &bound, n);
     come_back();
