@@ -125,14 +125,12 @@ PUSHERS = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7), A
 STEERING = Swarm(SQUARE, PUSHERS)
 FIXED = Swarm(SQUARE, PUSHERS[:3])
 RAYS_ONLY = {
-    "move": lambda: sg.best_move(sg.Problem(STEERING, Newcomer())),
     "count": lambda: sg.how_many(sg.Problem(STEERING, Newcomer()), 1.0),
     "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
     "landscape": lambda: sg.cell_qualities(sg.Problem(STEERING, Newcomer()), (2, 2)),
     "many robots": lambda: sg.qualities_with(STEERING, [(1, 0)], [0.0]),
     "summary": lambda: sg.Summary.of(STEERING, 12),
     "push forces": lambda: sg.forces(STEERING, (1.0, 0.0, 0.0)),
-    "steering newcomer": lambda: sg.place(FIXED, Newcomer(steers=True)),
     "mounted newcomer": lambda: sg.place(FIXED, Newcomer(mounted=True)),
 }
 """What knows rays only."""

@@ -26,6 +26,8 @@ ASKS: int
 """Exact qualities that `Boxes.solve` may take unless told otherwise."""
 BOX: int
 """Numbers of a box in what `Boxes.solve` returns."""
+SPAN: int
+"""Numbers of a span in what `Spans.solve` returns."""
 WORK: float
 """Units of work that a search may do unless told otherwise: a second or two. See `work.h`."""
 
@@ -196,6 +198,52 @@ class Boxes:
 
         These are moment arms [m] and directions [rad]. What takes more work than is left is 0.
         """
+
+    def normals(self) -> bytes:
+        """Return the unit normals met so far, (m, 3)."""
+
+class Spans:
+    """A swarm and where a newcomer that keeps its force set can go, by spans; see `spans.h`.
+
+    Parameters
+    ----------
+    sets : Sets
+        The base swarm, and what is asked of it.
+    ends : (k, 4) [m]
+        Moment arms of the pieces' ends.
+    elements : (e, 5)
+        Of the newcomer's set on each piece, piece by piece: see `force_set.h`.
+    counts : (k,)
+        Elements of each.
+    work : float, optional
+        Units of work for all that is asked.
+    """
+
+    base: tuple[float, Normal]
+    """The base swarm's quality [N], and its weakest unit normal."""
+    size: float
+    """The largest wrenches of all [N]: what rounding is relative to."""
+    left: float
+    """Units of work; below 0 when it was not enough."""
+
+    def __new__(
+        cls, sets: Sets, ends: Array, elements: Array, counts: Array, work: float = ..., /
+    ) -> Spans: ...
+    def solve(
+        self, gap: float, chosen: bytes | None, asks: int = ..., /
+    ) -> tuple[bool, tuple[float, int, float], bytes]:
+        """Find the best robot over all pieces, or over those whose byte in `chosen` is not 0.
+
+        Stops at a relative gap, after so many exact qualities, or when the work is spent.
+
+        Returns whether the gap is closed; the best quality [N], its piece, -1 if none betters the
+        base swarm, and the share of the way along it; and spans (m, 13) that together cover the
+        pieces: piece, shares of the first and the last contact, what none exceeds [N], the kind
+        of bound, and two terms of normal (3,) and weight, 0 where there is none.
+        """
+
+    def quality_at(self, piece: int, share: float, /) -> tuple[float, Normal]:
+        """Return the quality with the newcomer there, and the unit normal that attains it."""
 
     def normals(self) -> bytes:
         """Return the unit normals met so far, (m, 3)."""

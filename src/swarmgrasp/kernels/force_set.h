@@ -15,6 +15,7 @@
 #include "vectors.h"
 
 #define ELEMENT 5 /* numbers in a row */
+#define WHOLE (2.0 * PI - 1e-9) /* width of a cone [rad] that counts as a turn: rounding may leave a gap */
 
 typedef enum {
     POINT,
@@ -54,7 +55,7 @@ static inline Element element_of(const double *row) {
     Element e = {.radius = row[0], .at = {row[1], row[2]},
                  .start = {cos(row[3]), sin(row[3])}, .end = {cos(row[4]), sin(row[4])},
                  .middle = {cos(middle), sin(middle)}};
-    e.shape = row[0] == 0.0 ? POINT : width <= PI ? NARROW : width < 2.0 * PI ? WIDE : ROUND;
+    e.shape = row[0] == 0.0 ? POINT : width <= PI ? NARROW : width < WHOLE ? WIDE : ROUND;
     return e;
 }
 

@@ -15,6 +15,7 @@ from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.placement.search import Optimum
+from swarmgrasp.placement.spans import SpanOptimum
 from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import items, kind_faults, shown
@@ -102,7 +103,7 @@ class Placement(Frozen, Answer):
     stopped_early: bool
     improves: bool
     runners_up: tuple[RunnerUp, ...]
-    _found: Optimum | BoxOptimum = field(repr=False)
+    _found: Optimum | BoxOptimum | SpanOptimum = field(repr=False)
 
     kind = "placements"
 
@@ -180,6 +181,7 @@ class Placement(Frozen, Answer):
             ),
             "proofs": plain(self.certificate.proofs),
             "boxes": plain(self.certificate.boxes),
+            "spans": plain(self.certificate.spans),
         }  # fmt: skip
 
 

@@ -70,6 +70,43 @@ class BoxProof(Frozen, Plain):
     weights: NDArray[np.float64]
 
 
+@dataclass(frozen=True, eq=False)
+class SpanProof(Frozen, Plain):
+    """Directions that bound a span of contacts, for a newcomer that keeps its force set (T22).
+
+    At a contact c no quality t exceeds v_n(c) = (H(n) + sigma(p_n(c))) / D(n), a convex function of
+    c on a straight span. So, for unit normals n_k,
+
+    - "chords": t is at most the greater of sum l_k v_k(start) and sum l_k v_k(end), with weights
+      l_k that sum to 1;
+    - "travelling", of two normals a and b with torque parts of one sign, without a task, losses and
+      uncertain poses: t is at most the greater of v_a(start) and v_b(end), divided by the cosine of
+      half the angle between them.
+
+    Nor does it exceed the least C(n_k) / D(n_k) that any of them shows, C as for `Proof`.
+
+    Attributes
+    ----------
+    start, end : tuple of float [m, m]
+        Contacts between which those of the span lie.
+    lo, hi : float [rad]
+        The sector that the newcomer keeps there.
+    kind : str
+    normals : (m, 3)
+        In the metric's coordinates, one or two.
+    weights : (m,)
+        Positive; of any sum.
+    """
+
+    start: tuple[float, float]
+    end: tuple[float, float]
+    lo: float
+    hi: float
+    kind: Literal["chords", "travelling"]
+    normals: NDArray[np.float64]
+    weights: NDArray[np.float64]
+
+
 @dataclass(frozen=True)
 class Certificate:
     """Proofs that together bound every piece.
@@ -79,11 +116,14 @@ class Certificate:
     proofs : tuple of Proof
         Each piece is bounded by at least one of them,
     boxes : tuple of BoxProof
-        or else these cover it.
+        or else these cover it,
+    spans : tuple of SpanProof
+        or these, for a newcomer that keeps its force set.
     upper_bound : float [N]
         The greatest of the pieces' bounds; without a unit for a task.
     """
 
     proofs: tuple[Proof, ...]
     boxes: tuple[BoxProof, ...]
+    spans: tuple[SpanProof, ...]
     upper_bound: float

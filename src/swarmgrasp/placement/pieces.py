@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.swarm import Newcomer, Zone
-from swarmgrasp.swarm.robot import RIGHT_ANGLE
+from swarmgrasp.swarm.robot import RIGHT_ANGLE, Attachment
 
 Interval = tuple[float, float]
 
@@ -32,7 +32,7 @@ class Piece(NamedTuple):
     start, end : float [m]
         Distances along the edge; equal for a single point.
     lo, hi : float [rad]
-        The sector, 0 <= hi - lo <= pi.
+        The sector, 0 <= hi - lo <= pi; up to 2 pi for a newcomer that keeps it.
     inward : bool
         Whether its forces point into the object.
     place : str
@@ -65,15 +65,23 @@ class Pieces:
     each: tuple[Piece, ...]
     rows: NDArray[np.float64]
 
+    def arm_at(self, index: int, share: float) -> Interval:
+        """Return the moment arm [m, m] at a share of the way along a row."""
+        first_x, first_y, last_x, last_y = self.rows[index, :4].tolist()
+        return first_x + (last_x - first_x) * share, first_y + (last_y - first_y) * share
+
+    def point_at(self, index: int, share: float) -> Interval:
+        """Return the contact [m, m] at a share of the way along a row."""
+        piece = self.each[index]
+        return _point_on(self.outline, piece, share if piece.inward else 1.0 - share)
+
     def robot_at(self, index: int, c: float, s: float, torque: float) -> tuple[Interval, float]:
         """Return the contact [m, m] and direction [rad] of a unit wrench [1, 1, m] on a piece."""
-        piece = self.each[index]
         first_x, first_y, last_x, last_y = self.rows[index, :4].tolist()
         from_first, from_last = first_x * s - first_y * c, last_x * s - last_y * c
         spread = from_last - from_first
         share = 0.5 if spread == 0.0 else min(max((torque - from_first) / spread, 0.0), 1.0)
-        share = share if piece.inward else 1.0 - share
-        return _point_on(self.outline, piece, share), math.atan2(s, c)
+        return self.point_at(index, share), math.atan2(s, c)
 
 
 def pieces_of(
@@ -102,7 +110,8 @@ def pieces_of(
     """
     crowded = crowd is not None and spacing > 0.0
     if zones is None and not no_go and not crowded:
-        return _whole_boundary(outline, newcomer.attachment, newcomer.half_angle)
+        keeps = (newcomer.steers, newcomer.friction)
+        return _whole_boundary(outline, newcomer.attachment, newcomer.half_angle, *keeps)
     pieces: list[Piece] = []
     for zone, label in zip(zones or (None,), zone_labels(zones), strict=True):
         for edge in range(len(outline)):
@@ -125,9 +134,12 @@ def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _whole_boundary(outline: Outline, attachment: str, half_angle: float | None) -> Pieces:
+def _whole_boundary(
+    outline: Outline, attachment: Attachment, half_angle: float | None, steers: bool,
+    friction: float | None,
+) -> Pieces:  # fmt: skip
     """Return the pieces of a newcomer that may attach anywhere."""
-    newcomer = Newcomer(1.0, attachment, half_angle)  # type: ignore[arg-type]
+    newcomer = Newcomer(1.0, attachment, half_angle, steers=steers, friction=friction)
     pieces: list[Piece] = []
     for edge in range(len(outline)):
         end = float(outline.lengths[edge])
@@ -255,6 +267,12 @@ def _sectors(newcomer: Newcomer, zone: Zone | None, inward: bool, middle: float)
     attachment, half_angle = newcomer.attachment, newcomer.half_angle
     if zone is not None and zone.attachment is not None:
         attachment, half_angle = zone.attachment, zone.half_angle
+    if newcomer.friction:
+        half_angle = 0.0
+    if newcomer.steers and attachment == "free":  # one sector, not one on each side
+        if not inward:
+            return []
+        return [(middle - math.pi, middle + math.pi)] if zone is None else [zone.turns(middle)]
     if attachment == ("pull" if inward else "push"):
         return []
     half = RIGHT_ANGLE if half_angle is None else half_angle

@@ -2,17 +2,19 @@
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Unpack, overload
+from typing import Any, Protocol, Unpack, overload
 
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
-from swarmgrasp.placement.problem import Problem, check_fixed, problem_faults
+from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import Best, Optimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
-from swarmgrasp.placement.tolerant import Found, TolerantSearch
-from swarmgrasp.quality.aim import Aim
+from swarmgrasp.placement.spans import SpanOptimum, SpanSearch, Stand, robot_on
+from swarmgrasp.placement.tolerant import Found as Aimed
+from swarmgrasp.placement.tolerant import TolerantSearch
+from swarmgrasp.quality.aim import Aim, Work
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import call_faults, count_faults, gap_faults, items, number, shown
@@ -188,7 +190,7 @@ def place_sequence(
     """
     faults = problem_faults(problem) + count_faults(count) + _fraction_faults(gap, runners_up)
     refuse((ProblemInvalid, faults + call_faults(progress)))
-    check_fixed(problem)
+    check_newcomer(problem)
     names = problem.swarm.names.fresh(problem.newcomer.name or "newcomer", int(count))
     placing = _placing(problem, gap)
     answers: list[Placement] = []
@@ -206,6 +208,33 @@ def place_sequence(
     return Placements(answers)
 
 
+Found = Optimum | BoxOptimum | SpanOptimum
+
+
+class Seeking(Protocol):
+    """A search for the place of a newcomer, of any kind."""
+
+    base: Weakest
+    opposite: float
+    floor: float
+    zero: float
+    work: Work
+
+    @property
+    def aim(self) -> Aim | None:
+        """What is asked other than the nominal quality of rays."""
+
+    @property
+    def left(self) -> float:
+        """Units of work; below 0 when it was not enough."""
+
+    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Any:
+        """Find the best robot over all pieces, or over the chosen ones."""
+
+    def break_tie(self, best: Any, target: float) -> Any:
+        """Of the robots of at least the target quality, take the one that lifts the rest most."""
+
+
 class _Placing:
     """One problem on its way to an answer."""
 
@@ -216,8 +245,10 @@ class _Placing:
         # half of the gap is the search's, the other half the tie-break's
         self.half = math.sqrt(1.0 + self.gap) - 1.0
 
-    def begin(self) -> Search | BoxSearch:
+    def begin(self) -> Seeking:
         """Return the search of the problem."""
+        if self.problem.newcomer.steers or self.problem.newcomer.friction:
+            return SpanSearch(self.problem, self.pieces)
         if self.problem.has_rays_only:
             return search_for(self.problem, self.pieces.rows)
         return BoxSearch(self.problem, self.pieces)
@@ -279,7 +310,7 @@ class _Placing:
         (x, y), c, s = robot.contact, math.cos(robot.direction), math.sin(robot.direction)
         return c, s, (x - x0) * s - (y - y0) * c
 
-    def winner(self, found: Optimum | BoxOptimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Found, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search, best = self.search, found.best.quality
         target = min(best / (1.0 + self.half), best - 0.5 * search.floor)
@@ -304,10 +335,13 @@ class _Placing:
             return 0.0  # without a look at every robot
         return problem.criterion.noise(problem.swarm.with_robot(found.robot), after.normal)
 
-    def candidate(self, best: Best, name: str) -> tuple[RunnerUp, Weakest]:
-        """Turn a wrench on a piece into a robot in contact, with its quality."""
-        contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
-        robot = self.robot(contact, angle, name)
+    def candidate(self, best: Best | Stand, name: str) -> tuple[RunnerUp, Weakest]:
+        """Turn what a search has found into a robot in contact, with its quality."""
+        if isinstance(best, Stand):
+            robot = robot_on(self.problem, self.pieces, best.piece, best.share, name)
+        else:
+            contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
+            robot = self.robot(contact, angle, name)
         if isinstance(self.search, Search) and self.search.aim is None:
             after = self.search.quality_with(*self.wrench(robot))
         else:
@@ -324,7 +358,7 @@ class _Placing:
         )  # fmt: skip
 
     def others(
-        self, found: Optimum | BoxOptimum, winner: RunnerUp, name: str, fraction: float
+        self, found: Found, winner: RunnerUp, name: str, fraction: float
     ) -> list[tuple[RunnerUp, Weakest]]:
         """Find the best robot in every other place that is nearly as good."""
         least, bounds, parts = fraction * winner.quality, found.bounds, parts_of(self.pieces)
@@ -347,15 +381,16 @@ class _Placing:
 class _Aiming(_Placing):
     """One problem whose newcomer cannot hit its place exactly."""
 
-    def winner(self, found: Optimum | BoxOptimum, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Found, name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search = self.search
+        assert not isinstance(found, SpanOptimum)  # see check_newcomer
         search.work.left += search.left  # it is not asked again
         self.aiming = TolerantSearch(self.problem, self.pieces, found, search.zero, search.work)
         best = self.aiming.solve(self.gap)
         return (*self.aimed(best, name), best.upper_bound)
 
-    def aimed(self, best: Found, name: str) -> tuple[RunnerUp, Weakest]:
+    def aimed(self, best: Aimed, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn a place into a robot in contact, with its quality."""
         robot = self.robot(best.contact, best.direction, name)
         place = self.pieces.each[best.piece].place

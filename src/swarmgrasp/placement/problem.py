@@ -148,6 +148,11 @@ class Problem(Frozen, Plain):
         return is_ray and swarm.has_rays_only and not has_groups
 
     @property
+    def fewest(self) -> int:
+        """Robots, those lost included, below which the quality is 0 wherever they are."""
+        return self.criterion.fewest(self.has_rays_only)
+
+    @property
     def is_tolerant(self) -> bool:
         """Whether the newcomer's own pose is uncertain by the criterion."""
         tolerance = self.newcomer.tolerance
@@ -164,18 +169,26 @@ def check_ray_problem(problem: Problem, what: str) -> None:
         )
 
 
-def check_fixed(problem: Problem) -> None:
-    """Raise `ForceSetUnsupported` unless the newcomer pushes along one line that it holds to."""
+def check_several(problem: Problem, what: str) -> None:
+    """Raise `ForceSetUnsupported` unless newcomers steer, or all robots push along one ray each."""
+    if problem.newcomer.steers and not problem.newcomer.mounted:
+        check_newcomer(problem)
+    else:
+        check_ray_problem(problem, f"{what} of newcomers that do not steer")
+
+
+def check_newcomer(problem: Problem) -> None:
+    """Raise `ForceSetUnsupported` for a newcomer whose place is not known how to find."""
     newcomer = problem.newcomer
-    if newcomer.steers or newcomer.friction or newcomer.mounted:
+    if newcomer.mounted:
         raise ForceSetUnsupported(
-            "placement is for a newcomer that pushes along one line from a place on the boundary: "
-            "leave out what it steers, its friction and that it is mounted"
+            "placement is for a newcomer of one ray, one line or one sector at a place on the "
+            "boundary: leave out that it is mounted"
         )
-    if problem.is_tolerant and newcomer.reverse_limit:
+    if problem.is_tolerant and not newcomer.is_ray:
         raise ForceSetUnsupported(
-            "where a newcomer ends up that pushes both ways is not known how to bound: leave out "
-            "its tolerance or its reverse limit, or ask without the worst case"
+            "where a newcomer ends up is known how to bound of one that pushes along one ray only: "
+            "leave out its tolerance, or ask without the worst case"
         )
 
 

@@ -18,7 +18,6 @@ from swarmgrasp.words import Unit, degrees, percent
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
-    from swarmgrasp.quality.criterion import Criterion
     from swarmgrasp.swarm import Robot, Swarm
 
 EQUAL = 1e-6
@@ -36,8 +35,8 @@ def reason_of(answer: "Placement") -> str:
     swarm, criterion = answer.problem.swarm, answer.problem.criterion
     if answer.improves:
         return f"what remains weakest is {_weakest(answer, answer.after)}"
-    if answer.problem.has_rays_only and len(swarm) + 1 < criterion.fewest:
-        return too_few_words(criterion, len(swarm) + 1, "this one")
+    if len(swarm) + 1 < answer.problem.fewest:
+        return too_few_words(answer.problem.fewest, criterion.losing, len(swarm) + 1, "this one")
     weakest = _weakest(answer, answer.before)
     before = answer.before.quality
     if before * (1.0 + EQUAL) < answer.upper_bound <= before + answer.noise:
@@ -67,24 +66,30 @@ def reason_of(answer: "Placement") -> str:
     )
 
 
-def too_few_words(criterion: "Criterion", robots: int, last: str) -> str:
+def too_few_words(fewest: int, lost: int, robots: int, last: str) -> str:
     """Say that so many robots, the last ones included, are too few for any quality.
+
+    Parameters
+    ----------
+    fewest, lost : int
+        Robots that it takes, and those of them that may be lost.
+    robots : int
+    last : str
 
     Examples
     --------
-    >>> from swarmgrasp.quality.criterion import Criterion
-    >>> too_few_words(Criterion(), 3, "this one")
+    >>> too_few_words(4, 0, 3, "this one")
     'force closure takes at least 4 robots, wherever they are; with this one there are 3'
-    >>> too_few_words(Criterion(losing=1, load=(0, 1, 0)), 1, "this one")
+    >>> too_few_words(4, 1, 1, "this one")
     'holding a load takes at least 3 robots beside the 1 lost; with this one there is 1'
     """
-    left, lost = criterion.fewest - criterion.losing, criterion.losing
+    left = fewest - lost
     takes = f"{_TAKES[left]} takes at least {left} robot{'s' if left > 1 else ''}"
     where = f" beside the {lost} lost" if lost else ", wherever they are"
     return f"{takes}{where}; with {last} there {'are' if robots > 1 else 'is'} {robots}"
 
 
-_TAKES = {4: "force closure", 3: "holding a load", 1: "a task"}
+_TAKES = {4: "force closure", 3: "holding a load", 2: "force closure", 1: "a task"}
 """What takes so many robots."""
 
 

@@ -139,14 +139,21 @@ class Criterion(Plain):
         (asked,) = self.task.support([np.asarray(normal) * swarm.scale])
         return float(swarm.noise / asked) if asked > 0.0 else 0.0
 
-    @property
-    def fewest(self) -> int:
-        """Robots, those lost included, below which the quality is 0 wherever they are.
+    def fewest(self, rays_only: bool) -> int:
+        """Return the robots, those lost included, below which the quality is 0 wherever they are.
 
-        Force closure takes 4; beside a load the wrenches of 3 can surround no wrench; a task may
-        ask for one way only.
+        Force closure takes 4 rays; beside a load the wrenches of 3 can surround no wrench; a task
+        may ask for one way only. Robots that steer or reverse have flat sets of wrenches: 2 of them
+        may close a grasp.
+
+        Parameters
+        ----------
+        rays_only : bool
+            Whether all robots push along one ray each.
         """
-        return self.losing + (1 if self.task is not None else 3 if self.has_load else 4)
+        if self.task is not None:
+            return self.losing + 1
+        return self.losing + (2 if not rays_only else 3 if self.has_load else 4)
 
     def unit(self, *sizes: float, figures: int = 5) -> Unit:
         """Return the unit to tell qualities of some sizes [N] in; times the task, if there is one.

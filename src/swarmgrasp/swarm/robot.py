@@ -335,6 +335,21 @@ class Zone(Plain):
             directions=None if ends is None else angles(ends),
         )
 
+    def turns(self, middle: float) -> tuple[float, float]:
+        """Return the range of all directions that the zone allows, the whole turn about one [rad].
+
+        Examples
+        --------
+        >>> Zone(Stretch(0.0, 1.0), directions=(0.5, 2.0)).turns(0.0)
+        (0.5, 2.0)
+        """
+        if self.directions is not None:
+            first, last = self.directions
+            width = (last - first) % math.tau
+            if width > 0.0 or last == first:
+                return first, first + width
+        return middle - math.pi, middle + math.pi
+
     def sectors(self, lo: float, hi: float) -> list[tuple[float, float]]:
         """Return the parts of a sector of directions [lo, hi] [rad] that the zone's range allows.
 

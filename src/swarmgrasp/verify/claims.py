@@ -177,6 +177,18 @@ class BoxClaim(_Form):
     weights: list[Number]
 
 
+class SpanClaim(_Form):
+    """Directions that bound a span of contacts."""
+
+    start: Point
+    end: Point
+    lo: Angle
+    hi: Angle
+    kind: Literal["chords", "travelling"]
+    normals: list[Wrench] = Field(min_length=1)
+    weights: list[Number]
+
+
 class PlacementClaim(_Form):
     """What is said of one newcomer."""
 
@@ -193,6 +205,7 @@ class PlacementClaim(_Form):
     runners_up: list[RunnerUpClaim]
     proofs: list[ProofClaim]
     boxes: list[BoxClaim]
+    spans: list[SpanClaim]
 
 
 class OutlineClaim(_Form):

@@ -32,6 +32,7 @@ from swarmgrasp.verify.recompute import (
     units_of,
 )
 from swarmgrasp.verify.rounding import noise_of
+from swarmgrasp.verify.spans import Spans
 from swarmgrasp.verify.team import Team
 from swarmgrasp.verify.verdict import Verdict
 
@@ -121,6 +122,7 @@ class _Check:
         self.unit = "" if asked.criterion.task else " N"
         tolerance = asked.newcomer.tolerance if asked.criterion.worst_case else None
         self.is_tolerant = tolerance is not None and tolerance.is_spread
+        self.keeps = bool(asked.newcomer.steers or asked.newcomer.friction)
         self.certain_limit = asked.newcomer.limit
         if tolerance is not None:
             self.certain_limit = tolerance.certain(self.certain_limit)
@@ -142,6 +144,7 @@ class _Check:
                 v for v, kind in zip(box.vectors, box.kinds, strict=False) if kind != "travelling"
             ]
             units.append(units_of(met) if met else None)
+        units += [units_of(span.normals) for span in claim.spans]
         rows = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
         self.normals = np.unique(rows, axis=0)
         self.surely, self.bound = self.upper_bounds()
@@ -253,7 +256,7 @@ class _Check:
             yield f"{what} has the reverse limit {robot.reverse_limit:.12g} N, not the newcomer's"
         if robot.tolerance != newcomer.tolerance:
             yield f"{what} has another tolerance than the newcomer"
-        if robot.steers or robot.friction or robot.least or robot.envelope or robot.group:
+        if robot.friction != newcomer.friction or robot.least or robot.envelope or robot.group:
             yield f"{what} exerts other forces than the newcomer"
         if robot.mounted:
             yield f"{what} is mounted; a newcomer is on the boundary"
@@ -262,7 +265,7 @@ class _Check:
             piece.place
             for piece in self.pieces
             if distance_to(contact, piece.p, piece.q) <= self.boundary.near
-            and turns_into(robot.direction, piece.lo - ANGLE, piece.hi + ANGLE)
+            and self.fits(robot, piece)
         }
         if not places:
             yield (
@@ -273,6 +276,17 @@ class _Check:
             yield f"{what} is said to be at {claim.place!r} and is at {' or '.join(sorted(places))}"
         together = self.base + self.judge.team([robot])
         yield from self.differs(f"the quality with {what}", claim.quality, together)
+
+    def fits(self, robot: "RobotClaim", piece: Piece) -> bool:
+        """Tell whether a robot pushes as it may on a piece, or keeps the whole sector of it."""
+        if not self.keeps:
+            return robot.steers == 0.0 and turns_into(
+                robot.direction, piece.lo - ANGLE, piece.hi + ANGLE
+            )
+        middle, half = 0.5 * (piece.lo + piece.hi), 0.5 * (piece.hi - piece.lo)
+        steers = 0.0 if self.asked.newcomer.friction else min(half, math.pi)
+        off = math.remainder(robot.direction - middle, math.tau)
+        return abs(robot.steers - steers) <= ANGLE and abs(off) <= ANGLE
 
     def least_noise(self, robots: "list[RobotClaim]") -> float:
         """Bound what the outline's rounding may change of the quality, where that is least."""
@@ -291,6 +305,8 @@ class _Check:
         pieces = [piece for piece in self.pieces if not piece.is_sliver] or self.pieces
         if not pieces:
             return math.inf, math.inf
+        if self.keeps:
+            return self.span_bounds(pieces)
         if self.claim.boxes:
             return self.box_bounds(pieces)
         if self.asked.newcomer.reverse_limit > 0.0:  # the proofs know newcomers that push one way
@@ -320,6 +336,16 @@ class _Check:
             hidden = rounding / extent[extent > 0.0].min(initial=np.inf)
             surely, bounds = np.minimum(surely, found - hidden), np.minimum(bounds, found + hidden)
         return max(float(surely.max()), 0.0), max(float(bounds.max()), 0.0)
+
+    def span_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
+        """Do the same by the spans, which should cover the pieces."""
+        spans = Spans(
+            self.judge, self.base, self.claim.spans, self.asked.newcomer, self.certain_limit,
+            self.boundary.origin, self.rounding * self.judge.unit,
+        )  # fmt: skip
+        if not all(spans.cover(piece, self.boundary.sliver) for piece in pieces):
+            return math.inf, math.inf
+        return max(float(spans.surely.max()), 0.0), max(float(spans.bound.max()), 0.0)
 
     def box_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
         """Do the same by the boxes, which should cover the pieces."""

@@ -108,6 +108,11 @@ def sides_of(
     source = asked.newcomer if zone is None or zone.attachment is None else zone
     free = source.attachment == "free"
     half = math.pi / 2 if free or source.half_angle is None else source.half_angle
+    if asked.newcomer.friction:
+        half = 0.0
+    if asked.newcomer.steers and free:
+        yield whole_turn(zone, inward)
+        return
     for side, middle in (("push", inward), ("pull", inward + math.pi)):
         if not free and source.attachment != side:
             continue
@@ -125,6 +130,16 @@ def sides_of(
             if lo > hi + ANGLE:
                 continue
             yield (lo, hi) if lo <= hi else (0.5 * (lo + hi),) * 2
+
+
+def whole_turn(zone: "ZoneClaim | None", inward: float) -> tuple[float, float]:
+    """Return the sector that a newcomer keeps which may exert anything a zone allows."""
+    if zone is not None and zone.directions is not None:
+        first, last = zone.directions
+        width = (last - first) % (2.0 * math.pi)
+        if width > 0.0 or last == first:
+            return first, first + width
+    return inward - math.pi, inward + math.pi
 
 
 def covers(stretch: "StretchClaim", arc: float, perimeter: float, slack: float) -> bool:

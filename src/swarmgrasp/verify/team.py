@@ -16,7 +16,7 @@ from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.recompute import Array, crest
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import RobotClaim
+    from swarmgrasp.verify.claims import NewcomerClaim, RobotClaim
 
 
 class Poses(NamedTuple):
@@ -241,6 +241,16 @@ def arcs_of(robot: "RobotClaim", limit: float) -> Array:
     if robot.reverse_limit:
         arcs.append((robot.reverse_limit, d + math.pi, steers))
     return np.array(arcs)
+
+
+def kept_arcs(newcomer: "NewcomerClaim", limit: float, lo: float, hi: float) -> Array:
+    """Return the arcs (k, 3) whose hull a newcomer keeps in a sector [lo, hi] [rad]."""
+    middle, half = 0.5 * (lo + hi), 0.5 * (hi - lo)
+    if newcomer.friction:
+        size, turn = math.hypot(1.0, newcomer.friction), math.atan(newcomer.friction)
+        points = [(limit * size, middle + side * turn, 0.0) for side in (-1, 1)]
+        return np.array([*points, (0.0, middle, 0.0)])
+    return np.array([(limit, middle, half), (0.0, middle, 0.0)])
 
 
 def wrench(arm: Array, angle: float) -> Array:

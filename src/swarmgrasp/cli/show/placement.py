@@ -50,7 +50,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
     else:
         none = "no place found" if answer.is_open else "no allowed place"
         report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
-        enough = max(2, answer.problem.criterion.fewest - len(answer.problem.swarm))
+        enough = max(2, answer.problem.fewest - len(answer.problem.swarm))
         why = [
             ("Why", answer.reason),
             (

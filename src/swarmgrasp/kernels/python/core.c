@@ -6,6 +6,7 @@
 #include "boxes_object.h"
 #include "criterion_object.h"
 #include "sets_object.h"
+#include "spans_object.h"
 #include "state.h"
 
 /* -- qualities --------------------------------------------------------------------------------- */
@@ -425,12 +426,14 @@ static int fill(PyObject *module) {
     return put(module, "Criterion", Py_XNewRef(state->criterion_type))
            || put(module, "Sets", Py_XNewRef(state->sets_type))
            || put(module, "Boxes", make_boxes_type(module))
+           || put(module, "Spans", make_spans_type(module))
            || put(module, "Search", PyType_FromModuleAndSpec(module, &search_spec, NULL))
            || put(module, "MARGINAL", PyFloat_FromDouble(ZERO))
            || put(module, "FLOOR", PyFloat_FromDouble(FLOOR))
            || put(module, "UNASKED", PyFloat_FromDouble(UNASKED))
            || put(module, "ASKS", PyLong_FromLong(ASKS))
            || put(module, "BOX", PyLong_FromLong(BOX_ROW))
+           || put(module, "SPAN", PyLong_FromLong(SPAN_ROW))
            || put(module, "WORK", PyFloat_FromDouble(WORK)) ? -1 : 0;
 }
 

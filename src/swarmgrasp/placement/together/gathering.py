@@ -41,7 +41,7 @@ class Gathering:
 
     def __init__(self, gauge: Gauge, budget: Budget) -> None:
         self.gauge, self.ground, self.budget = gauge, gauge.ground, budget
-        levels = gauge.levels(_spread(NORMALS))
+        levels = gauge.levels(spread_normals(NORMALS))
         self._normals = levels.normals / levels.extents[:, None]
         self._levels = levels.heights[:, -1] / levels.extents
         self._reach = 0.1 * np.array([self.ground.outline.radius, 1.0])
@@ -105,7 +105,7 @@ class Gathering:
         return np.asarray((ways.sum(axis=2).reshape(-1, 2) * self.ground.steps(stands)).sum(axis=1))
 
 
-def _spread(count: int) -> Array:
+def spread_normals(count: int) -> Array:
     """Return unit normals (m, 3) all around, by the golden angle."""
     turns = np.arange(count) + 0.5
     heights = 1.0 - 2.0 * turns / count

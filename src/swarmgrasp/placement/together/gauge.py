@@ -97,6 +97,11 @@ class Gauge:
         self.before, _ = aim.weakest()
 
     @property
+    def size_known(self) -> float:
+        """The size of the swarm's wrenches [N]: what rounding is relative to."""
+        return float(np.linalg.norm(self.known, axis=1).sum())
+
+    @property
     def size(self) -> float:
         """What one newcomer may add to a quality, at most."""
         return self.reach / self.unit
@@ -156,6 +161,14 @@ class Gauge:
         for robot in self.ground.robots(stands, [""] * len(stands.piece)):
             swarm = swarm.with_robot(robot)
         return swarm
+
+    def adds(self, normals: Array, points: Array) -> Array:
+        """Return what one newcomer at each of the points (k, 3) [N] adds along normals: (m, k)."""
+        return np.asarray(np.maximum(dots(normals, points), 0.0))
+
+    def weak_with(self, points: Array, mass: Array) -> Array:
+        """List unit normals (m, 3) that may be weakest with so many newcomers at each point."""
+        return self.weak_normals(points * mass[:, None])
 
     def weak_normals(self, points: Array) -> Array:
         """List unit normals (m, 3) that may be weakest with further generators (k, 3) [N].

@@ -7,7 +7,7 @@ from typing import Any
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.place import place_sequence
-from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_several, problem_faults
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
 from swarmgrasp.placement.together.place import (
@@ -150,7 +150,7 @@ def how_many(
     if not number(quality) > 0.0:
         faults.append(f"the quality is {shown(quality)}; it should be 0 < quality < inf [N]")
     refuse((ProblemInvalid, faults))
-    check_ray_problem(problem, "the count of robots")
+    check_several(problem, "the count")
     return _Count(problem, float(quality), int(most), Budget(int(effort))).found()
 
 

@@ -15,6 +15,7 @@ from swarmgrasp.placement.together.polish import Climb, Polish
 from swarmgrasp.placement.together.regions import whole
 from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Share
 from swarmgrasp.placement.together.stands import Ground, Stands
+from swarmgrasp.placement.together.steering import SteeringGauge, SteeringGround, SteeringPolish
 from swarmgrasp.quality.weakest import MARGINAL
 
 Array = NDArray[np.float64]
@@ -49,18 +50,14 @@ class JointSearch:
     ) -> None:
         self.problem, self.count, self.gap, self.enough = problem, count, gap, enough
         self.budget = budget
-        self.ground = Ground(problem)
-        self.gauge = Gauge(self.ground)
+        self.ground, self.gauge, self.polish, self.gathering = _parts_of(problem, budget)
         self.branches = Branches(Relaxation(self.gauge, count, budget), whole(self.ground))
-        self.polish = Polish(self.gauge, budget)
-        self.gathering = Gathering(self.gauge, budget)
         self.best = Climb(Stands(np.zeros(0, dtype=np.intp), np.zeros((0, 2))), -1.0)
         self.ceiling = 0.0 if self._is_hopeless else math.inf
         self._random = np.random.default_rng(SEED)
         self._starts: list[Stands] = []
         self._climbs = 0
-        sizes = np.linalg.norm(self.gauge.known, axis=1).sum() / self.gauge.unit
-        self._zero = MARGINAL * float(sizes + count * self.gauge.size)
+        self._zero = MARGINAL * (self.gauge.size_known / self.gauge.unit + count * self.gauge.size)
 
     @property
     def bound(self) -> float:
@@ -120,7 +117,7 @@ class JointSearch:
     @property
     def _is_hopeless(self) -> bool:
         """Whether they are too few for any quality."""
-        return len(self.gauge.swarm) + self.count < self.problem.criterion.fewest
+        return len(self.gauge.swarm) + self.count < self.problem.fewest
 
     def _climb(self, relaxed: tuple[Share, Relaxed] | None) -> None:
         """Climb from the best with some moved away, or else from where newcomers gather."""
@@ -137,7 +134,12 @@ class JointSearch:
 
         Random newcomers, and such near a relaxed solution, gather where all normals pull them.
         """
-        rng, flocks = self._random, self.gathering.flocks(self.count)
+        rng = self._random
+        if self.gathering is None:
+            if relaxed is None:
+                return [self.ground.random(rng, self.count)]
+            return [self._near(*relaxed)]
+        flocks = self.gathering.flocks(self.count)
         near = [] if relaxed is None else [self._near(*relaxed) for _ in range(flocks // 2)]
         anywhere = [self.ground.random(rng, self.count) for _ in range(flocks - len(near))]
         found = self.gathering.gathered(near + anywhere)[:MOST_STARTS]
@@ -165,3 +167,14 @@ class JointSearch:
         points = [outline.at_arc_length(float(arc)).point for arc in arcs]
         stands = self.ground.stands_at(points, relaxed.at[rows, 1].tolist())
         return self.ground.parted(stands, self._random)
+
+
+def _parts_of(problem: Problem, budget: Budget) -> tuple[Ground, Gauge, Polish, Gathering | None]:
+    """Return what newcomers stand on, what they are worth, how they move, and where they gather."""
+    if problem.newcomer.steers:
+        steering = SteeringGround(problem)
+        steered = SteeringGauge(steering)
+        return steering, steered, SteeringPolish(steered, budget), None
+    ground = Ground(problem)
+    gauge = Gauge(ground)
+    return ground, gauge, Polish(gauge, budget), Gathering(gauge, budget)

@@ -1,5 +1,6 @@
 """Which one robot should attach elsewhere, and what that is worth."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -9,11 +10,12 @@ from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, RobotInvalid, ref
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import Placement, relative_gap
 from swarmgrasp.placement.place import RISE, place
-from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
+from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.ranges import gap_faults
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
+from swarmgrasp.swarm.robot import RIGHT_ANGLE
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,7 +204,8 @@ def best_move(
     ----------
     problem : Problem or Swarm
         Where robots may attach and how: the problem's zones, spacing and criterion, and its
-        newcomer's attachment and half angle. Each robot keeps its own limit, tolerance and name.
+        newcomer's attachment and half angle. Each robot keeps its own limit, tolerance and name,
+        and what it can exert: one that steers keeps its sector, about the normal.
         Of a swarm alone: anywhere, in any direction.
     robots : str or iterable of str, optional
         Those that may move, by name; all that are not mounted when left out.
@@ -238,7 +241,6 @@ def best_move(
     if isinstance(problem, Swarm):
         problem = Problem(problem, Newcomer())
     refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap)))
-    check_ray_problem(problem, "the best move")
     swarm = problem.swarm
     before = quality(swarm, **problem.criterion.terms)
     found, stuck = [], []
@@ -259,16 +261,22 @@ def _movable(problem: Problem, names: str | Iterable[str] | None) -> list[Robot]
     """Return the robots that may move."""
     swarm = problem.swarm
     if names is None:
-        free = [robot for robot in swarm if not robot.mounted]
+        free = [robot for robot in swarm if not robot.mounted and _can_be_placed(robot)]
         if not free:
             raise RobotInvalid(
-                "there is no robot that could move: all are mounted, or there is none"
+                "there is no robot that could move: all are mounted, or of a kind whose best place "
+                "is not known how to find, or there is none"
             )
         return [robot for robot in free if not _is_worthless(problem, robot)] or free
     wanted, faults = [swarm[name] for name in swarm.known(names)], []
     for robot in wanted:
         if robot.mounted:
             faults.append(f"{robot.name} is mounted and stays where it is")
+        elif not _can_be_placed(robot):
+            faults.append(
+                f"{robot.name}: where a robot with a least force, with an envelope, or that "
+                "steers both ways or beyond a right angle should go is not known how to find"
+            )
         elif _is_worthless(problem, robot):
             faults.append(f"{robot.name} may be absent, and is worth nothing anywhere")
     if not wanted:
@@ -284,9 +292,28 @@ def _is_worthless(problem: Problem, robot: Robot) -> bool:
     return problem.criterion.worst_case and tolerance is not None and tolerance.may_be_absent
 
 
+def _can_be_placed(robot: Robot) -> bool:
+    """Tell whether a newcomer may be like a robot."""
+    if robot.envelope or robot.least or (robot.steers and robot.reverse_limit):
+        return False
+    return robot.steers <= RIGHT_ANGLE or robot.steers >= math.pi
+
+
 def _without(problem: Problem, robot: Robot) -> Problem:
     """Return the question where a robot goes that has let go."""
-    newcomer = replace(
-        problem.newcomer, limit=robot.limit, name=robot.name, tolerance=robot.tolerance
-    )
+    outline, asked = problem.swarm.outline, problem.newcomer
+    attachment, half_angle = asked.attachment, asked.half_angle
+    if robot.friction:
+        attachment, half_angle = "push", None
+    elif robot.steers >= math.pi:
+        attachment, half_angle = "free", None
+    elif robot.steers:
+        if attachment == "free":
+            inward = outline.inward_normal(outline.at_point(robot.contact).edge)
+            attachment = "push" if math.cos(robot.direction - inward) > 0.0 else "pull"
+        half_angle = robot.steers
+    newcomer = Newcomer(
+        robot.limit, attachment, half_angle, robot.name, robot.tolerance,
+        robot.steers > 0.0, robot.reverse_limit, robot.friction,
+    )  # fmt: skip
     return replace(problem, swarm=problem.swarm.without(robot.name), newcomer=newcomer)

@@ -12,7 +12,7 @@ from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import relative_gap
 from swarmgrasp.placement.place import RISE, place_sequence
-from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
+from swarmgrasp.placement.problem import Problem, check_several, problem_faults
 from swarmgrasp.placement.reason import too_few_words
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
 from swarmgrasp.placement.together.joint import JointSearch
@@ -120,8 +120,9 @@ class Together(Frozen, Answer):
         if self.improves:
             return f"what remains weakest is {weakest}"
         robots = len(self.problem.swarm) + len(self.robots)
-        if self.upper_bound == 0.0 and robots < criterion.fewest:
-            return too_few_words(criterion, robots, "these")
+        fewest = self.problem.fewest
+        if self.upper_bound == 0.0 and robots < fewest:
+            return too_few_words(fewest, criterion.losing, robots, "these")
         many = f"{len(self.robots)} such robots" if len(self.robots) > 1 else "such robot"
         if self.upper_bound == 0.0:
             return f"no {many} can give the swarm any quality, wherever they are: place more"
@@ -192,7 +193,7 @@ def place_together(
     """
     faults = problem_faults(problem) + count_faults(count) + effort_faults(effort)
     refuse((ProblemInvalid, faults + gap_faults(gap) + call_faults(progress)))
-    check_ray_problem(problem, "placement together")
+    check_several(problem, "placement together")
     search = JointSearch(problem, int(count), float(gap), Budget(int(effort)))
     sequential = start(search)
     search.run(progress)

@@ -27,8 +27,8 @@ class Hull(NamedTuple):
 
     Attributes
     ----------
-    points : (c, 3) [N]
-        In the metric's coordinates.
+    points : (c, ...)
+        As `Ground.points_at` has them.
     at : (c, 2) [m, rad]
         Arc lengths and directions.
     """
@@ -71,19 +71,11 @@ class Region:
         by robots split up among points whose hull contains it: at the ends of the contacts,
         and there at the corners of a polygon around the arc of directions.
         """
-        ground, boxes = self.ground, self.boxes
         points, at = [], []
-        for box in boxes:
-            radii, angles = _around(box[LOW], box[HIGH], step, 2 if len(boxes) == 1 else 1)
-            edge = ground.edges[int(box[PIECE])]
-            p, q = ground.outline.edge_ends(edge)
-            along = (q - p) / ground.outline.lengths[edge]
-            base = ground.outline.corner_arc_lengths[edge]
-            forces = radii[:, None] * np.column_stack([np.cos(angles), np.sin(angles)])
+        for box in self.boxes:
+            radii, angles = _around(box[LOW], box[HIGH], step, 2 if len(self.boxes) == 1 else 1)
             for arc in sorted({box[START], box[END]}):
-                x, y = p + along * (arc - base) - ground.outline.origin
-                torques = x * forces[:, 1] - y * forces[:, 0]
-                points.append(np.column_stack([forces, torques]) * ground.scale)
+                points.append(self.ground.points_at(int(box[PIECE]), arc, radii, angles))
                 at.append(np.column_stack([np.full(len(angles), arc), angles]))
         return Hull(np.vstack(points), np.vstack(at))
 

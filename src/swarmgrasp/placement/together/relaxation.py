@@ -153,7 +153,7 @@ class Relaxation:
     def terms(self, rows: Rows, points: Array, which: Indices) -> Array:
         """Return what one newcomer at each point adds to each row, in units of `size`."""
         levels = self.levels.take(rows.normal)
-        found = np.maximum(dots(levels.normals, points), 0.0)
+        found = self.gauge.adds(levels.normals, points)
         found /= (levels.extents * self.size)[:, None]
         return np.asarray(found if self.gauge.losing == 0 else found * rows.kept[:, which])
 
@@ -244,7 +244,7 @@ class Relaxation:
         short = order[values[order] < wanted]
         if len(short):
             return self._rows(short, worth[short], share.counts)
-        fresh = self.gauge.levels(self.gauge.weak_normals(points * mass[:, None]))
+        fresh = self.gauge.levels(self.gauge.weak_with(points, mass))
         worth = self._worth(fresh, points, weights)
         values = self._values(fresh, worth, share.counts)
         order = np.argsort(values, kind="stable")[:MOST_SIFTED]
@@ -256,7 +256,7 @@ class Relaxation:
 
     def _worth(self, levels: Levels, points: Array, weights: Array) -> Array:
         """Return what the newcomers of each region add along normals: (m, regions)."""
-        terms = np.maximum(dots(levels.normals, points), 0.0)
+        terms = self.gauge.adds(levels.normals, points)
         return np.asarray(dots(terms, weights.T) / (levels.extents * self.size)[:, None])
 
     def _heights(self, levels: Levels) -> Array:

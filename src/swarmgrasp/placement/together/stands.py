@@ -95,6 +95,13 @@ class Ground:
         arms = self.contacts(stands) - self.outline.origin
         return wrenches(arms, stands.at[:, 1], 1.0) * self.scale
 
+    def points_at(self, piece: int, arc: float, radii: Array, angles: Array) -> Array:
+        """Return generators (c, 3) [N] at an arc length [m], of so many limits, in directions."""
+        edge = self.edges[piece]
+        along = float(arc - self.outline.corner_arc_lengths[edge])
+        arm = self._corners[piece] + self._steps[piece] * along - self.outline.origin
+        return wrenches(np.tile(arm, (len(angles), 1)), angles, radii) * self.scale
+
     def slopes(self, stands: Stands) -> tuple[Array, Array]:
         """Return how the generators change along the edges [N/m] and with the directions [N/rad].
 

@@ -1,0 +1,230 @@
+"""The place of a newcomer that keeps all it can exert: only its contact is chosen (T22)."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.frozen import Frozen
+from swarmgrasp.kernels import core
+from swarmgrasp.placement.certificate import Certificate, SpanProof
+from swarmgrasp.placement.pieces import Pieces
+from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.search import WORK
+from swarmgrasp.quality.aim import Aim, Work
+from swarmgrasp.quality.robot_sets import RobotSets
+from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm.columns import columns_of
+from swarmgrasp.swarm.force_set import force_sets_of
+
+Array = NDArray[np.float64]
+PIECE, FROM, TO, BOUND, KIND, TERMS = range(6)
+"""Columns of the kernel's spans."""
+KINDS: tuple[Literal["chords"], Literal["travelling"]] = ("chords", "travelling")
+"""What bounds a span, by the kernel's numbers."""
+FIELD, POWER, SOFTNESS = 64, 8, 0.5
+"""Of the soft minimum that breaks ties: normals, the power, and what is added to H relative to its
+mean."""
+LEAST = 0.05
+"""What H, relative to its mean, counts as where a load leaves less."""
+NEAR = 1e-3
+"""Share of a piece within which two stands are one."""
+TRIED, CHECKED = 160, 12
+"""Contacts that are compared, and those of them whose quality is computed."""
+
+
+class Stand(NamedTuple):
+    """Where a newcomer stands, and the quality [N] with it; -1 for no piece: it betters nothing."""
+
+    quality: float
+    piece: int
+    share: float
+
+
+@dataclass(frozen=True, eq=False)
+class SpanOptimum(Frozen):
+    """The best robot over some pieces, and the spans that bound them.
+
+    Attributes
+    ----------
+    solved : bool
+        Whether the search came as near as asked; the bounds hold in any case.
+    best : Stand
+    upper_bound : float [N]
+        What no robot exceeds.
+    bounds : (k,) [N]
+        What no robot on each piece exceeds; 0 for those left out.
+    spans : (m, 13)
+        See `core.Spans`.
+    """
+
+    solved: bool
+    best: Stand
+    upper_bound: float
+    bounds: Array
+    spans: Array
+    _pieces: Pieces
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """The proofs of all bounds."""
+        return Certificate((), (), tuple(self._proofs()), self.upper_bound)
+
+    def _proofs(self) -> Iterator[SpanProof]:
+        """Yield the proof of each span."""
+        for row in self.spans:
+            index = int(row[PIECE])
+            piece = self._pieces.each[index]
+            start, end = (self._pieces.point_at(index, float(s)) for s in row[FROM : TO + 1])
+            terms = row[TERMS:].reshape(2, 4)
+            terms = terms[terms[:, 3] > 0.0]
+            kind = KINDS[int(row[KIND])]
+            yield SpanProof(start, end, piece.lo, piece.hi, kind, terms[:, :3], terms[:, 3])
+
+
+class SpanSearch:
+    """The place of a newcomer that keeps its force set, by the criterion of a problem.
+
+    Parameters
+    ----------
+    problem : Problem
+    pieces : Pieces
+
+    Attributes
+    ----------
+    aim : Aim
+    base : Weakest
+        The base swarm's quality and weakest normal.
+    opposite : float [N]
+        Its support function at the opposite normal.
+    floor, zero : float [N]
+        A difference not worth closing, and a quality that counts as 0.
+    work : Work
+        What exact qualities by the aim may take besides: as much as the search.
+    """
+
+    def __init__(self, problem: Problem, pieces: Pieces) -> None:
+        self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
+        self._unit, self._pieces = self.aim.unit, pieces
+        robots = [robot_on(problem, pieces, k, 0.5) for k in range(len(pieces.each))]
+        elements, counts = force_sets_of(columns_of(robots), {})
+        sets = self.aim.robots
+        assert isinstance(sets, RobotSets)
+        ends = np.ascontiguousarray(pieces.rows[:, :4])
+        self._core = core.Spans(sets.core, ends, elements, counts.astype(float), WORK)
+        self._newcomer = problem.newcomer
+        self.work = Work(WORK)
+        value, normal = self._core.base
+        self.base = Weakest(value / self._unit, normal)
+        self.opposite = float(self.aim.values(-np.array(normal))[0])
+        size = self._core.size / self._unit
+        self.floor, self.zero = core.FLOOR * size, core.MARGINAL * size
+
+    @property
+    def left(self) -> float:
+        """Units of work; below 0 when it was not enough."""
+        return self._core.left
+
+    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> SpanOptimum:
+        """Find the best robot over all pieces, or over the chosen ones.
+
+        Parameters
+        ----------
+        gap : float
+            Largest difference between bound and best, relative to the best.
+        chosen : sequence of int, optional
+        """
+        many = len(self._pieces.each)
+        wanted = np.zeros(many, dtype=bool)
+        wanted[slice(None) if chosen is None else list(chosen)] = True
+        solved, (value, piece, share), found = self._core.solve(gap, wanted.tobytes())
+        spans = np.frombuffer(found).reshape(-1, core.SPAN).copy()
+        spans[:, BOUND] /= self._unit
+        bounds = np.zeros(many)
+        np.maximum.at(bounds, spans[:, PIECE].astype(int), spans[:, BOUND])
+        self._spans = spans
+        best = Stand(value / self._unit, piece, share)
+        top = float(spans[:, BOUND].max(initial=0.0))
+        return SpanOptimum(solved, best, top, bounds, spans, self._pieces)
+
+    def break_tie(self, best: Stand, target: float) -> Stand:
+        """Of the robots of at least the target quality [N], take the one that lifts the rest most.
+
+        After `solve`, which found the best. It lifts most that makes the soft minimum of H over
+        directions greatest (T17).
+        """
+        rivals = self._spans[self._spans[:, BOUND] >= target]
+        is_far = np.abs(rivals[:, [FROM, TO]] - best.share).max(axis=1) > NEAR
+        rivals = rivals[is_far | (rivals[:, PIECE] != best.piece)]
+        steps = max(1, TRIED // max(1, len(rivals)))
+        shares = (np.arange(steps) + 0.5) / steps
+        along = rivals[:, FROM, None] + (rivals[:, TO] - rivals[:, FROM])[:, None] * shares
+        stands = np.column_stack([np.repeat(rivals[:, PIECE], steps), along.ravel()])
+        is_found = best.piece >= 0
+        if is_found:
+            stands = np.vstack([[best.piece, best.share], stands])
+        if is_found and len(stands) == 1:
+            return best
+        for k in np.argsort(self._scores(stands), kind="stable")[: CHECKED + 1].tolist():
+            if is_found and k == 0:
+                return best
+            piece, share = int(stands[k, 0]), float(stands[k, 1])
+            value, _ = self._core.quality_at(piece, share)
+            if value / self._unit >= target:
+                return Stand(value / self._unit, piece, share)
+        return best if is_found else Stand(best.quality, 0, 0.5)
+
+    def _scores(self, stands: Array) -> Array:
+        """Return sums over directions, the less the higher the soft minimum: (c,).
+
+        Parameters
+        ----------
+        stands : (c, 2)
+            Pieces and shares of the way along them.
+        """
+        k = np.arange(FIELD)
+        z = 1.0 - (2.0 * k + 1.0) / FIELD
+        across, turn = np.sqrt(1.0 - z * z), k * np.pi * (3.0 - np.sqrt(5.0))
+        field = np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
+        height = self.aim.levels(field)[:, 0]
+        mean = max(float(height.mean()), SOFTNESS * self._newcomer.limit)
+        height = np.maximum(height / mean + SOFTNESS, LEAST)
+        return np.asarray(((height + self._gains(stands, field) / mean) ** -POWER).sum(axis=1))
+
+    def _gains(self, stands: Array, normals: Array) -> Array:
+        """Return what newcomers at stands (c, 2) add along normals (m, 3): (c, m) [N]."""
+        which, share = stands[:, 0].astype(int), stands[:, 1:]
+        rows = self._pieces.rows[which]
+        arms = rows[:, :2] + share * (rows[:, 2:4] - rows[:, :2])
+        u, v, turn = (normals * self.aim.swarm.scale).T
+        px, py = u - turn * arms[:, 1:], v + turn * arms[:, :1]
+        middle, half = 0.5 * (rows[:, 4:5] + rows[:, 5:6]), 0.5 * (rows[:, 5:6] - rows[:, 4:5])
+        c, s = np.cos(middle), np.sin(middle)
+        ahead, side = px * c + py * s, np.abs(px * s - py * c)
+        limit, friction = self._newcomer.limit, self._newcomer.friction
+        if friction:
+            return np.asarray(limit * np.maximum(ahead + friction * side, 0.0))
+        off = np.arctan2(side, ahead) - half
+        worth = np.where(off <= 0.0, 1.0, np.maximum(np.cos(off), 0.0))
+        return np.asarray(limit * np.hypot(px, py) * worth)
+
+
+def robot_on(problem: Problem, pieces: Pieces, index: int, share: float, name: str = "") -> Robot:
+    """Return a newcomer that keeps its force set, at a share of the way along a piece."""
+    newcomer, piece = problem.newcomer, pieces.each[index]
+    half = 0.5 * (piece.hi - piece.lo)
+    direction = math.remainder(0.5 * (piece.lo + piece.hi), math.tau)
+    if newcomer.friction:
+        return Robot(
+            pieces.point_at(index, share), direction, newcomer.limit, name,
+            friction=newcomer.friction, tolerance=newcomer.tolerance,
+        )  # fmt: skip
+    return Robot(
+        pieces.point_at(index, share), direction, problem.newcomer.limit, name,
+        steers=min(half, math.pi), tolerance=newcomer.tolerance,
+    )  # fmt: skip

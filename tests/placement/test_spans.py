@@ -1,0 +1,219 @@
+"""Placing newcomers that keep all they can exert: tugs that steer, azimuth thrusters, fingers."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from swarmgrasp import (
+    Newcomer,
+    Outline,
+    Polytope,
+    Problem,
+    Robot,
+    Stretch,
+    Swarm,
+    Tolerance,
+    Zone,
+    best_move,
+    how_many,
+    place,
+    place_sequence,
+    place_together,
+    quality,
+)
+from swarmgrasp.errors import ForceSetUnsupported
+from swarmgrasp.placement.spans import robot_on
+
+DATA = Path(__file__).parents[1] / "data"
+RECTANGLE = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
+PLACEMENTS = json.loads((DATA / "steering.json").read_text())["placements"]
+
+
+def robot_of(told):
+    """Return a robot of the reference."""
+    lo, hi = told["directions"]
+    return Robot(
+        tuple(told["contact"]), 0.5 * (lo + hi), told["limit"],
+        reverse_limit=told["reverse_limit"], steers=min(0.5 * (hi - lo), math.pi),
+    )  # fmt: skip
+
+
+def problem_of(told):
+    """Return a question of the reference."""
+    swarm = Swarm(
+        Outline(told["outline"]),
+        [robot_of(robot) for robot in told["robots"]],
+        characteristic_length=told["characteristic_length"],
+    )
+    new = told["new"]
+    if new["half_angle"] == pytest.approx(math.pi):
+        return Problem(swarm, Newcomer(new["limit"], steers=True))
+    return Problem(swarm, Newcomer(new["limit"], new["attachment"], new["half_angle"], steers=True))
+
+
+def best_on_a_grid(problem, contacts=80):
+    """Return the best quality with the newcomer at about so many contacts."""
+    pieces, found = problem.pieces(), []
+    count = max(2, contacts // len(pieces.each))
+    for k in range(len(pieces.each)):
+        for share in np.linspace(0.0, 1.0, count).tolist():
+            robot = robot_on(problem, pieces, k, share)
+            found.append(quality(problem.swarm.with_robot(robot), **problem.criterion.terms).value)
+    return max(found)
+
+
+@pytest.mark.parametrize("told", PLACEMENTS)
+def test_reference(told):
+    """The best contact is as good as that of another program, which knows it to 1e-5."""
+    answer = place(problem_of(told), gap=1e-7)
+    assert answer.quality_before == pytest.approx(told["quality_before"], abs=1e-6)
+    assert answer.quality >= told["quality_after"] - 1e-6
+    assert answer.quality <= told["upper_bound"] * (1.0 + 1e-5)
+    assert answer.gap <= 1e-7
+    assert not answer.stopped_early
+    half = told["new"]["half_angle"]
+    assert answer.robot.steers == pytest.approx(half)
+    assert answer.verify()
+
+
+def random_problem(rng, kind):
+    """Return a question of one kind of degenerate or random swarm."""
+    outline = RECTANGLE
+    if kind == "ring":
+        turns = np.linspace(0.0, math.tau, 41)[:-1]
+        outline = Outline(np.column_stack([np.cos(turns), np.sin(turns)]).tolist())
+    count = int(rng.integers(0, 6))
+    robots = []
+    for k in range(count):
+        arc = k / count if kind == "ring" else rng.random()
+        at = outline.at_arc_length(float(arc * outline.perimeter) % outline.perimeter)
+        inward = outline.inward_normal(at.edge)
+        steers = float(rng.choice([0.0, 0.3, math.pi / 2, math.pi]))
+        limit = 1e4 if kind == "giant" and k == 0 else float(rng.choice([1.0, 0.7]))
+        robots.append(Robot(at.point, inward, limit, steers=steers))
+        if kind == "triplicates":
+            robots += [robots[-1]] * 2
+    limit = 1e3 if kind == "strong" else 1.0
+    half = float(rng.choice([0.05, 0.5, math.pi / 2]))
+    newcomer = [
+        Newcomer(limit, "push", half, steers=True),
+        Newcomer(limit, "pull", half, steers=True),
+        Newcomer(limit, steers=True),
+        Newcomer(limit, "push", friction=0.6),
+    ][int(rng.integers(0, 4))]
+    return Problem(Swarm(outline, robots), newcomer)
+
+
+@pytest.mark.parametrize("kind", ["random", "ring", "triplicates", "giant", "strong"])
+def test_no_contact_of_a_grid_is_better(kind):
+    """Random and degenerate swarms: the bound holds, is near, and passes its check."""
+    for seed in range(4):
+        problem = random_problem(np.random.default_rng([seed, 3]), kind)
+        answer = place(problem)
+        size = float(problem.swarm.limits.sum()) + problem.newcomer.limit
+        assert best_on_a_grid(problem) <= answer.upper_bound * (1.0 + 1e-9) + 1e-11 * size
+        assert answer.upper_bound <= answer.quality * (1.0 + 1e-6) + 1e-11 * size
+        assert answer.verify(), (kind, seed, answer.verify().faults)
+
+
+def test_two_azimuths_on_an_empty_rectangle():
+    """One after the other and together; together they go to opposite corners: sqrt 2."""
+    problem = Problem(Swarm(RECTANGLE, []), Newcomer(steers=True))
+    first, second = place_sequence(problem, 2)
+    assert first.quality == 0.0
+    assert second.quality > 1.2
+    together = place_together(problem, 2, effort=600)
+    assert together.quality == pytest.approx(math.sqrt(2.0), rel=1e-6)
+    assert together.upper_bound == pytest.approx(math.sqrt(2.0), rel=5e-3)
+
+
+def test_tugs_together_on_an_empty_hull():
+    """Four tugs that steer 30 degrees: the best is found and proven within 0.3 %."""
+    tug = Newcomer(1.0, "push", math.radians(30.0), steers=True)
+    answer = place_together(Problem(Swarm(RECTANGLE, []), tug), 4, effort=400)
+    assert answer.quality == pytest.approx(1.5795, abs=1e-4)
+    assert answer.quality <= answer.upper_bound <= 1.003 * answer.quality
+    assert [robot.steers for robot in answer.robots] == pytest.approx([math.radians(30.0)] * 4)
+
+
+def test_how_many_tugs():
+    """Two tugs that steer reach 0.6, one cannot."""
+    tug = Newcomer(1.0, "push", math.radians(30.0), steers=True)
+    found = how_many(Problem(Swarm(RECTANGLE, []), tug), 0.6, effort=600)
+    assert (found.count, found.at_least) == (2, 2)
+
+
+def test_the_best_move_keeps_what_a_robot_can_exert():
+    """A tug that stands where it helps least goes elsewhere, and steers there as before."""
+    half = math.radians(30.0)
+    tugs = [Robot((-2, 0), 0.0, steers=half), Robot((-2, 0.2), 0.0, steers=half, name="Ajax")]
+    move = best_move(Swarm(RECTANGLE, tugs))
+    assert move.improves
+    assert move.best.new.steers == pytest.approx(half)
+    assert move.best.new.contact[0] == pytest.approx(2.0)
+
+
+def test_zones_no_go_spacing_and_bollards():
+    """It goes where the question allows, and steers as the zone does."""
+    swarm = Swarm(
+        RECTANGLE, [Robot((-2, 0), 0.0, steers=0.5), Robot((2, 0.2), math.pi, steers=0.5)]
+    )
+    tug = Newcomer(1.0, "push", 0.5, steers=True)
+    bollard = Zone(Stretch(1.0, 1.0, "bollard"), "pull", 1.0)
+    pads = Zone(Stretch(6.5, 9.5, "pads"), directions=(-math.pi / 2, 0.0))
+    problem = Problem(swarm, tug, (bollard, pads), (Stretch(7.0, 8.0),), spacing=0.3)
+    answer = place(problem, runners_up=0.0)
+    assert answer.place in ("bollard", "pads")
+    assert best_on_a_grid(problem, 60) <= answer.upper_bound * (1.0 + 1e-9)
+    assert answer.verify()
+    for robot, place_ in [(answer.robot, answer.place)] + [
+        (r.robot, r.place) for r in answer.runners_up
+    ]:
+        assert robot.steers == pytest.approx(1.0 if place_ == "bollard" else 0.25)
+
+
+@pytest.mark.parametrize(
+    "terms",
+    [
+        {"losing": 1},
+        {"load": (0.2, 0.1, 0.0)},
+        {"task": Polytope([(1, 0, 0), (-1, 0, 0), (0, 0.5, 0.3)])},
+        {"losing": 1, "load": (0.1, 0.0, 0.1)},
+    ],
+)
+def test_criteria(terms):
+    """By a criterion the bound holds for a grid of contacts, and the answer passes its check."""
+    rng = np.random.default_rng(8)
+    robots = []
+    for arc in rng.uniform(0.0, 12.0, 4).tolist():
+        at = RECTANGLE.at_arc_length(arc)
+        robots.append(Robot(at.point, RECTANGLE.inward_normal(at.edge), steers=math.pi / 2))
+    answer = place(Swarm(RECTANGLE, robots), Newcomer(1.0, "push", 0.7, steers=True), **terms)
+    assert best_on_a_grid(answer.problem) <= answer.upper_bound * (1.0 + 1e-9)
+    assert answer.gap <= 1e-6
+    assert answer.verify(), answer.verify().faults
+
+
+def test_what_is_not_known_is_refused():
+    """A steering newcomer that may miss its place, or sits inside, is refused in words."""
+    swarm = Swarm(RECTANGLE, [])
+    with pytest.raises(ForceSetUnsupported, match="leave out its tolerance"):
+        place(swarm, Newcomer(steers=True, tolerance=Tolerance(0.1)), worst_case=True)
+    with pytest.raises(ForceSetUnsupported, match="mounted"):
+        place(swarm, Newcomer(steers=True, mounted=True))
+
+
+@pytest.mark.long
+def test_ten_thousand():
+    """Random and degenerate swarms: none is refused by its check, none beaten by a grid."""
+    kinds = ["random", "ring", "triplicates", "giant", "strong"]
+    for seed in range(10_000):
+        problem = random_problem(np.random.default_rng([seed, 4]), kinds[seed % 5])
+        answer = place(problem)
+        assert answer.verify(), (seed, answer.verify().faults)
+        if seed % 25 == 0:
+            size = float(problem.swarm.limits.sum()) + problem.newcomer.limit
+            assert best_on_a_grid(problem, 40) <= answer.upper_bound * (1.0 + 1e-9) + 1e-11 * size
