@@ -84,6 +84,7 @@ def test_the_names_of_the_axes_clear_the_numbers(barge):
 CRITERIA = {
     "losing": Criterion(losing=1),
     "worst poses": Criterion(worst_case=True),
+    "failures": Criterion(failures=(("R1", "R2"), ("R3", "R4"))),
     "load": Criterion(load=(0.1, -0.3, 0.2)),
     "task": Criterion(task=Polytope([(1, 0, 0), (0.5, 0, 1), (0.5, 0, -1), (0.5, 1, 0)])),
     "one wrench": Criterion(task=Polytope([(1, 0, 0)])),
@@ -110,7 +111,8 @@ def test_what_is_drawn_by_a_criterion_fits_and_touches(rough, criterion):
     face = shape.vertices[list(shape.facet)]
     height = float(shape.weakest @ face[0])
     assert shape.touching @ shape.weakest == pytest.approx(height, abs=1e-7 * size)
-    assert shape.robots == len(rough) - criterion.losing
+    gone = criterion.losing + (2 if criterion.failures else 0)
+    assert shape.robots == len(rough) - gone
 
 
 def texts(figure):

@@ -124,6 +124,19 @@ def test_groups_are_lost_together():
     assert worst_difference(Swarm(SQUARE, rays), losing=1)[0] <= 1e-5
 
 
+def test_the_worst_of_named_failures_counts():
+    """Each takes a robot and a group; balanced ones are equally bad."""
+    swarm = draw(4, 9)
+    robots = [replace(r, name=f"N{i}", group="A" if i < 2 else "") for i, r in enumerate(swarm)]
+    failures = (("A",), ("N4", "N7"))
+    named = Swarm(SQUARE, robots)
+    assert worst_difference(named, failures=failures)[0] <= 1e-5
+    assert worst_difference(named, failures=failures, losing=1)[0] <= 1e-5
+    azimuths = [Robot(c, 0.0, name=f"{c}", steers=math.pi) for c in CORNERS]
+    each = tuple((robot.name,) for robot in azimuths)
+    assert worst_difference(Swarm(SQUARE, azimuths, 1.0), failures=each)[0] <= 1e-5
+
+
 def test_what_a_robot_does_not_have_has_no_slope():
     """No reverse limit, no ends of a sector; mounted robots do not move."""
     looks = [{}, {"steers": math.pi}, {"steers": 0.5}, {"reverse_limit": 0.5}]

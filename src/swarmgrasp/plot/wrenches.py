@@ -71,7 +71,8 @@ def wrench_sets(
         Drawn solid.
     after : Swarm, optional
         Drawn as a wire frame, with the metric of `before`. When left out, and the criterion
-        loses robots or takes the worst poses, the wire frame is that of `before` as it stands.
+        loses robots, has failures or takes the worst poses, the wire frame is that of `before`
+        as it stands.
     criterion : Criterion
         What quality means.
     eye : tuple of float [deg, deg], optional
@@ -91,8 +92,8 @@ def wrench_sets(
     if after is not None:
         metric = before.characteristic_length, before.force_weights
         wires = last = body(Swarm(after.outline, after.robots, *metric), criterion)
-    elif criterion.losing or criterion.worst_case:
-        wires = body(before, replace(criterion, losing=0, worst_case=False))
+    elif criterion.losing or criterion.worst_case or criterion.failures:
+        wires = body(before, replace(criterion, losing=0, worst_case=False, failures=()))
     shapes = (first, last) if wires is None else (first, last, wires)
     factor, unit = style.force_unit(float(max(np.abs(s.vertices).max() for s in shapes)))
     load = factor * np.array(criterion.load) * before.scale
@@ -314,8 +315,8 @@ def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
     lines = [f"Metric: {swarm.metric_sentence}."]
     if criterion.has_load:
         lines.append(style.load_sentence(criterion.load))
-    if criterion.losing or criterion.worst_case:
-        drawn = "robots left" if criterion.losing else "robots"
+    if criterion.losing or criterion.worst_case or criterion.failures:
+        drawn = "robots left" if criterion.losing or criterion.failures else "robots"
         where = " in their worst poses" if criterion.worst_case else ""
         lines.append(f"The quality is that of the {drawn}{where}, whose wrench set is drawn.")
     return lines

@@ -189,11 +189,11 @@ class RobotSets:
         )
         self.gap = UNSURE if len(parts) or len(poses) else CERTIFIED
         self._machines = machines.astype(int)
-        self._failing = _failing(swarm, failures, len(machines), astern)
+        self.failing = _failing(swarm, failures, len(machines), astern)
         x, y, z = swarm.scale.tolist()
         self.core = core.Sets(
             arms, elements, counts, machines, (x, y, z), losing, load, task, is_polytope, parts,
-            poses, self._failing.astype(float),
+            poses, self.failing.astype(float),
         )  # fmt: skip
         self.size = self.core.weight
 
@@ -221,7 +221,7 @@ class RobotSets:
     def failure_at(self, normal: Normal) -> int | None:
         """Return which failure is the worst along a normal; None if none is named."""
         worths, heights = self._best(normal)[:, 0], []
-        for failing in self._failing:
+        for failing in self.failing:
             sums = self._sums(worths, failing)
             heights.append(sums.sum() - largest(sums[None], self._losing)[0])
         return int(np.argmin(heights)) if heights else None
@@ -229,7 +229,7 @@ class RobotSets:
     def lost_at(self, normal: Normal) -> tuple[int, ...]:
         """Return the robots of the machines whose loss hurts most along a normal, worst first."""
         worths, failure = self._best(normal)[:, 0], self.failure_at(normal)
-        sums = self._sums(worths, None if failure is None else self._failing[failure])
+        sums = self._sums(worths, None if failure is None else self.failing[failure])
         order = np.argsort(-sums, kind="stable")[: self._losing]
         own = self._machines[: len(self._swarm)]
         return tuple(
@@ -244,7 +244,7 @@ class RobotSets:
         failure = self.failure_at(normal)
         if failure is None:
             return ()
-        return tuple(np.flatnonzero(self._failing[failure][: len(self._swarm)]).tolist())
+        return tuple(np.flatnonzero(self.failing[failure][: len(self._swarm)]).tolist())
 
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the wrenches (n, 3) that are best along a normal, in the robots' worst poses.

@@ -107,7 +107,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     swarm : Swarm
         Of any size, degenerate or not. At quality 0 a slope is 0, or positive where the
         slightest move gives force closure.
-    losing, load, task
+    losing, load, task, failures
         As for `Criterion`.
 
     Returns
@@ -157,7 +157,9 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     aim = Aim(swarm, criterion)
     if isinstance(aim.robots, RobotSets):
         check_held(found)
-        slopes, largest, facets = set_slopes(aim, found.value, found.direction, _tangents(swarm))
+        slopes, largest, facets = set_slopes(
+            aim, found.value, found.direction, _tangents(swarm), aim.robots.failing
+        )
         share = ROUGH_KINK
     else:
         share = KINK

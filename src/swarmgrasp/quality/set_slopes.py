@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.linear import minimise
 from swarmgrasp.quality.aim import Aim
-from swarmgrasp.quality.heights import FARTHEST, Array
+from swarmgrasp.quality.heights import FARTHEST, Array, Mask
 from swarmgrasp.quality.task import Ellipsoid
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.columns import Columns
@@ -71,7 +71,9 @@ class Slopes(NamedTuple):
     normals: Array
 
 
-def set_slopes(aim: Aim, value: float, normal: Array, tangents: tuple[Array, Array]) -> Slopes:
+def set_slopes(
+    aim: Aim, value: float, normal: Array, tangents: tuple[Array, Array], failing: Mask
+) -> Slopes:
     """Compute the slopes of a positive quality.
 
     Parameters
@@ -83,8 +85,10 @@ def set_slopes(aim: Aim, value: float, normal: Array, tangents: tuple[Array, Arr
         A unit normal at which it is.
     tangents : two of (n, 2)
         The ways along the boundary from each contact, clockwise and the other.
+    failing : (f, n or more)
+        Which robots each failure takes.
     """
-    place = _Place(aim, tangents)
+    place = _Place(aim, tangents, failing)
     normals = _weakest_normals(aim, place, value, normal)
     least = np.full((len(KINDS), 2, len(aim.swarm)), np.inf)
     extents = [place.asked(n)[0] for n in normals]
@@ -127,12 +131,13 @@ class _Around(NamedTuple):
 class _Place:
     """A swarm's force sets, as arrays."""
 
-    def __init__(self, aim: Aim, tangents: tuple[Array, Array]) -> None:
+    def __init__(self, aim: Aim, tangents: tuple[Array, Array], failing: Mask) -> None:
         self.aim, self.swarm, self.tangents = aim, aim.swarm, tangents
         self.scale = self.swarm.scale
         self.arms = self.swarm.contacts - self.swarm.outline.origin
         self.sets = self.swarm.force_sets
         self.load = np.array(aim.criterion.load) * self.scale
+        self.failing = failing[:, : len(self.arms)]
         self.changes = list(_changes(self.swarm))
         reach = np.hypot(self.sets.elements[:, 1], self.sets.elements[:, 2])
         firsts = np.cumsum(self.sets.counts) - self.sets.counts
@@ -208,25 +213,28 @@ class _Place:
         near = reached >= reached.max() - FARTHEST * np.linalg.norm(rows, axis=1).max()
         return float(reached.max()), list(rows[near])
 
-    def cases(self, around: _Around) -> Iterator[tuple[Array, NDArray[np.bool_]]]:
+    def cases(self, around: _Around) -> Iterator[tuple[Array, Mask]]:
         """Yield the task's slopes at a normal with each choice of robots (n,) that may be lost."""
-        machines, losing = self.swarm.machines, self.aim.criterion.losing
+        losing = self.aim.criterion.losing
         worths = (around.forces[0] * self.levers(around.normal)).sum(axis=-1)
-        sums = np.maximum(np.bincount(machines, worths, minlength=1), 0.0)
         rounding = TIED * float(np.abs(worths).sum())
-        order = np.argsort(-sums, kind="stable")
-        last = float(sums[order[losing - 1]]) if 0 < losing <= len(sums) else math.inf
-        surely = np.flatnonzero(sums > last + rounding)
-        tied = np.flatnonzero(np.abs(sums - last) <= rounding)
-        choices = itertools.combinations(tied.tolist(), max(0, losing - len(surely)))
-        for chosen in itertools.islice(choices, COMBINATIONS):
-            lost = np.isin(machines, [*surely.tolist(), *chosen])
-            for vertex in self.asked(around.normal)[1]:
-                yield vertex, lost
+        failing = self.failing if len(self.failing) else np.zeros((1, len(worths)), dtype=bool)
+        machines = self.swarm.machines
+        left = [
+            np.asarray(np.bincount(machines, np.where(row, 0.0, worths)), dtype=float)
+            for row in failing
+        ]
+        heights = [
+            sums.sum() - np.maximum(np.sort(sums)[::-1][:losing], 0.0).sum() for sums in left
+        ]
+        for row, sums, height in zip(failing, left, heights, strict=True):
+            if height > min(heights) + rounding:
+                continue
+            for lost in _losses(sums, losing, rounding):
+                for vertex in self.asked(around.normal)[1]:
+                    yield vertex, row | np.isin(machines, lost)
 
-    def slopes(
-        self, around: _Around, rates: Array, touched: Array, lost: NDArray[np.bool_]
-    ) -> Array:
+    def slopes(self, around: _Around, rates: Array, touched: Array, lost: Mask) -> Array:
         """Return the slopes (6, 2, n) of H when some robots are lost and `touched` is held."""
         found = np.where(lost, 0.0, rates[:, :, 0])
         mixing = np.flatnonzero((around.counts > 1) & ~lost)
@@ -298,6 +306,18 @@ class _Place:
         bends = np.column_stack([(slope(normal + 1e-6 * way) - here) / 1e-6 for way in free])
         step = np.linalg.lstsq(bends, -here, rcond=1e-6)[0] @ free
         return np.asarray(step * min(1.0, FARTHEST_STEP / (np.linalg.norm(step) or 1.0)))
+
+
+def _losses(sums: Array, losing: int, rounding: float) -> Iterator[tuple[int, ...]]:
+    """Yield each choice of machines whose loss hurts most, given what they add."""
+    gains = np.maximum(sums, 0.0)
+    last = float(np.sort(gains)[-losing]) if 0 < losing <= len(gains) else math.inf
+    surely = np.flatnonzero(gains > last + rounding).tolist()
+    tied = np.flatnonzero(np.abs(gains - last) <= rounding).tolist()
+    for chosen in itertools.islice(
+        itertools.combinations(tied, max(0, losing - len(surely))), COMBINATIONS
+    ):
+        yield (*surely, *chosen)
 
 
 def _across(one: Array, other: Array) -> Array:
