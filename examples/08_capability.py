@@ -63,7 +63,7 @@ for what, speeds, i in (
         f"{what} hold {speeds[i] / KNOT:.0f} kn of wind, Beaufort {beaufort(speeds[i])}, "
         f"from any bearing; the worst is {np.degrees(found.bearings[i]):.0f} degrees"
     )
-print("That loss is", " and ".join(found.lost_names(found.worst_after_loss)))
+print("That loss is", " and ".join(found.worst_losses[found.worst_after_loss]))
 
 # A gale on the starboard bow, and what is left beside it for everything else.
 gale = replace(wind, speed=34 * KNOT, bearing=np.radians(45))

@@ -340,18 +340,19 @@ def quality_of_corners(corners, losing=0):
 # -- capability -----------------------------------------------------------------------
 
 
-def largest_wind(B, current, wind, losing=0):
+def largest_wind(B, current, wind, losing=0, least=0.0):
     """Find the largest s for which -(current + s wind) is made after any loss of `losing` rows.
 
-    By linear programs over u in [0, 1]^n, one per loss; 0 if one cannot make -current alone.
-    Generators (n, 3), current and wind (3,), all in the same coordinates.
+    By linear programs over u in [least, 1]^n, one per loss; 0 if one cannot make -current alone.
+    Generators (n, 3), current and wind (3,), all in the same coordinates; least (n,) or one.
     """
     B = np.reshape(B, (-1, 3))
+    lows = np.broadcast_to(least, len(B))
     size = np.abs(wind).max()
     least = math.inf
     for lost in combinations(range(len(B)), losing):
         kept = np.delete(B, lost, axis=0)
-        bounds = [(0.0, 1.0)] * len(kept)
+        bounds = [(low, 1.0) for low in np.delete(lows, lost)]
         calm = linprog(np.zeros(len(kept)), A_eq=kept.T, b_eq=-current, bounds=bounds)
         if not calm.success:
             return 0.0

@@ -65,12 +65,12 @@ class Capability(Frozen, Answer):
     kind = "capability"
 
     def to_data(self) -> dict[str, Any]:
-        """Return question and answer as plain data; the losses by the names of the robots."""
+        """Return question and answer as plain data; the losses by the names of robots and groups."""
         told = picked(
             self, "swarm", "environment", "losing", "worst_case", "bearings", "intact",
             "after_loss", "holds_current", "holds_current_after_loss", "directions",
         )  # fmt: skip
-        return {**told, "worst_losses": [list(self.lost_names(i)) for i in range(len(self.intact))]}
+        return {**told, "worst_losses": list(map(list, self.worst_losses))}
 
     @property
     def loss_words(self) -> str:
@@ -79,15 +79,8 @@ class Capability(Frozen, Answer):
         plural = kind.replace("robot", "robots").replace("group", "groups")
         return f"one {kind}" if self.losing == 1 else f"{self.losing} {plural}"
 
-    def lost_names(self, index: int) -> tuple[str, ...]:
-        """Return the names of the robots and groups whose loss is worst at a bearing.
-
-        Both halves of a thruster that pushes either way, "bow +" and "bow -", are "bow".
-        """
-        return tuple(dict.fromkeys(map(self.whole, self.worst_losses[index])))
-
     def lost_words(self, index: int, most: int = 2) -> str:
-        """Return the names of the robots whose loss is worst at a bearing as part of a sentence.
+        """Return the names of robots and groups whose loss is worst at a bearing, in a sentence.
 
         Parameters
         ----------
@@ -96,18 +89,10 @@ class Capability(Frozen, Answer):
         most : int
             Names told, at least 1; the others are counted.
         """
-        names = list(self.lost_names(index))
+        names = list(self.worst_losses[index])
         if len(names) > most:
             names[most:] = [f"{len(names) - most} more"]
         return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
-
-    def whole(self, name: str) -> str:
-        """Return the name of what fails with a robot: its group, or the thruster it is half of."""
-        if name in self.swarm and (group := self.swarm[name].group):
-            return group
-        stem, sign = name[:-2], name[-2:]
-        halves = sign in (" +", " -") and f"{stem} +" in self.swarm and f"{stem} -" in self.swarm
-        return stem if halves else name
 
     @property
     def worst(self) -> int:
@@ -147,9 +132,7 @@ def capability(
     bearings : (m,) [rad], optional
         Where the wind comes from, clockwise from the bow; every 5 degrees when left out.
     losing : int
-        How many robots are lost, the worst ones at each bearing. A thruster that pushes either
-        way, made of two robots, is lost as a whole: what pushes the other way is of no use
-        there.
+        How many robots, or groups of robots, are lost, the worst ones at each bearing.
     worst_case : bool
         In the worst poses that the robots' tolerances allow (T14).
 

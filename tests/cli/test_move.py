@@ -44,6 +44,6 @@ def test_by_a_criterion(run):
 
 def test_nobody_can_move(run):
     """A vessel with its own thrusters only."""
-    status, said, complaints = run("move", "supply-vessel")
+    status, said, complaints = run("move", "drillship-thrusters")
     assert (status, said) == (2, "")
-    assert complaints.startswith("supply-vessel: there is no robot that could move")
+    assert complaints.startswith("drillship-thrusters: there is no robot that could move")

@@ -87,7 +87,7 @@ def test_small_print_tells_what_was_taken_into_account(vessel):
 
 
 def test_the_hull_lies_bow_up_and_the_lost_thruster_stands_out(vessel):
-    """The outline turned by a quarter; both halves of the propeller have another colour."""
+    """The outline turned by a quarter; both arrows of the propeller have another colour."""
     figure = capability_diagram(vessel)
     (hull,) = by_gid(figure, "hull")
     corners = hull.get_xy()

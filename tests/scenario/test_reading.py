@@ -3,12 +3,11 @@
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from swarmgrasp.outline import Stretch
 from swarmgrasp.scenario import load_scenario, parse_scenario
-from swarmgrasp.swarm import Zone
+from swarmgrasp.swarm import Robot, Zone
 
 SQUARE = "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]], edges: [s, e, n, w]}\n"
 CLOCKWISE = "outline: {vertices: [[0, 0], [0, 2], [4, 2], [4, 0]], edges: [w, n, e, s]}\n"
@@ -73,14 +72,13 @@ def test_units_are_converted_once_at_the_border() -> None:
     assert scenario.spacing == pytest.approx(3.048)
 
 
-def test_a_two_way_thruster_is_two_robots() -> None:
-    """They share contact and limit, and push against each other."""
+def test_a_two_way_thruster_is_one_robot() -> None:
+    """It pushes as hard the other way."""
     scenario = parse_scenario(
         SQUARE + "robots: [{name: X, contact: [1, 1], direction: 0.5, limit: 3, mounted: true,"
         " two_way: true}]"
     )
-    assert [robot.name for robot in scenario.swarm.robots] == ["X +", "X -"]
-    assert np.abs(scenario.swarm.generators.sum(axis=0)).max() < 1e-12
+    assert scenario.swarm.robots == (Robot((1, 1), 0.5, 3.0, "X", mounted=True, reverse_limit=3.0),)
 
 
 def test_zones_and_no_go_stretches() -> None:

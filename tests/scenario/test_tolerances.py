@@ -62,13 +62,6 @@ def test_the_tolerance_of_the_file_is_cut_to_what_fits() -> None:
     assert scenario.newcomer.tolerance == Tolerance(1.0, 0.5)
 
 
-def test_both_halves_of_a_two_way_robot_have_its_tolerance() -> None:
-    """Each may be off by itself."""
-    own = "two_way: true, tolerance: {direction: 0.1}"
-    scenario = parse_scenario(f"{OUTLINE}robots: [{{{THRUSTER}, {own}}}]\n")
-    assert tolerances(scenario) == [Tolerance(direction=0.1)] * 2
-
-
 def test_the_tugs_of_the_deck_barge_are_not_quite_where_they_should_be() -> None:
     """Those on pads slip along the hull, those on lines only swing; no quality asks for it yet."""
     scenario = load_example("deck-barge")

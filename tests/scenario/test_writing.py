@@ -96,7 +96,7 @@ def test_every_kind_of_robot_comes_back(problem, kinds, group):
             Newcomer(2e3, "push", 0.5, steers=True),
             "attachment: push, half_angle: 0.5, steers: true",
         ),
-        (Newcomer(2e3, reverse_limit=2e3), "{limit: {ahead: 2, astern: 2}, attachment: free}"),
+        (Newcomer(2e3, reverse_limit=2e3), "{limit: 2, two_way: true, attachment: free}"),
         (Newcomer(2e3, reverse_limit=1e3), "{limit: {ahead: 2, astern: 1}, attachment: free}"),
         (Newcomer(2e3, "push", friction=0.5), "{limit: 2, friction: 0.5, attachment: push}"),
         (Newcomer(2e3, mounted=True), "{limit: 2, attachment: free, mounted: true}"),

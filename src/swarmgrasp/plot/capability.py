@@ -194,11 +194,10 @@ def _draw_hull(page: Page, found: Capability, top: float) -> None:
         zorder=3, gid="hull",
     )  # fmt: skip
     arrows = Arrows(outline, swarm.robots)
-    lost = set(found.lost_names(found.worst_after_loss))
+    lost = set(found.worst_losses[found.worst_after_loss])
     many = len(swarm) > MOST_AVOIDED
-    missing = [found.whole(name) in lost for name in swarm.names]
     for gone, colour, gid in ((False, style.INK, "robot"), (True, style.VERMILION, "lost")):
-        chosen = [r for r, is_lost in zip(swarm.robots, missing, strict=True) if is_lost == gone]
+        chosen = [r for r in swarm if ((r.group or r.name) in lost) == gone]
         ends = [(*placed(np.array(shaft)),) for r in chosen for shaft in arrows.shafts(r)]
         draw_arrows(ax, ends, color=colour, width=0.008 if many else 0.014, gid=gid)
         areas = [placed(arrows.area(robot)) for robot in chosen if has_area(robot)]

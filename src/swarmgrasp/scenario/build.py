@@ -14,9 +14,10 @@ from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSectio
 from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, robot_names, well_said
+from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
+from swarmgrasp.swarm.names import filled
 
 SMALLEST_EXTENT = 1e-6
 """Least diagonal of an outline's bounding box, in the file's unit."""
@@ -142,34 +143,31 @@ def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
         if place is not None and direction is not None:
             found.append((section, i, place, direction))
     robots = []
-    names = robot_names(checked.file.robots)
+    names = filled([section.name for section in checked.file.robots])
     for section, i, place, direction in [] if checked.faults else found:
         try:
-            robots += _robot(section, names[i], place, direction, locator)
+            robots.append(_robot(section, names[i], place, direction, locator))
         except RobotInvalid as error:  # numbers next to zero only
             checked.fault(("robots", i), "; ".join(error.faults), got=False)
     return robots
 
 
 def _robot(
-    section: RobotSection, names: list[str], place: Place, direction: float, locator: Locator
-) -> list[Robot]:
-    """Return a robot, or both halves of a two-way one."""
+    section: RobotSection, name: str, place: Place, direction: float, locator: Locator
+) -> Robot:
+    """Return a robot."""
     units = locator.units
     x, y = (units.metres(v) for v in place.point)
-    return [
-        Robot(
-            (x, y),
-            direction + turn,
-            name=name,
-            mounted=section.mounted,
-            tolerance=tolerance_of(section, locator.checked, units),
-            group=section.group,
-            **forces_of(section, units),
-            **own_forces_of(section, units),
-        )
-        for name, turn in zip(names, (0.0, math.pi), strict=False)
-    ]
+    return Robot(
+        (x, y),
+        direction,
+        name=name,
+        mounted=section.mounted,
+        tolerance=tolerance_of(section, locator.checked, units),
+        group=section.group,
+        **forces_of(section, units),
+        **own_forces_of(section, units),
+    )
 
 
 def _robot_place(section: RobotSection, path: Path, locator: Locator) -> Place | None:

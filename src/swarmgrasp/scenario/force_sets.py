@@ -55,7 +55,7 @@ def forces_of(section: RobotSection | NewcomerSection, units: Units) -> Forces:
     found = Forces(limit=units.newtons(largest(section)), friction=section.friction)
     if isinstance(section.limit, BothWaysSection):
         found["reverse_limit"] = units.newtons(section.limit.astern)
-    elif isinstance(section, NewcomerSection) and section.two_way:
+    elif section.two_way:
         found["reverse_limit"] = found["limit"]
     return found
 

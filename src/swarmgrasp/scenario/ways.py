@@ -3,8 +3,6 @@
 They run whatever is wrong with the outline, so that its faults hide no others.
 """
 
-from collections.abc import Sequence
-
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
@@ -48,47 +46,29 @@ def well_said(checked: Checked, units: Units) -> frozenset[Path]:
 # -- names --------------------------------------------------------------------------------
 
 
-def robot_names(sections: Sequence[RobotSection]) -> list[list[str]]:
-    """Return the names of each robot, two for a two-way one; of nameless ones as in a swarm."""
-    names = filled([section.name for section in sections])
-    return [
-        [f"{name} +", f"{name} -"] if section.two_way else [name]
-        for section, name in zip(sections, names, strict=True)
-    ]
-
-
 def _check_names(checked: Checked) -> None:
     """Note a fault for every name used twice: of robots with the newcomer, and of zones."""
     seen: dict[str, int] = {}
-    robots = checked.file.robots
-    for i, (robot, names) in enumerate(zip(robots, robot_names(robots), strict=True)):
-        for name in names:
-            first = seen.setdefault(name, i)
-            if first != i:
-                said = f"is the name of robots.{first} too; names should differ"
-                _note_name(checked, ("robots", i), robot.name, name, said)
-                break
+    for i, name in enumerate(filled([robot.name for robot in checked.file.robots])):
+        first = seen.setdefault(name, i)
+        if first != i:
+            said = f"is the name of robots.{first} too; names should differ"
+            checked.fault(("robots", i, "name"), said)
     newcomer = checked.file.newcomer
     if newcomer is not None:
         name = newcomer.name or "newcomer"
         if name in seen and checked.is_known("newcomer"):
             said = f"is the name of robots.{seen[name]} too; names should differ"
-            _note_name(checked, ("newcomer",), newcomer.name, name, said)
+            if newcomer.name:
+                checked.fault(("newcomer", "name"), said)
+            else:
+                checked.fault(("newcomer",), f"is called {name!r}, which {said}", got=False)
     zones: dict[str, int] = {}
     for i, zone in enumerate(checked.file.zones or []):
         first = zones.setdefault(zone.name, i)
         if zone.name and first != i:
             said = f"is the name of zones.{first} too; names should differ"
             checked.fault(("zones", i, "name"), said)
-
-
-def _note_name(checked: Checked, path: Path, written: str, name: str, said: str) -> None:
-    """Note a fault of a name, which may not stand in the file as it is."""
-    if written == name:
-        checked.fault((*path, "name"), said)
-    else:
-        here = (*path, "name") if written else path
-        checked.fault(here, f"is called {name!r}, which {said}", got=False)
 
 
 def _check_edge_names(checked: Checked) -> None:

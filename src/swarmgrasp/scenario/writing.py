@@ -214,9 +214,12 @@ class _File:
         limit: Any = most
         if least:
             limit = [self.force(least), most]
-        elif other_way:
+        elif other_way not in (0.0, most):
             limit = {"ahead": most, "astern": other_way}
-        return {"limit": limit, **_given(friction=holder.friction)}
+        return {
+            "limit": limit,
+            **_given(two_way=other_way == most, friction=holder.friction),
+        }
 
     def newcomer(self, newcomer: Newcomer) -> dict[str, Any]:
         """Return a newcomer."""
