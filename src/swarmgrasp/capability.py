@@ -65,7 +65,7 @@ class Capability(Frozen, Answer):
     kind = "capability"
 
     def to_data(self) -> dict[str, Any]:
-        """Return question and answer as plain data; the losses by the names of robots and groups."""
+        """Return question and answer as plain data; losses by the names of robots and groups."""
         told = picked(
             self, "swarm", "environment", "losing", "worst_case", "bearings", "intact",
             "after_loss", "holds_current", "holds_current_after_loss", "directions",

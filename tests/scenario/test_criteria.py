@@ -53,10 +53,41 @@ def test_the_load_may_be_that_of_the_environment() -> None:
     assert scenario.criterion.has_load
 
 
+BUSES = (
+    "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}\n"
+    "robots:\n"
+    "  - {name: Ajax, at: 1, direction: 0, limit: 2, group: bus A}\n"
+    "  - {at: 2, direction: 0, limit: 2, group: bus B}\n"
+)
+
+
+def test_failures_name_robots_and_groups() -> None:
+    """One by its name, several that fail together by a list; nameless ones as in a swarm."""
+    found = parse_scenario(f"{BUSES}criterion: {{failures: [bus A, [Ajax, R1], [bus B]]}}\n")
+    assert found.criterion.failures == (("bus A",), ("Ajax", "R1"), ("bus B",))
+
+
+def test_a_failure_of_nobody_is_told() -> None:
+    """Each name with its place, and the nearest that there is."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(f"{BUSES}criterion: {{failures: [bus C, [Ajax, Ayax], []]}}\n", "a.yaml")
+    assert list(caught.value.faults) == [
+        "a.yaml:5:45: criterion.failures.2: should hold at least 1 values, not 0 (got [])"
+    ]
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(f"{BUSES}criterion: {{failures: [busA, [Ajax, Ayax]]}}\n", "a.yaml")
+    said = "there is no robot or group of that name; did you mean"
+    assert list(caught.value.faults) == [
+        f"a.yaml:5:24: criterion.failures.0: {said} 'bus A'? (got 'busA')",
+        f"a.yaml:5:37: criterion.failures.1.1: {said} 'Ajax'? (got 'Ayax')",
+    ]
+
+
 FAULTS = {
     "{losing: 1.5}": "3:21: .losing: should be a whole number (got 1.5)",
     "{losing: -1}": "3:21: .losing: should be at least 0 (got -1)",
     "{worst_case: yes}": "3:25: .worst_case: should be true or false (got 'yes')",
+    "{failures: R1}": "3:23: .failures: should be a list (got 'R1')",
     "{load: wind}": "3:19: .load: should be [fx, fy, tz] or 'environment' (got 'wind')",
     "{load: 5}": "3:19: .load: should be 'environment', or a list (got 5)",
     "{load: [1, 2]}": "3:19: .load: should hold at least 3 values, not 2 (got [1, 2])",
@@ -120,6 +151,8 @@ def test_a_worst_case_of_nothing_is_a_slip() -> None:
         ({"task": {"polytope": [[1, 0]]}}, False),
         ({"load": "wind"}, False),
         ({"losing": 0.5}, False),
+        ({"failures": ["bus A", ["Ajax", "Castor"]]}, True),
+        ({"failures": [[]]}, False),
     ],
 )
 def test_editors_know_criteria(asked: dict[str, object], is_valid: bool) -> None:

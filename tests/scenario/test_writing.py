@@ -135,7 +135,8 @@ def test_everything_that_can_be_said_is():
     zones = (Zone(Stretch(0.0, 3.0, "#1"), "pull", 0.0, (-1.0, 0.5)), Zone(Stretch(6.0, 6.0)))
     tow = [(1.0, 2.0, 3.0), (-1.0, 0.0, 0.0)]
     for task in (Polytope(tow), Ellipsoid(tow)):
-        criterion = Criterion(2, True, (0.0, -0.3, 1e-7), task)
+        named = (("~",), ("x: {y}", "~"))
+        criterion = Criterion(2, True, (0.0, -0.3, 1e-7), task, named)
         problem = Problem(swarm, Newcomer(2.0), zones, (Stretch(3.0, 3.5, "!"),), 0.1, criterion)
         again = parse_scenario(scenario_text(problem))
         assert again.problem() == problem

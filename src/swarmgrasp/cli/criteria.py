@@ -46,10 +46,11 @@ def criterion_of(
             "`tolerance: {contact: 2, direction: 5}`"
         )
         raise missing(scenario, file, "tolerance", "--worst-case", advice)
-    robots = len(scenario.swarm) + more
+    robots = int(scenario.swarm.machines.max(initial=-1)) + 1 + more
     if losing is not None and int(losing) >= max(robots, 1):
+        what = "robots and groups" if scenario.swarm.rare.groups else "robots"
         raise UsageFault(
-            f"--losing is {int(losing)}, and there are {robots} robots: none would be left"
+            f"--losing is {int(losing)}, and there are {robots} {what}: none would be left"
         )
     if losing is not None:
         criterion = replace(criterion, losing=int(losing))

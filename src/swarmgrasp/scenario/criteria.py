@@ -4,10 +4,12 @@ from swarmgrasp.environment import Environment
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.outline import Outline
 from swarmgrasp.quality import Criterion, Ellipsoid, Polytope
+from swarmgrasp.ranges import nearest_name
 from swarmgrasp.scenario.criterion_schema import CriterionSection, TaskSection
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.swarm.names import filled
 
 _CRITERION: Path = ("criterion",)
 
@@ -21,6 +23,7 @@ def check_criterion(checked: Checked) -> None:
         _check_worst_case(checked)
     if section.load == "environment":
         _check_load(checked)
+    _check_failures(section, checked)
     if section.task is not None:
         _check_task(section.task, (*_CRITERION, "task"), checked)
 
@@ -52,6 +55,7 @@ def criterion_of(
             worst_case=section.worst_case,
             load=_load(section, units, outline, environment),
             task=None if section.task is None else _task(section.task, units),
+            failures=_failures(section),
         )
     except SwarmGraspError as error:  # numbers next to zero only
         checked.fault(_CRITERION, "; ".join(error.faults), got=False)
@@ -71,6 +75,12 @@ def _load(
         return 0.0, 0.0, 0.0
     surge, sway, yaw = environment.load(outline).tolist()
     return surge, sway, yaw
+
+
+def _failures(section: CriterionSection) -> tuple[tuple[str, ...], ...]:
+    """Return the failures, each by the names of its robots and groups."""
+    given = section.failures or []
+    return tuple((each,) if isinstance(each, str) else tuple(each) for each in given)
 
 
 def _task(section: TaskSection, units: Units) -> Polytope | Ellipsoid:
@@ -98,6 +108,23 @@ def _check_worst_case(checked: Checked) -> None:
     if own is not None and own.may_be_absent:
         said = "a newcomer that may be absent is worth nothing in the worst case"
         checked.fault(("newcomer", "tolerance", "may_be_absent"), said)
+
+
+def _check_failures(section: CriterionSection, checked: Checked) -> None:
+    """Note a failure of nobody: of a name that neither a robot nor a group has."""
+    robots = checked.file.robots
+    known = [*filled([robot.name for robot in robots]), *(robot.group for robot in robots)]
+    known = list(dict.fromkeys(name for name in known if name))
+    here: Path = (*_CRITERION, "failures")
+    if not checked.is_sound("robots") or not checked.is_sound(*here):
+        return
+    for i, names in enumerate(_failures(section)):
+        is_list = isinstance((section.failures or [])[i], list)
+        for k, name in enumerate(names):
+            if name not in known:
+                near = nearest_name(name, known) if known else ""
+                said = f"there is no robot or group of that name{near}"
+                checked.fault((*here, i, k) if is_list else (*here, i), said)
 
 
 def _check_load(checked: Checked) -> None:

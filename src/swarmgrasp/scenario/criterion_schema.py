@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Discriminator, Field, Tag
 
-from swarmgrasp.scenario.fields import Number, Section
+from swarmgrasp.scenario.fields import Label, Number, Section
 
 HEAVIEST = 1e15
 """Largest force or torque of a wrench, in the file's units."""
@@ -51,11 +51,25 @@ class TaskSection(Section):
     )
 
 
+Failure = Annotated[
+    Annotated[Label, Tag("word")] | Annotated[list[Label], Field(min_length=1), Tag("value")],
+    Discriminator(_kind),
+]
+"""A robot or a group by name, or several that fail together."""
+
+
 class CriterionSection(Section):
     """What quality means; when left out, what the robots can do as they stand."""
 
     losing: Annotated[int, Field(strict=True, ge=0, le=10**6)] = Field(
         0, description="After the worst loss of so many robots.", examples=[1]
+    )
+    failures: list[Failure] | None = Field(
+        None,
+        min_length=1,
+        description="After the worst of these failures: each a robot or a group by name, or a list "
+        "of those that fail together.",
+        examples=[["bus A", ["Ajax", "Castor"]]],
     )
     worst_case: bool = Field(
         False, strict=True, description="In the worst poses that the tolerances allow."

@@ -268,6 +268,7 @@ class _File:
         rows = [] if task is None else task.generators.tolist()
         return _given(
             losing=criterion.losing,
+            failures=[names[0] if len(names) == 1 else list(names) for names in criterion.failures],
             worst_case=criterion.worst_case,
             load=list(map(self.force, criterion.load)) if criterion.has_load else None,
             task=_given(**{kind: [list(map(self.force, row)) for row in rows]}),
