@@ -515,7 +515,8 @@ def force_support(robot, p):
     off = np.abs(np.arctan2(np.sin(turn), np.cos(turn)))
     ahead = size * np.cos(np.maximum(off - robot.steers, 0.0))
     back = size * np.cos(np.maximum(math.pi - off - robot.steers, 0.0))
-    return np.maximum.reduce([robot.limit * ahead, robot.reverse_limit * back, robot.least * ahead])
+    other = robot.least * ahead if robot.least else robot.reverse_limit * back
+    return np.maximum(robot.limit * ahead, other)
 
 
 def height_of_sets(swarm, normals, losing=0, load=(0, 0, 0), failures=()):

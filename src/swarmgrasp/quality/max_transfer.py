@@ -187,11 +187,15 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     bound serves the criteria: the worst loss of some robots (T15), a load and a task (T16) are as
     exact, and the worst of uncertain poses (T14) is certified to 1e-7 of the value.
 
+    Robots that steer, reverse or have other sets of forces take a search of their own (T21). It is
+    exact where sets have corners only, and certified to 1e-9 of the value, or to 1e-7 where the
+    weakest directions are a whole curve; groups and named failures are as exact (T25).
+
     Parameters
     ----------
     swarm : Swarm
-        Of any size, degenerate or not; below 4 robots the quality is 0.
-    losing, worst_case, load, task
+        Of any size, degenerate or not; below 4 robots that push along one ray each it is 0.
+    losing, worst_case, load, task, failures
         As for `Criterion`: what is asked beyond the nominal quality.
 
     Returns
