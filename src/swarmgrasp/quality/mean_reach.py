@@ -18,7 +18,7 @@ def mean_reach(swarm: Swarm) -> float:
     --------
     >>> from swarmgrasp import Outline, Robot
     >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-    >>> mean_reach(Swarm(square, [Robot((1, 0), 3.0, 2.0, steers=np.pi)]))
+    >>> round(mean_reach(Swarm(square, [Robot((1, 0), 3.0, 2.0, steers=np.pi)])), 9)
     2.0
     """
     scale = swarm.scale[:2]
