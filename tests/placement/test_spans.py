@@ -18,10 +18,12 @@ from swarmgrasp import (
     Tolerance,
     Zone,
     best_move,
+    cell_qualities,
     how_many,
     place,
     place_sequence,
     place_together,
+    qualities_with,
     quality,
 )
 from swarmgrasp.errors import ForceSetUnsupported
@@ -217,3 +219,28 @@ def test_ten_thousand():
         if seed % 25 == 0:
             size = float(problem.swarm.limits.sum()) + problem.newcomer.limit
             assert best_on_a_grid(problem, 40) <= answer.upper_bound * (1.0 + 1e-9) + 1e-11 * size
+
+
+def test_the_landscape_of_what_steers_is_the_quality_along_the_boundary():
+    """Each column has one value, that of the robot there; the best of them is next to the best."""
+    problem = Problem(
+        Swarm(RECTANGLE, [Robot((-2, 0), 0.0, steers=0.5)]), Newcomer(1.0, "push", 0.5, steers=True)
+    )
+    grid = cell_qualities(problem, (120, 30))
+    allowed = ~np.isnan(grid)
+    assert allowed.any(axis=1).all()
+    for column in grid:
+        assert np.nanmax(column) - np.nanmin(column) <= 0.25  # two edges meet in some
+    best = place(problem).quality
+    assert 0.9 * best <= np.nanmax(grid) <= best * (1.0 + 1e-6)
+
+
+def test_many_newcomers_beside_robots_that_steer():
+    """Fixed newcomers of different limits, each compared with the quality of the swarm with it."""
+    swarm = Swarm(RECTANGLE, [Robot((-2, 0), 0.0, steers=0.5), Robot((2, 0.2), 3.0, steers=1.5)])
+    contacts, turns, limits = [(0, -1), (2, 0.5), (-2, -0.5)], [1.2, 2.9, 0.4], [1.0, 2.0, 1.0]
+    found = qualities_with(swarm, contacts, turns, limits)
+    for k, robot in enumerate(map(Robot, contacts, turns, limits)):
+        assert found[k] == pytest.approx(
+            quality(swarm.with_robot(robot)).value, rel=1e-7, abs=1e-11
+        )

@@ -127,8 +127,6 @@ FIXED = Swarm(SQUARE, PUSHERS[:3])
 RAYS_ONLY = {
     "count": lambda: sg.how_many(sg.Problem(STEERING, Newcomer()), 1.0),
     "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
-    "landscape": lambda: sg.cell_qualities(sg.Problem(STEERING, Newcomer()), (2, 2)),
-    "many robots": lambda: sg.qualities_with(STEERING, [(1, 0)], [0.0]),
     "summary": lambda: sg.Summary.of(STEERING, 12),
     "push forces": lambda: sg.forces(STEERING, (1.0, 0.0, 0.0)),
     "mounted newcomer": lambda: sg.place(FIXED, Newcomer(mounted=True)),

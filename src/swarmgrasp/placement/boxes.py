@@ -192,20 +192,20 @@ class BoxSearch:
         rivals = self._boxes[self._boxes[:, BOUND] >= target]
         tie = Tie(self.aim, self._limits, self._rows, self._normals(), target)
         start = self._spot if best.piece >= 0 else None
-        spot = tie.best(rivals[:, PIECE : HI + 1], start, self._qualities)
+        spot = tie.best(rivals[:, PIECE : HI + 1], start, self.qualities_at)
         if spot is None:  # nothing helps, and nothing was found that does no harm: anywhere
             lo, hi = self._rows[0, 4:6].tolist()
             spot = Spot(0, 0.5, 0.5 * (lo + hi))
         if spot is start:
             return best
-        (value,) = self._qualities(tie.robots(np.array([spot]))).tolist()
+        (value,) = self.qualities_at(tie.robots(np.array([spot]))).tolist()
         return Best(value, *self._wrench(spot), spot.piece)
 
     def _normals(self) -> Array:
         """Return the unit normals met so far (n, 3)."""
         return np.frombuffer(self._core.normals()).reshape(-1, 3)
 
-    def _qualities(self, robots: Array) -> Array:
+    def qualities_at(self, robots: Array) -> Array:
         """Return the quality (c,) [N] with each of robots (c, 3): moment arms and directions."""
         found = np.frombuffer(self._core.qualities_at(np.ascontiguousarray(robots)))
         return found.reshape(-1, 4)[:, 0] / self._unit

@@ -1,21 +1,27 @@
 """The qualities that many newcomers would bring, in one call."""
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ProblemInvalid, refuse
-from swarmgrasp.placement.problem import Problem, check_ray_problem, problem_faults
+from swarmgrasp.placement.boxes import BoxSearch
+from swarmgrasp.placement.pieces import Pieces
+from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import search_for
+from swarmgrasp.placement.spans import SpanSearch
 from swarmgrasp.quality.criterion import Criterion, Terms
 from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
 from swarmgrasp.swarm.columns import check_contacts, checked_columns
 from swarmgrasp.swarm.names import numbered
-from swarmgrasp.swarm.swarm import check_rays, check_swarm
+from swarmgrasp.swarm.swarm import check_swarm
 
+Array = NDArray[np.float64]
 MOST_CELLS = 10_000
 """Columns of cells, and rows."""
 
@@ -63,7 +69,6 @@ def qualities_with(
     [0.696311, 0.0]
     """
     check_swarm(swarm)
-    check_rays(swarm, "the quality with many robots")
     criterion = Criterion(**terms)
     columns = checked_columns(contacts, directions, limits, False)
     check_contacts(swarm.outline, columns, numbered(len(columns.limits)))
@@ -71,8 +76,16 @@ def qualities_with(
         return np.zeros(0)
     limit = float(columns.limits.max())
     problem = Problem(swarm, Newcomer(limit), criterion=criterion)
-    search = search_for(problem, problem.pieces().rows)
     arms = columns.contacts - swarm.outline.origin
+    if not problem.has_rays_only:
+        found = np.zeros(len(arms))
+        robots = np.column_stack([arms, columns.directions])
+        for each in np.unique(columns.limits).tolist():
+            same = columns.limits == each
+            boxes = BoxSearch(replace(problem, newcomer=Newcomer(each)), problem.pieces())
+            found[same] = boxes.qualities_at(robots[same])
+        return found
+    search = search_for(problem, problem.pieces().rows)
     return search.qualities_with(wrenches(arms, columns.directions, columns.limits / limit))
 
 
@@ -108,27 +121,61 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
             f"rows, from 1 to {MOST_CELLS}"
         )
     refuse((ProblemInvalid, faults))
-    check_ray_problem(problem, "the landscape")
+    check_newcomer(problem)
     outline = problem.swarm.outline
     columns = np.linspace(0.0, outline.perimeter, sides[0] + 1)
     rows = np.linspace(-math.pi, math.pi, sides[1] + 1)
     grid = np.full(sides, np.nan)
     pieces = problem.pieces()
-    search = search_for(problem, pieces.rows)
-    for piece in pieces.each:
+    qualities = _qualities_on(problem, pieces)
+    for index, piece in enumerate(pieces.each):
         base = float(outline.corner_arc_lengths[piece.edge])
         where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
         p, q = outline.edge_ends(piece.edge)
         shares = (arc_lengths - base)[:, None] / outline.lengths[piece.edge]
-        contacts = p + shares * (q - p)
+        arms = p + shares * (q - p) - outline.origin
         low = (piece.lo + math.pi) % math.tau - math.pi
         width = piece.hi - piece.lo
         parts = [_samples(rows, low - t, low - t + width) for t in (0.0, math.tau)]
         which, directions = (np.concatenate(side) for side in zip(*parts, strict=True))
-        robots = wrenches((contacts - outline.origin)[:, None], directions, 1.0)
         cells = np.ix_(where, which)
-        grid[cells] = np.fmax(grid[cells], search.qualities_with(robots))
+        grid[cells] = np.fmax(grid[cells], qualities(index, arms, directions))
     return grid
+
+
+def _qualities_on(problem: Problem, pieces: Pieces) -> Callable[[int, Array, Array], Array]:
+    """Return what computes the quality on a piece, by its index, moment arms and directions.
+
+    What keeps its force set has the same quality in all directions of it.
+    """
+    if problem.newcomer.steers or problem.newcomer.friction:
+        spans = SpanSearch(problem, pieces)
+
+        def kept(index: int, arms: Array, directions: Array) -> Array:
+            """Compute (c, d) qualities of a newcomer that keeps its force set."""
+            ends = pieces.rows[index, :4].reshape(2, 2)
+            step = ends[1] - ends[0]
+            along = (arms - ends[0]) @ step / max(float(step @ step), np.finfo(float).tiny)
+            found = [spans.quality_at(index, float(share)) for share in np.clip(along, 0.0, 1.0)]
+            return np.repeat(np.array(found)[:, None], len(directions), axis=1)
+
+        return kept
+    if not problem.has_rays_only:
+        boxes = BoxSearch(problem, pieces)
+
+        def fixed(index: int, arms: Array, directions: Array) -> Array:  # noqa: ARG001
+            """Compute (c, d) qualities of a newcomer of fixed direction."""
+            rows = [np.repeat(arms, len(directions), axis=0), np.tile(directions, len(arms))]
+            return boxes.qualities_at(np.column_stack(rows)).reshape(len(arms), -1)
+
+        return fixed
+    search = search_for(problem, pieces.rows)
+
+    def rays(index: int, arms: Array, directions: Array) -> Array:  # noqa: ARG001
+        """Compute (c, d) qualities of a ray beside rays."""
+        return search.qualities_with(wrenches(arms[:, None], directions, 1.0))
+
+    return rays
 
 
 def _samples(

@@ -152,6 +152,11 @@ class SpanSearch:
         top = float(spans[:, BOUND].max(initial=0.0))
         return SpanOptimum(solved, best, top, bounds, spans, self._pieces)
 
+    def quality_at(self, piece: int, share: float) -> float:
+        """Return the quality [N] with the newcomer at a share of the way along a row."""
+        value, _ = self._core.quality_at(piece, share)
+        return value / self._unit
+
     def break_tie(self, best: Stand, target: float) -> Stand:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.
 
@@ -174,9 +179,9 @@ class SpanSearch:
             if is_found and k == 0:
                 return best
             piece, share = int(stands[k, 0]), float(stands[k, 1])
-            value, _ = self._core.quality_at(piece, share)
-            if value / self._unit >= target:
-                return Stand(value / self._unit, piece, share)
+            value = self.quality_at(piece, share)
+            if value >= target:
+                return Stand(value, piece, share)
         return best if is_found else Stand(best.quality, 0, 0.5)
 
     def _scores(self, stands: Array) -> Array:
