@@ -381,6 +381,27 @@ def least_largest_share(B, wrench):
     return float(answer.fun) if answer.status == 0 else math.inf
 
 
+def least_largest_part(arms, corners, wrench):
+    """Least t with forces t times those in the hulls of corners and 0 that make w; inf if none."""
+    columns = np.concatenate(
+        [
+            np.column_stack([F, x * F[:, 1] - y * F[:, 0]])
+            for (x, y), F in zip(arms, corners, strict=True)
+        ]
+    )
+    counts = [len(F) for F in corners]
+    owner = np.repeat(np.arange(len(counts)), counts)
+    parts = (owner == np.arange(len(counts))[:, None]).astype(float)
+    answer = linprog(
+        np.append(np.zeros(len(columns)), 1.0),
+        A_eq=np.column_stack([columns.T, np.zeros(3)]),
+        b_eq=wrench,
+        A_ub=np.column_stack([parts, -np.ones(len(counts))]),
+        b_ub=np.zeros(len(counts)),
+    )
+    return float(answer.fun) if answer.status == 0 else math.inf
+
+
 def least_squares_shares(B, wrench, top, weight=1e6):
     """Least sum of squares of x in [0, top]^n with sum x_i b_i = w.
 

@@ -41,5 +41,6 @@ void test_criterion(void);
 void test_place(void);
 void test_sets(void);
 void test_forces(void);
+void test_push(void);
 
 #endif

@@ -1,4 +1,4 @@
-"""The shares that make a wrench, or many wrenches."""
+"""The forces that make a wrench, or many wrenches."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +14,7 @@ from swarmgrasp.plain import Answer, picked
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.verify import Verdict
 from swarmgrasp.verify.forces import Claim, faults_of
+from swarmgrasp.verify.pushes import Robots
 
 Array = NDArray[np.float64]
 
@@ -29,8 +30,11 @@ class Forces(Frozen, Answer):
         The wrench the object was to receive.
     load : (3,) [N, N, N m]
         The part of it that the environment exerts; the robots exert the rest.
+    vectors : (n, 2) [N, N]
+        The force of each robot on the object, in the object's frame.
     shares : (n,)
-        Each robot's force as a share of its limit, within [0, 1].
+        What each force is of the largest the robot can exert that way, within [0, 1]; of a robot
+        with a least force, how far it is from there to its limit.
     needed : float
         The least largest share that makes the wanted wrench. Above 1 it is out of reach: the
         limits would have to be so many times as large, or infinitely so where no force of these
@@ -38,16 +42,21 @@ class Forces(Frozen, Answer):
     shortfall : float [N]
         How far from the wanted wrench the nearest attainable one is, in the metric; 0 if it is
         attained.
+    is_least_squares : bool
+        Whether the sum of squares is the least too. It always is for robots that push along one
+        ray each, and hardly ever not for others, at the limit of what they reach.
     certificate : ForcesCertificate
-        The proof that no other shares are better.
+        The proof that no other forces are better.
     """
 
     swarm: Swarm
     wanted: Array
     load: Array
+    vectors: Array
     shares: Array
     needed: float
     shortfall: float
+    is_least_squares: bool
     certificate: ForcesCertificate
 
     kind = "forces"
@@ -55,19 +64,25 @@ class Forces(Frozen, Answer):
     def to_data(self) -> dict[str, Any]:
         """Return question and answer as plain data; shares and forces in the robots' order."""
         return picked(
-            self, "swarm", "wanted", "load", "shares", "forces", "wrench", "missing", "shortfall",
-            "largest_share", "needed", "is_degraded", "certificate",
+            self, "swarm", "wanted", "load", "vectors", "shares", "forces", "directions", "wrench",
+            "missing", "shortfall", "largest_share", "needed", "is_degraded", "is_least_squares",
+            "certificate",
         )  # fmt: skip
 
     @cached_property
     def forces(self) -> Array:
-        """(n,) [N]: the force of each robot."""
-        return read_only(self.shares * self.swarm.limits)
+        """(n,) [N]: the size of each robot's force."""
+        return read_only(_sizes(self.vectors))
+
+    @cached_property
+    def directions(self) -> Array:
+        """(n,) [rad]: where each force points; a robot's own direction for none."""
+        return read_only(_directions(self.vectors, self.swarm))
 
     @cached_property
     def wrench(self) -> Array:
         """(3,) [N, N, N m]: what the object receives, from the robots and the environment."""
-        return read_only(self.shares @ self.swarm.generators + self.load)
+        return read_only(_wrenches(self.vectors, self.swarm) + self.load)
 
     @property
     def missing(self) -> Array:
@@ -106,11 +121,14 @@ class Forces(Frozen, Answer):
     def _claim(self) -> Claim:
         """Return what is claimed, as plain data."""
         swarm = self.swarm
-        return Claim(
+        robots = Robots(
             swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
-            (*swarm.force_weights, swarm.characteristic_length),
-            self.wanted, self.load, self.wrench, self.shares, self.shortfall,
-            self.certificate.normals, self.certificate.price,
+            swarm.reverse_limits, swarm.steers, swarm.frictions, swarm.leasts, swarm.rare.envelopes,
+        )  # fmt: skip
+        return Claim(
+            robots, (*swarm.force_weights, swarm.characteristic_length), self.wanted, self.load,
+            self.wrench, self.vectors, self.shares, self.needed, self.shortfall,
+            self.is_least_squares, self.certificate.normals, self.certificate.price,
         )  # fmt: skip
 
 
@@ -123,9 +141,11 @@ class ForcesAlong(Frozen, Answer):
     swarm : Swarm
     wanted : (m, 3) [N, N, N m]
     load : (3,) [N, N, N m]
+    vectors : (m, n, 2) [N, N]
     shares : (m, n)
     needed : (m,)
     shortfalls : (m,) [N]
+    is_least_squares : (m,)
         As in `Forces`.
     normals : (m, 3, 3)
     prices : (m, 3) [1/N]
@@ -135,9 +155,11 @@ class ForcesAlong(Frozen, Answer):
     swarm: Swarm
     wanted: Array
     load: Array
+    vectors: Array
     shares: Array
     needed: Array
     shortfalls: Array
+    is_least_squares: NDArray[np.bool_]
     normals: Array
     prices: Array
 
@@ -146,8 +168,9 @@ class ForcesAlong(Frozen, Answer):
     def to_data(self) -> dict[str, Any]:
         """Return questions and answers as plain data; shares and forces in the robots' order."""
         return picked(
-            self, "swarm", "load", "wanted", "shares", "forces", "wrenches", "shortfalls",
-            "largest_shares", "needed", "is_degraded", "normals", "prices",
+            self, "swarm", "load", "wanted", "vectors", "shares", "forces", "directions",
+            "wrenches", "shortfalls", "largest_shares", "needed", "is_degraded",
+            "is_least_squares", "normals", "prices",
         )  # fmt: skip
 
     def __len__(self) -> int:
@@ -161,9 +184,11 @@ class ForcesAlong(Frozen, Answer):
             self.swarm,
             self.wanted[index],
             self.load,
+            self.vectors[index],
             self.shares[index],
             float(self.needed[index]),
             float(self.shortfalls[index]),
+            bool(self.is_least_squares[index]),
             ForcesCertificate(normals[normals.any(axis=1)], self.prices[index]),
         )
 
@@ -173,13 +198,18 @@ class ForcesAlong(Frozen, Answer):
 
     @cached_property
     def forces(self) -> Array:
-        """(m, n) [N]: the force of each robot for each wrench."""
-        return read_only(self.shares * self.swarm.limits)
+        """(m, n) [N]: the size of each robot's force for each wrench."""
+        return read_only(_sizes(self.vectors))
+
+    @cached_property
+    def directions(self) -> Array:
+        """(m, n) [rad]: where each force points; a robot's own direction for none."""
+        return read_only(_directions(self.vectors, self.swarm))
 
     @cached_property
     def wrenches(self) -> Array:
         """(m, 3) [N, N, N m]: what the object receives."""
-        return read_only(self.shares @ self.swarm.generators + self.load)
+        return read_only(_wrenches(self.vectors, self.swarm) + self.load)
 
     @property
     def missing(self) -> Array:
@@ -200,3 +230,21 @@ class ForcesAlong(Frozen, Answer):
         """Check each wrench as `Forces.verify` does; faults begin with its index."""
         verdicts = ((i, found.verify()) for i, found in enumerate(self))
         return Verdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
+
+
+def _sizes(vectors: Array) -> Array:
+    """Return the sizes (..., n) [N] of forces (..., n, 2)."""
+    return np.asarray(np.hypot(vectors[..., 0], vectors[..., 1]))
+
+
+def _directions(vectors: Array, swarm: Swarm) -> Array:
+    """Return the directions (..., n) [rad] of forces (..., n, 2); of none, the robot's own."""
+    turns = np.arctan2(vectors[..., 1], vectors[..., 0])
+    return np.where(vectors.any(axis=-1), turns, swarm.directions)
+
+
+def _wrenches(vectors: Array, swarm: Swarm) -> Array:
+    """Return the wrench (..., 3) [N, N, N m] of forces (..., n, 2) together."""
+    x, y = (swarm.contacts - swarm.outline.origin).T
+    torque = vectors[..., 1] @ x - vectors[..., 0] @ y
+    return np.concatenate([vectors.sum(axis=-2), torque[..., None]], axis=-1)

@@ -1,4 +1,4 @@
-"""The proof that no shares are better (T18)."""
+"""The proof that no forces are better (T18, T27)."""
 
 from dataclasses import dataclass
 
@@ -11,13 +11,21 @@ from swarmgrasp.plain import Told
 
 @dataclass(frozen=True, eq=False)
 class ForcesCertificate(Frozen, Told):
-    """Directions and a price that prove shares to be the least.
+    """Directions and a price that prove forces to be the least.
 
     For the first normal n, a largest share t and any shares x_i <= t, n . sum x_i b_i <= t h(n):
     where equality holds, no smaller t would do, robots in front of the plane across n have to
     give t, and those behind it nothing. The next normals say the same of robots that lie in the
     planes across all before. Robots across all of them have x_i = y . b_i, clipped to [0, t],
     which makes their sum of squares the least.
+
+    Of robots that steer, reverse, have friction or an envelope, h is the support function of what
+    all exert together beyond their least forces. Then there is one normal: that which proves the
+    largest share or, of a wrench out of reach, that nothing is nearer; if the robots exert nothing
+    along that one, a second proves the largest share. With t up to 1e-6 of itself above what is
+    proven, each robot exerts the force of t times its set that is nearest to r_i^2 J_i' y: r_i is
+    its largest force, and J_i turns its force into a wrench. That makes the sum of |F_i|^2 / r_i^2
+    the least.
 
     Attributes
     ----------

@@ -1,11 +1,13 @@
-"""Find the least shares that make wrenches (T18).
+"""Find the forces that make wrenches with the least shares (T18, T27).
 
-A kernel finds them, and checks them itself. Where rounding has misled it, a linear program tells
-it the normal to start from.
+Kernels find them, and check them themselves. Where rounding has misled that for rays, a linear
+program tells it the normal to start from.
 """
 
+from typing import NamedTuple, NoReturn
+
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ForcesNotProven
 from swarmgrasp.forces.answer import Array, Forces, ForcesAlong
@@ -26,10 +28,16 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     small as it can be, and then, with none above it, the sum of their squares. If the
     wrench is out of reach, the nearest attainable one in the metric is made so instead.
 
+    A robot that steers, reverses or has friction exerts any force of its set, and its share is what
+    that is of the largest the same way. The squares are of its force as a part of its
+    largest, and for their sum the largest share may grow by 1e-6 of itself. One that always exerts
+    a least force has a share from 0 there to 1 at its limit: the wrench is within reach if
+    all can be made within their sets.
+
     Parameters
     ----------
     swarm : Swarm
-        Of any size, degenerate or not.
+        Of any size, degenerate or not. Tolerances are not looked at.
     wrench : (3,) [N, N, N m]
         What the object is to receive, about the outline's origin.
     load : (3,) [N, N, N m], optional
@@ -71,18 +79,18 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     x, y, z = wanted
     a, b, c = given
     scaled = np.array((u * x, v * y, w * z))
-    row = _rows(swarm, scaled[None], (u * a, v * b, w * c))[0]
-    n = len(swarm)
-    needed, shortfall = row[n : n + 2].tolist()
-    normals = row[n + 2 : n + 11].reshape(3, 3)
+    row = _rows(swarm, scaled[None], (u * a, v * b, w * c))
+    normals = row.normals[0]
     return Forces(
         swarm,
         np.array(wanted),
         np.array(given) if given != CALM else _NO_LOAD,
-        row[:n],
-        needed,
-        shortfall,
-        ForcesCertificate(normals[normals.any(axis=1)], row[n + 11 : n + 14]),
+        row.vectors[0],
+        row.shares[0],
+        float(row.needed[0]),
+        float(row.shortfalls[0]),
+        bool(row.is_least_squares[0]),
+        ForcesCertificate(normals[normals.any(axis=1)], row.prices[0]),
     )
 
 
@@ -120,30 +128,55 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     """
     wanted, given = check_forces_along(swarm, wrenches, load)
     a, b, c = (swarm.scale * given).tolist()
-    m, n = len(wanted), len(swarm)
-    table = _rows(swarm, wanted * swarm.scale, (a, b, c))
     return ForcesAlong(
-        swarm,
-        wanted,
-        np.array(given),
-        table[:, :n],
-        table[:, n],
-        table[:, n + 1],
-        table[:, n + 2 : n + 11].reshape(m, 3, 3),
-        table[:, n + 11 : n + 14],
+        swarm, wanted, np.array(given), *_rows(swarm, wanted * swarm.scale, (a, b, c))
     )
 
 
-def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
-    """Return the kernel's rows for wrenches (m, 3), all confirmed by its check.
+class _Rows(NamedTuple):
+    """What kernels found for m wrenches, as in `ForcesAlong`."""
 
-    All in the metric's coordinates.
+    vectors: Array
+    shares: Array
+    needed: Array
+    shortfalls: Array
+    is_least_squares: NDArray[np.bool_]
+    normals: Array
+    prices: Array
+
+
+def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> _Rows:
+    """Return what the kernels find for wrenches (m, 3), all in the metric's coordinates.
 
     Raises
     ------
     ForcesNotProven
-        If rounding decides, so that shares can be found but not proven.
+        If rounding decides, so that forces can be found but not proven.
     """
+    m, n = len(wrenches), len(swarm)
+    if swarm.has_rays_only:
+        table = _ray_rows(swarm, wrenches, load)
+        shares, rest = table[:, :n], table[:, n:]
+        vectors = shares[..., None] * swarm.generators[:, :2]
+        normals, is_least = rest[:, 2:11].reshape(m, 3, 3), np.ones(m, dtype=bool)
+        return _Rows(read_only(vectors), shares, rest[:, 0], rest[:, 1], read_only(is_least),
+                     normals, rest[:, 11:14])  # fmt: skip
+    x, y, z = swarm.scale.tolist()
+    elements, counts = swarm.force_sets
+    arms = np.ascontiguousarray(swarm.contacts - swarm.outline.origin)
+    table = np.frombuffer(
+        kernel.push_forces(arms, elements, counts.astype(float), (x, y, z), wrenches, load)
+    ).reshape(m, 3 * n + 13)
+    rest = table[:, 3 * n :]
+    if not rest[:, -1].all():
+        _refuse(swarm, wrenches[np.argmin(rest[:, -1])])
+    return _Rows(table[:, : 2 * n].reshape(m, n, 2), table[:, 2 * n : 3 * n], rest[:, 0],
+                 rest[:, 1], read_only(rest[:, 11] == 1.0), rest[:, 2:8].reshape(m, 2, 3),
+                 rest[:, 8:11])  # fmt: skip
+
+
+def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
+    """Return the kernel's rows for robots that push along rays, all confirmed by its check."""
     B = swarm.scaled_generators
     rows = np.frombuffer(kernel.least_shares(B, wrenches, load)).reshape(
         len(wrenches), len(swarm) + 15
@@ -155,11 +188,15 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
         start = start_for(B, wrenches[k] - load)
         rows[k] = np.frombuffer(kernel.least_shares(B, wrenches[k], load, start))
     if len(unsure) and not rows[unsure, -1].all():
-        k = unsure[np.argmin(rows[unsure, -1])]
-        raise ForcesNotProven(
-            f"the shares that make {(wrenches[k] / swarm.scale).tolist()} [N, N, N m] cannot be "
-            f"told from others by more than rounding: limits are from {swarm.limits.min():.3g} to "
-            f"{swarm.limits.max():.3g} N, or robots alike to 1e-9; leave out the far weaker ones, "
-            "or make those alike equal"
-        )
+        _refuse(swarm, wrenches[unsure[np.argmin(rows[unsure, -1])]])
     return read_only(rows)
+
+
+def _refuse(swarm: Swarm, wrench: Array) -> NoReturn:
+    """Raise `ForcesNotProven` for a wrench in the metric's coordinates."""
+    raise ForcesNotProven(
+        f"the shares that make {(wrench / swarm.scale).tolist()} [N, N, N m] cannot be "
+        f"told from others by more than rounding: limits are from {swarm.limits.min():.3g} to "
+        f"{swarm.limits.max():.3g} N, or robots alike to 1e-9; leave out the far weaker ones, "
+        "or make those alike equal"
+    )

@@ -7,7 +7,7 @@ from swarmgrasp.errors import SwarmInvalid, WrenchInvalid, refuse
 from swarmgrasp.ranges import STRONGEST, WEAKEST, array_of, shown
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.columns import MOST_LISTED
-from swarmgrasp.swarm.swarm import check_rays, swarm_faults
+from swarmgrasp.swarm.swarm import swarm_faults
 
 Triple = tuple[float, float, float]
 CALM: Triple = (0.0, 0.0, 0.0)
@@ -36,7 +36,6 @@ def check_forces(swarm: Swarm, wrench: object, load: object) -> tuple[Triple, Tr
     wanted, faults = _triple(wrench, "wrench")
     given, more = _triple(load, "load")
     refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
-    check_rays(swarm, "push forces")
     return wanted, given
 
 
@@ -53,7 +52,6 @@ def check_forces_along(
     rows, faults = _rows(wrenches)
     given, more = _triple(load, "load")
     refuse((SwarmInvalid, swarm_faults(swarm)), (WrenchInvalid, faults + more))
-    check_rays(swarm, "push forces")
     return rows, given
 
 

@@ -1,17 +1,18 @@
-"""An independent check of shares, from plain data alone.
+"""An independent check of push forces, from plain data alone.
 
-It uses nothing of the solver, nor of the package's swarms: generators are made anew, and what is
-claimed is recomputed in plain NumPy. That no other shares are better follows from the normals and
-the price by weak duality (T18), which holds whatever they are: they need no trust.
+It uses nothing of the solver, nor of the package's swarms: wrenches are made anew, and what is
+claimed is recomputed in plain NumPy. That no other forces are better follows from the normals and
+the price by weak duality (T18, T27), which holds whatever they are: they need no trust.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from swarmgrasp.verify.pushes import THIN, Array, Robots
 
 ROUNDING = 1e-9
 """Relative difference that counts as rounding."""
@@ -21,57 +22,74 @@ EPSILON = 1e-14
 """Relative error of a product of a price and a generator."""
 FLAT = 1e-12
 """Cosine within which a generator may count as at right angles to a normal."""
+SHARE = 1e-8
+"""Difference of two shares that counts as none, beside what rounding of forces is of a thin set."""
+
+
+SLACK = 1e-6
+"""By so much of itself the largest share may exceed the least, for the least sum of squares."""
+SUM = 2e-5
+"""By so much of itself that sum may exceed the least."""
 
 
 @dataclass(frozen=True, eq=False)
 class Claim:
-    """What is claimed of the shares of one wrench.
+    """What is claimed of the forces for one wrench.
 
     Attributes
     ----------
-    arms : (n, 2) [m, m]
-        Contacts relative to the origin of moments.
-    directions : (n,) [rad]
-    limits : (n,) [N]
+    robots : Robots
     metric : tuple of float [1, 1, m]
         The force weights and the characteristic length.
     wanted, load, wrench : (3,) [N, N, N m]
+    vectors : (n, 2) [N, N]
     shares : (n,)
+    needed : float
     shortfall : float [N]
+    is_least_squares : bool
     normals : (k, 3)
     price : (3,) [1/N]
         As in `Forces` and its `ForcesCertificate`.
     """
 
-    arms: Array
-    directions: Array
-    limits: Array
+    robots: Robots
     metric: tuple[float, float, float]
     wanted: Array
     load: Array
     wrench: Array
+    vectors: Array
     shares: Array
+    needed: float
     shortfall: float
+    is_least_squares: bool
     normals: Array
     price: Array
+
+    @property
+    def scale(self) -> Array:
+        """(3,) [1, 1, 1/m]: what turns wrenches into the metric's coordinates."""
+        a1, a2, length = self.metric
+        return np.array([a1**0.5, a2**0.5, 1.0 / length])
 
 
 def faults_of(claim: Claim) -> Iterator[str]:
     """Find everything that is claimed and does not hold."""
-    shares, (a1, a2, length) = claim.shares, claim.metric
-    scale = np.array([a1**0.5, a2**0.5, 1.0 / length])
-    B = _generators(claim) * scale
+    yield from _ray_faults(claim) if claim.robots.are_rays else _set_faults(claim)
+
+
+def _ray_faults(claim: Claim) -> Iterator[str]:
+    """Find what does not hold of robots that push along one ray each."""
+    shares, robots, scale = claim.shares, claim.robots, claim.scale
+    most = robots.limits[:, None] * np.column_stack(
+        [np.cos(robots.directions), np.sin(robots.directions)]
+    )
+    B = robots.wrenches(most) * scale
     sizes = np.linalg.norm(B, axis=1)
     made, wanted = shares @ B, (claim.wanted - claim.load) * scale
     slack = ROUNDING * (float(sizes @ np.abs(shares)) + _length(wanted)) + OWN * float(sizes.sum())
-    if not ((shares >= 0.0) & (shares <= 1.0)).all():
-        yield f"the shares are from {shares.min()} to {shares.max()}; they should be within 0 and 1"
-    off = _length((claim.wrench - claim.load) * scale - made)
-    if not off <= slack:
-        yield f"the wrench is {off:g} N away from what the forces make, in the metric"
-    distance = _length(wanted - made)
-    if not abs(distance - claim.shortfall) <= slack:
-        yield f"the shortfall is {claim.shortfall:g} N; recomputed it is {distance:g} N"
+    yield from _outcome_faults(claim, made, wanted, slack)
+    aside = np.abs(claim.vectors - shares[:, None] * most).max(axis=1, initial=0.0)
+    yield from _at_fault(aside > ROUNDING * robots.limits, "force", "not its share of its limit")
     if not len(claim.normals):
         if shares.any():
             yield "there are shares, but no normal that proves them needed"
@@ -80,7 +98,8 @@ def faults_of(claim: Claim) -> Iterator[str]:
     if claim.shortfall == 0.0:
         yield from _needed_faults(first, B, shares, wanted, slack)
     else:
-        yield from _nearest_faults(first, B, wanted, made, slack)
+        total = float(sizes.sum())
+        yield from _nearest_faults(first, _height(B, first), total, wanted, made, slack)
         heights = B @ first
         if others and not (heights > FLAT * sizes).any():  # nobody has to give all
             flat = np.abs(heights) <= FLAT * sizes
@@ -88,11 +107,104 @@ def faults_of(claim: Claim) -> Iterator[str]:
     yield from _share_faults(claim, B, sizes)
 
 
-def _generators(claim: Claim) -> Array:
-    """(n, 3) [N, N, N m]: the wrenches of the robots at their limits."""
-    x, y = claim.arms.T
-    fx, fy = claim.limits * (np.cos(claim.directions), np.sin(claim.directions))
-    return np.column_stack([fx, fy, x * fy - y * fx])
+def _set_faults(claim: Claim) -> Iterator[str]:
+    """Find what does not hold of robots of any force sets."""
+    robots, scale, shares = claim.robots, claim.scale, claim.shares
+    arms = np.hypot(*robots.arms.T)
+    sizes = robots.reaches * np.sqrt(scale[0] ** 2 + scale[1] ** 2 + (scale[2] * arms) ** 2)
+    total, beyond = float(sizes.sum()), claim.vectors - robots.rests
+    rest = robots.wrenches(robots.rests).sum(axis=0) * scale
+    made = robots.wrenches(beyond).sum(axis=0) * scale
+    asked = (claim.wanted * scale, claim.load * scale, rest)
+    wanted = asked[0] - asked[1] - asked[2]
+    slack = ROUNDING * (float(sizes @ np.abs(shares)) + _length(wanted)) + OWN * (
+        total + sum(map(_length, asked))
+    )
+    yield from _outcome_faults(claim, made + rest, wanted + rest, slack)
+    least, most = robots.shares(beyond)
+    rounded = robots.reaches + np.hypot(*claim.vectors.T)
+    allowed = SHARE + EPSILON / THIN * rounded / np.maximum(robots.reaches, EPSILON * rounded)
+    is_wrong = ~((shares >= least - allowed) & (shares <= most + allowed))
+    yield from _at_fault(is_wrong, "share", "not what its force is of its set")
+    top = float(shares.max(initial=0.0))
+    if not len(claim.normals):
+        if top > 0.0:
+            yield "there are shares, but no normal that proves them needed"
+        return
+    first, *others = claim.normals
+    height = _reach(robots, first * scale)
+    if claim.shortfall == 0.0:
+        proven = _proven(first, wanted, height)
+        if not abs(claim.needed - min(proven, 1.0)) <= ROUNDING * proven + _part(slack, height):
+            yield f"the share needed is {claim.needed:.9g}; the normal proves {proven:.9g}"
+    else:
+        proven = 1.0
+        yield from _nearest_faults(first, height, total, wanted, made, slack)
+        if others:
+            height = _reach(robots, others[0] * scale)
+            proven = _proven(others[0], made, height)
+    if not top <= min(proven * (1.0 + SLACK), 1.0) + ROUNDING + _part(slack, height):
+        yield f"the largest share is {top:.9g}; the normal proves no more than {proven:.9g} needed"
+    if claim.is_least_squares:
+        yield from _sum_faults(claim, beyond, top)
+
+
+def _proven(normal: Array, wrench: Array, height: float) -> float:
+    """Return the largest share that a wrench needs: n . w <= t h(n) for all t that make it."""
+    return max(0.0, _part(float(normal @ wrench), height))
+
+
+def _part(reach: float, height: float) -> float:
+    """Return the quotient of two sizes [N], the second perhaps 0."""
+    return reach / height if height > 0.0 else math.copysign(math.inf, reach)
+
+
+def _outcome_faults(claim: Claim, made: Array, wanted: Array, slack: float) -> Iterator[str]:
+    """Check the range of the shares, the wrench they make and how far it is from the wanted."""
+    shares = claim.shares
+    if not ((shares >= 0.0) & (shares <= 1.0)).all():
+        yield f"the shares are from {shares.min()} to {shares.max()}; they should be within 0 and 1"
+    off = _length((claim.wrench - claim.load) * claim.scale - made)
+    if not off <= slack:
+        yield f"the wrench is {off:g} N away from what the forces make, in the metric"
+    distance = _length(wanted - made)
+    if not abs(distance - claim.shortfall) <= slack:
+        yield f"the shortfall is {claim.shortfall:g} N; recomputed it is {distance:g} N"
+
+
+def _at_fault(is_wrong: NDArray[np.bool_], what: str, why: str) -> Iterator[str]:
+    """Tell the first robot at fault, and how many are."""
+    wrong = np.flatnonzero(is_wrong)
+    if len(wrong):
+        so = f"so it is for {len(wrong)} of {len(is_wrong)}"
+        yield f"the {what} of robot {wrong[0]} is {why}; {so}"
+
+
+def _reach(robots: Robots, covector: Array) -> float:
+    """h(n) [N]: the most that robots exert along a covector beyond their rests."""
+    return float(np.maximum(robots.supports(robots.levers(covector)), 0.0).sum())
+
+
+def _sum_faults(claim: Claim, forces: Array, top: float) -> Iterator[str]:
+    """Check the least sum of squares, by how far each force is from nearest to what the price asks.
+
+    With q = reach^2 p(y), a force x of a set is the nearest to q if no force y of it has
+    (q - x) . (y - x) > 0; what is left of that is the gap between the sum and its dual.
+    """
+    robots = claim.robots
+    has_choice = robots.reaches > 0.0
+    reach = np.where(has_choice, robots.reaches, 1.0)
+    asked = reach[:, None] * robots.levers(claim.price * claim.scale)
+    part = np.where(has_choice[:, None], forces / reach[:, None], 0.0)
+    left = asked - part
+    gaps = top * robots.supports(left) / reach - (left * part).sum(axis=1)
+    gap, whole = float(gaps[has_choice].sum()), float((part**2).sum())
+    noise = FLAT * float((np.hypot(*asked.T) + np.hypot(*part.T))[has_choice].sum())
+    if not gap <= SUM * whole + noise:
+        yield (
+            f"the sum of squares of what forces are of the largest is {whole:.9g}; the price "
+            f"proves no more than {whole - gap:.9g} needed"
+        )
 
 
 def _length(vector: Array) -> float:
@@ -117,12 +229,12 @@ def _needed_faults(
 
 
 def _nearest_faults(
-    normal: Array, B: Array, wanted: Array, made: Array, slack: float
+    normal: Array, height: float, total: float, wanted: Array, made: Array, slack: float
 ) -> Iterator[str]:
     """Check that no wrench is nearer: all are behind the plane through the one made."""
-    slack += ROUNDING * float(np.linalg.norm(B, axis=1).sum())
+    slack += ROUNDING * total
     miss = wanted - made
-    beyond = _height(B, normal) - float(normal @ made)
+    beyond = height - float(normal @ made)
     if not beyond <= slack:
         yield f"a wrench that is {beyond:g} N farther along the normal can be made"
     if not _length(miss - (normal @ miss) * normal) <= slack:

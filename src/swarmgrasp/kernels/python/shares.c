@@ -1,8 +1,11 @@
-/* The least shares as a Python module. Checked are sizes and finite numbers; what is returned has
- * 8 (n + 15) bytes a wrench. */
+/* The least shares as a Python module. Checked are sizes, finite numbers, and that elements are
+ * those of the robots given; what is returned has 8 (n + 15) bytes a wrench, or 8 (3 n + 13) for
+ * robots of any force set. */
+#include "binding.h"
+
 #include "../forces.h"
 #include "../proven.h"
-#include "binding.h"
+#include "../pushers.h"
 
 #define ENOUGH 100000 /* robots times wrenches between two looks at the keyboard */
 
@@ -67,8 +70,97 @@ static PyObject *shares_least(PyObject *module, PyObject *args) {
     return result;
 }
 
+#define PUSH 13 /* numbers in a row beside forces and shares */
+
+/* Write a row of forces, shares and what they are worth for each wrench. */
+static Status fill_pushes(Pushers *pushers, const double *wrenches, int many, const double *load,
+                          double *row) {
+    Work work = work_of(INFINITY, interrupted);
+    double held = length(load);
+    for (int k = 0; k < many; k++, wrenches += 3) {
+        Push found;
+        double wanted[3] = {wrenches[0] - load[0], wrenches[1] - load[1], wrenches[2] - load[2]};
+        double *shares = row + 2 * pushers->count, *worth = shares + pushers->count;
+        Status status = push(pushers, wanted, length(wrenches) + held, &work, row, shares, &found);
+        if (status != SOLVED)
+            return status;
+        *worth++ = found.needed;
+        *worth++ = found.shortfall;
+        for (int c = 0; c < 6; c++)
+            *worth++ = found.normals[c / 3][c % 3];
+        for (int c = 0; c < 3; c++)
+            *worth++ = found.price[c];
+        *worth++ = found.is_even;
+        *worth++ = found.is_proven;
+        row = worth;
+    }
+    return SOLVED;
+}
+
+/* Tell whether counts (n,) are those of elements, each robot having one at least; if not, set an
+ * exception. */
+static int add_up(const double *counts, int n, int rows) {
+    double all = 0.0;
+    for (int i = 0; i < n; i++) {
+        if (!(counts[i] >= 1.0 && counts[i] <= rows && counts[i] == (double)(int)counts[i]))
+            all = INFINITY;
+        all += counts[i];
+    }
+    if (all == (double)rows)
+        return 1;
+    PyErr_SetString(PyExc_ValueError, "counts should be whole numbers that add up to the elements");
+    return 0;
+}
+
+/* push_forces(arms, elements, counts, scale, wrenches, load) -> bytes */
+static PyObject *shares_push(PyObject *module, PyObject *args) {
+    enum { ARMS, ELEMENTS, COUNTS, WRENCHES, ARRAYS };
+    static const int width[ARRAYS] = {2, ELEMENT, 1, 3};
+    PyObject *array[ARRAYS], *result = NULL;
+    Py_buffer view[ARRAYS];
+    double s[3], load[3];
+    (void)module;
+    if (!PyArg_ParseTuple(args, "OOO(ddd)O(ddd):push_forces", array + ARMS, array + ELEMENTS,
+                          array + COUNTS, s, s + 1, s + 2, array + WRENCHES, load, load + 1, load + 2)
+        || !are_finite(s) || !are_finite(load))
+        return NULL;
+    int got = 0;
+    while (got < ARRAYS && get_doubles(array[got], view + got, width[got]) == 0)
+        got++;
+    if (got < ARRAYS)
+        goto done;
+    int n = rows_of(view + ARMS, 2), many = rows_of(view + WRENCHES, 3);
+    if (rows_of(view + COUNTS, 1) != n) {
+        PyErr_SetString(PyExc_ValueError, "a count for each arm is wanted");
+        goto done;
+    }
+    if (!add_up(view[COUNTS].buf, n, rows_of(view + ELEMENTS, ELEMENT)))
+        goto done;
+    Py_ssize_t row = (3 * (Py_ssize_t)n + PUSH) * (Py_ssize_t)sizeof(double);
+    Pushers pushers = {0};
+    Status status = NO_MEMORY;
+    if (many <= PY_SSIZE_T_MAX / row)
+        result = PyBytes_FromStringAndSize(NULL, many * row);
+    if (result) {
+        leave((double)n * many > 500.0);
+        status = pushers_begin(&pushers, s, n, view[ARMS].buf, view[ELEMENTS].buf, view[COUNTS].buf);
+        if (status == SOLVED)
+            status = fill_pushes(&pushers, view[WRENCHES].buf, many, load,
+                                 (double *)PyBytes_AsString(result));
+        pushers_end(&pushers);
+        come_back();
+    }
+    if (is_raised(status))
+        Py_CLEAR(result);
+done:
+    while (got-- > 0)
+        PyBuffer_Release(view + got);
+    return result;
+}
+
 static PyMethodDef methods[] = {
     {"least_shares", shares_least, METH_VARARGS, NULL},
+    {"push_forces", shares_push, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };
 
