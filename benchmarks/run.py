@@ -13,6 +13,7 @@ os.environ.update(dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"), "1"
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 import families
+import force_sets
 import growth
 import page
 import startup
@@ -25,6 +26,7 @@ SECTIONS = {
     "placement": placement,
     "families": families,
     "growth": growth,
+    "force-sets": force_sets,
     "startup": startup,
 }
 
