@@ -63,17 +63,26 @@ def test_an_example_has_the_quality_it_promises(name: str, robots: int, expected
 
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [("harbour-tugs", 700e3 / math.sqrt(3.0)), ("drillship-azimuths", 6.756)],
+    [("harbour-tugs", 355_690.0), ("drillship-azimuths", 6.756)],
 )
 def test_an_example_of_robots_that_steer_has_the_quality_it_promises(
     name: str, expected: float
 ) -> None:
-    """A closed form, and the value of published thrusters by their exact support function."""
+    """Tugs that can do nothing as rays, and published thrusters by their exact support function."""
     swarm = load_example(name).swarm
     assert not swarm.is_ray.any()
     assert exact_quality(swarm).value == pytest.approx(expected, rel=1e-4)
     told = example_text(name)
     assert f"{exact_quality(swarm).value / (1e3 if expected > 1e3 else 1.0):.3f}" in told
+
+
+def test_four_equal_tugs_that_steer_have_a_closed_form() -> None:
+    """Those of the harbour, each of 300 kN: 700 / sqrt(3) kN; and none without steering."""
+    swarm = load_example("harbour-tugs").swarm
+    equal = [replace(robot, limit=300e3) for robot in swarm]
+    assert exact_quality(Swarm(swarm.outline, equal)).value == pytest.approx(700e3 / math.sqrt(3.0))
+    fixed = [replace(robot, steers=0.0) for robot in equal]
+    assert exact_quality(Swarm(swarm.outline, fixed)).value == 0.0
 
 
 def test_a_switchboard_takes_both_of_its_thrusters() -> None:

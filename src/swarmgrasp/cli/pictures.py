@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from swarmgrasp.cli.show.report import complain
-from swarmgrasp.errors import WrenchSetTooLarge
+from swarmgrasp.errors import ForceSetUnsupported, WrenchSetTooLarge
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,8 +39,8 @@ def pictures(
     Returns
     -------
     list of Path
-        Those written: of several pictures, a wrench set with too many faces is left out
-        with a word on standard error.
+        Those written: of several pictures, a wrench set with too many faces, and the landscape of
+        robots that steer, are left out with a word on standard error.
     """
     from swarmgrasp.plot import save
 
@@ -48,7 +48,7 @@ def pictures(
     for what, path in wanted.items():
         try:
             drawn[path] = _figure(what, swarm, answers, criterion)
-        except WrenchSetTooLarge as error:
+        except (ForceSetUnsupported, WrenchSetTooLarge) as error:
             if len(wanted) == 1:
                 raise
             complain(f"{path}: not drawn: {fault}" for fault in error.faults)
