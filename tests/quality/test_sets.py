@@ -352,9 +352,12 @@ def check_mix(seed, descents):
     assert found.bound >= found.value * (1.0 - 2e-7) - slack, seed
 
 
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", [*range(25), 8239])
 def test_every_mix_of_kinds_and_criteria(seed):
-    """No direction has less than the bound, and none that was looked at less than the value."""
+    """No direction has less than the bound, and none that was looked at less than the value.
+
+    In the last a robot that always exerts something is lost with another of its group.
+    """
     check_mix(seed, 2)
 
 

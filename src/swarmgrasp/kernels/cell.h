@@ -13,6 +13,7 @@
  * at the corner that halves will have. */
 typedef struct {
     int robot;
+    int is_safe;  /* whether its machine is never lost on all of the triangle */
     int which[3]; /* of its elements; -1 if its pose is uncertain */
     double at[3];
     int next_which;
@@ -38,6 +39,7 @@ typedef struct {
     int *kinky;             /* (robots,) those of a triangle whose best force jumps, */
     Bend *bend;             /* (robots,) and those whose force turns */
     double *sum;            /* (SUMS, machines), if machines may be lost; so are these: */
+    double rest[3];         /* what those that are safe hold at the corners */
     char *is_lost, *is_safe; /* (machines,) now, and on all of a triangle never */
     int *kind;              /* (machines,) the same for machines that are alike */
     int may_take;           /* whether some robot's set leaves 0 out: it may add less than nothing */

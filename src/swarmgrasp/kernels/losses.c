@@ -6,13 +6,16 @@
 #include <string.h>
 
 #include "losses.h"
+#include "triangle.h"
 
 #define SETS 8   /* sets of machines, at most, that are looked at one by one, */
 #define KINDS 10 /* of so many kinds of machines at most */
+#define TRIES 3  /* cuts made where there are more */
 
-/* The sums of machines, in `Hunt.sum`, arrays (machines,) each: what they exert at the corners, the
- * most of it, what they hold at least on all of the triangle, and room to reorder. */
-enum { AT_CORNER = 0, MOST = 3, HELD = 4, LEAST = 7, SCRATCH = 8 };
+/* The sums of machines, in `Hunt.sum`, arrays (machines,) each: what they exert at most at the corners,
+ * and so on all of the triangle, the greatest of that, what they hold at least, the least of that, and
+ * room to reorder. */
+enum { REACH = 0, MOST = 3, HELD = 4, LEAST = 7, SCRATCH = 8 };
 
 static double *sum_of(const Hunt *h, int which) {
     return h->sum + (ptrdiff_t)which * machines_of(h);
@@ -100,22 +103,62 @@ Status number_kinds(Hunt *h) {
     return status;
 }
 
+static const double even[3] = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+
 /* -- one triangle ------------------------------------------------------------------------------- */
 
-/* Add up what machines exert at the corners, and what they hold on all of a triangle. */
-static void add_up(Hunt *h, const Triangle *triangle, size_t begin, size_t end) {
-    int machines = machines_of(h);
-    double middle[3];
-    memset(h->sum, 0, (size_t)SCRATCH * (size_t)machines * sizeof *h->sum);
+/* What a robot of uncertain pose exerts at the corners at most, and so on all of a triangle: of its poses
+ * take one, or one straight part of its contacts, which is convex. */
+static void reach_at(const Hunt *h, int robot, const double *middle, const double *corner, double *row) {
+    const ForceSet *set = set_of(h, robot);
+    const double *scale = h->sets->scale, *part = NULL;
+    double least = INFINITY, v[3], at[3], worst[3] = {0.0};
     for (int k = 0; k < 3; k++)
-        middle[k] = triangle->normal[k] + triangle->normal[3 + k] + triangle->normal[6 + k];
+        v[k] = -middle[k] * scale[k] * set->limit;
+    for (int r = 0; r < set->turning; r++) {
+        double value = -best_on_piece(set->piece + (ptrdiff_t)PIECE * r, v, at);
+        if (value < least) {
+            least = value;
+            for (int k = 0; k < 3; k++)
+                worst[k] = at[k] * scale[k] * set->limit;
+        }
+    }
+    for (int r = 0; r < set->adrift; r++) {
+        const double *other = set->part + (ptrdiff_t)(PART - 1) * r;
+        double value = worst_on_part(scale, set, other, middle, NULL, NULL);
+        if (value < least) {
+            least = value;
+            part = other;
+        }
+    }
+    for (int j = 0; j < 3; j++)
+        row[j] = part ? worst_on_part(scale, set, part, corner + 3 * j, NULL, NULL)
+                      : larger(0.0, dot(worst, corner + 3 * j));
+}
+
+/* Add up what machines exert at most at the corners, and what the forces at a mixture of these hold on all
+ * of a triangle. */
+static void add_up(Hunt *h, const Triangle *triangle, size_t begin, size_t end, const double *share) {
+    int machines = machines_of(h);
+    double middle[3] = {0.0};
+    memset(h->sum, 0, (size_t)SCRATCH * (size_t)machines * sizeof *h->sum);
+    memset(h->rest, 0, sizeof h->rest);
+    for (int j = 0; j < 3; j++)
+        for (int k = 0; k < 3; k++)
+            middle[k] += share[j] * triangle->normal[3 * j + k];
     for (size_t a = begin; a < end; a++) {
         const Active *robot = h->active + a;
         int g = machine_of(h, robot->robot);
-        double row[3];
+        double row[3], reach[3] = {robot->at[0], robot->at[1], robot->at[2]};
         hold_at(h, robot->robot, middle, triangle->normal, row);
+        if (robot->is_safe) { /* some robots of its machine may be gone from the list */
+            add(h->rest, row);
+            continue;
+        }
+        if (robot->which[0] < 0)
+            reach_at(h, robot->robot, middle, triangle->normal, reach);
         for (int j = 0; j < 3; j++) {
-            sum_of(h, AT_CORNER + j)[g] += robot->at[j];
+            sum_of(h, REACH + j)[g] += reach[j];
             sum_of(h, HELD + j)[g] += row[j];
         }
     }
@@ -130,7 +173,7 @@ size_t sift_losses(Hunt *h, Triangle *triangle, size_t begin, size_t end, char *
     int machines = machines_of(h), taken = 0;
     double *most = sum_of(h, MOST), *least = sum_of(h, LEAST), *room = sum_of(h, SCRATCH);
     double held, rival;
-    add_up(h, triangle, begin, end);
+    add_up(h, triangle, begin, end, even);
     memcpy(room, least, (size_t)machines * sizeof *room);
     add_greatest(room, machines, triangle->losing, &held); /* so many always exert as much */
     memcpy(room, most, (size_t)machines * sizeof *room);
@@ -158,24 +201,59 @@ size_t sift_losses(Hunt *h, Triangle *triangle, size_t begin, size_t end, char *
     return kept;
 }
 
-/* The plain bound: what robots hold at the corners, less the worst loss there. What a machine exerts is
- * convex, and so is the sum of the greatest: nowhere is more lost than between the corners. */
-int is_held_plainly(Hunt *h, Triangle *triangle, const char *is_safe) {
+/* What robots hold at the corners, less the worst loss of that there and what is wanted. Whoever is lost,
+ * the others hold what they do, and the sum of the greatest is convex: it is no more between. */
+static void row_of(Hunt *h, const Triangle *triangle, const char *is_safe, double target, double *row) {
     int machines = machines_of(h);
-    double target = wanted(h), reach = target, *room = sum_of(h, SCRATCH), last;
+    double *room = sum_of(h, SCRATCH), last;
     for (int j = 0; j < 3; j++) {
-        double row = dot(triangle->fixed, triangle->normal + 3 * j);
-        const double *held = sum_of(h, HELD + j), *most = sum_of(h, AT_CORNER + j);
+        const double *held = sum_of(h, HELD + j);
+        row[j] = dot(triangle->fixed, triangle->normal + 3 * j) + h->rest[j]
+                 - target * triangle->extent[j];
         for (int g = 0; g < machines; g++) {
-            row += held[g];
-            room[g] = is_safe[g] ? 0.0 : most[g];
+            row[j] += held[g];
+            room[g] = is_safe[g] ? 0.0 : held[g];
         }
-        row -= add_greatest(room, machines, triangle->losing, &last);
-        if (row < target * triangle->extent[j])
-            reach = smaller(reach, triangle->extent[j] > 0.0 ? row / triangle->extent[j] : 0.0);
+        row[j] -= add_greatest(room, machines, triangle->losing, &last);
     }
+}
+
+int is_held_plainly(Hunt *h, Triangle *triangle, const char *is_safe) {
+    double target = wanted(h), reach = target, row[3];
+    row_of(h, triangle, is_safe, target, row);
+    for (int j = 0; j < 3; j++)
+        if (row[j] < 0.0)
+            reach = smaller(reach, triangle->extent[j] > 0.0 ? target + row[j] / triangle->extent[j] : 0.0);
     triangle->bound = larger(triangle->bound, reach);
     return reach >= target;
+}
+
+Status is_held_by_cuts(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe,
+                       int *is_so) {
+    double rows[TRIES][3], share[3], target = wanted(h);
+    memcpy(share, even, sizeof share);
+    *is_so = 0;
+    for (int t = 0; t < TRIES; t++) {
+        double before = t ? relax(rows, t, share) : -INFINITY, normal[3] = {0.0}, height, cap;
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 3; k++)
+                normal[k] += share[j] * triangle->normal[3 * j + k];
+        Status status = sets_height(h->sets, normal, h->extra, &height, &cap);
+        if (status != SOLVED)
+            return status;
+        offer(h, normal, height, sets_extent(h->sets, normal));
+        charge(h->work, EACH * (robots_of(h) + (double)(end - begin)) + machines_of(h));
+        add_up(h, triangle, begin, end, share);
+        row_of(h, triangle, is_safe, target, rows[t]);
+        double value = dot(rows[t], share);
+        if (value < 0.0 || value <= before)
+            return SOLVED;
+        if (relax(rows, t + 1, share) >= 0.0) {
+            *is_so = hold(rows, t + 1) >= 0.0;
+            return SOLVED;
+        }
+    }
+    return SOLVED;
 }
 
 /* Sets of machines to lose: so many of each kind. */
@@ -212,9 +290,11 @@ static int is_held_by_all(Hunt *h, Triangle *triangle, size_t begin, size_t end,
     return is_so;
 }
 
-int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe) {
+int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe,
+                    int *are_many) {
     int machines = machines_of(h), member[KINDS * SETS], total = 0, open = 0;
     Choice choice = {.kinds = 0, .machine = member};
+    *are_many = 0;
     for (int g = 0; g < machines; g++)
         open += !is_safe[g];
     if (open <= triangle->losing && !h->may_take) { /* all of them */
@@ -232,8 +312,10 @@ int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const
             k++;
         if (k < choice.kinds && choice.count[k] >= triangle->losing)
             continue; /* more of a kind than may be lost */
-        if (k == KINDS || (k < choice.kinds && choice.count[k] == SETS))
+        if (k == KINDS || (k < choice.kinds && choice.count[k] == SETS)) {
+            *are_many = 1;
             return 0;
+        }
         if (k == choice.kinds) {
             choice.first[k] = SETS * k;
             choice.count[choice.kinds++] = 0;
@@ -242,7 +324,8 @@ int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const
         total++;
     }
     int losing = triangle->losing < total ? triangle->losing : total;
-    if (ways(&choice, 0, losing, h->may_take) > SETS)
+    *are_many = ways(&choice, 0, losing, h->may_take) > SETS;
+    if (*are_many)
         return 0;
     return is_held_by_all(h, triangle, begin, end, &choice, 0, losing, h->may_take);
 }

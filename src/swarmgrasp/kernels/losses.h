@@ -15,7 +15,13 @@ size_t sift_losses(Hunt *h, Triangle *triangle, size_t begin, size_t end, char *
  * wanted. */
 int is_held_plainly(Hunt *h, Triangle *triangle, const char *is_safe);
 
-/* Tell the same by looking at each set of machines that may be lost, if they are few. */
-int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe);
+/* Tell the same by looking at each set of machines that may be lost; whether they `are_many`, so that
+ * nothing is known. */
+int is_held_by_sets(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe,
+                    int *are_many);
+
+/* Tell the same, where they are many, by a few linear functions. Returns a status. */
+Status is_held_by_cuts(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe,
+                       int *is_so);
 
 #endif

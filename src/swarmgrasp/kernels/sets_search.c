@@ -37,12 +37,13 @@ static double value_at(const Hunt *h, int robot, const double *normal, int *whic
 static size_t sift(Hunt *h, Triangle *triangle, size_t begin, size_t end, const char *is_safe) {
     size_t kept = begin;
     for (size_t a = begin; a < end; a++) {
-        const Active *robot = h->active + a;
+        Active *robot = h->active + a;
         const ForceSet *set = set_of(h, robot->robot);
         int which = robot->which[0];
+        robot->is_safe |= is_safe && is_safe[machine_of(h, robot->robot)];
         if (which >= 0 && which == robot->which[1] && which == robot->which[2]
             && set->element[which].shape == POINT
-            && (!is_safe || is_safe[machine_of(h, robot->robot)])) {
+            && (!is_safe || robot->is_safe)) {
             double wrench[3];
             wrench_of(h->sets->scale, set->arm, set->element[which].at, wrench);
             add(triangle->fixed, wrench);
@@ -79,17 +80,21 @@ static Status explore_half(Hunt *h, const Triangle *whole, size_t begin, size_t 
 }
 
 /* Tell whether no normal of a triangle has less than what is wanted. */
-static int is_done(Hunt *h, Triangle *triangle, size_t begin, size_t *end) {
+static Status is_done(Hunt *h, Triangle *triangle, size_t begin, size_t *end, int *is_so) {
+    int are_many;
     if (!triangle->losing) {
         *end = sift(h, triangle, begin, *end, NULL);
-        return is_held(h, triangle, begin, *end);
+        *is_so = is_held(h, triangle, begin, *end);
+        return SOLVED;
     }
     *end = sift_losses(h, triangle, begin, *end, h->is_safe);
     charge(h->work, EACH * (double)(*end - begin) + machines_of(h));
-    if (is_held_plainly(h, triangle, h->is_safe))
-        return 1;
+    *is_so = is_held_plainly(h, triangle, h->is_safe);
+    if (*is_so)
+        return SOLVED;
     *end = sift(h, triangle, begin, *end, h->is_safe);
-    return is_held_by_sets(h, triangle, begin, *end, h->is_safe);
+    *is_so = is_held_by_sets(h, triangle, begin, *end, h->is_safe, &are_many);
+    return are_many ? is_held_by_cuts(h, triangle, begin, *end, h->is_safe, is_so) : SOLVED;
 }
 
 /* Search a triangle for normals with less than the best. */
@@ -103,8 +108,10 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
     for (size_t k = 0; k < sizeof ladder / sizeof *ladder; k++)
         if (h->cells > ladder[k].cells)
             h->gap = larger(h->gap, ladder[k].gap);
-    if (is_done(h, triangle, begin, &end) || h->best <= 0.0)
-        return SOLVED;
+    int is_so;
+    status = is_done(h, triangle, begin, &end, &is_so);
+    if (status != SOLVED || is_so || h->best <= 0.0)
+        return status;
     double edge, normal[3], size;
     int from = longest_edge(triangle->normal, &edge), to = (from + 1) % 3;
     if (depth == 0 || edge <= SMALLEST) {
