@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 import reference
 from strategies import seeds, swarm_of
 from swarmgrasp import (
+    Criterion,
     Newcomer,
     Outline,
     Problem,
@@ -136,3 +137,27 @@ def test_who_may_be_absent_is_worth_nothing_in_the_worst_case():
     assert {each.name for each in best_move(problem).ranked} == set("ABCD")
     with pytest.raises(RobotInvalid, match="may be absent"):
         best_move(problem, robots="R1")
+
+
+def test_who_fails_with_others_stays_where_losses_count():
+    """A moved robot stays in its group, and the quality told is that of the swarm then."""
+    rng = np.random.default_rng(3)
+    places = [SQUARE.at_arc_length(s) for s in rng.uniform(0.0, 8.0, 9)]
+    robots = [
+        Robot(p.point, p.inward + rng.uniform(-0.7, 0.7), name=f"N{i}", group="A" if i < 2 else "")
+        for i, p in enumerate(places)
+    ]
+    swarm = Swarm(SQUARE, robots)
+    named = Criterion(failures=(("N3", "A"),))
+    for criterion, staying in ((Criterion(losing=1), {"N0", "N1"}), (named, {"N0", "N1", "N3"})):
+        problem = Problem(swarm, Newcomer(), criterion=criterion)
+        for name in staying:
+            with pytest.raises(RobotInvalid, match=f"{name}: where a robot should go that fails"):
+                best_move(problem, robots=[name])
+    move = best_move(Problem(swarm, Newcomer(), criterion=Criterion(losing=1)))
+    assert not {found.name for found in move.ranked} & {"N0", "N1"}
+    after = quality(move.best.swarm_after, losing=1).value
+    assert move.quality == pytest.approx(after, abs=1e-9)
+    alone = best_move(swarm, robots=["N0"])
+    assert alone.best.new.group == "A"
+    assert quality(alone.best.swarm_after).value == pytest.approx(alone.quality, abs=1e-9)

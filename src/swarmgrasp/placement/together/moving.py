@@ -50,7 +50,7 @@ class Relocation(Frozen, Told):
     @property
     def new(self) -> Robot:
         """The robot in its new place."""
-        return self.placement.robot
+        return replace(self.placement.robot, group=self.old.group)
 
     @property
     def place(self) -> str:
@@ -261,17 +261,26 @@ def _movable(problem: Problem, names: str | Iterable[str] | None) -> list[Robot]
     """Return the robots that may move."""
     swarm = problem.swarm
     if names is None:
-        free = [robot for robot in swarm if not robot.mounted and _can_be_placed(robot)]
+        free = [
+            robot
+            for robot in swarm
+            if not (robot.mounted or _fails_with_others(problem, robot)) and _can_be_placed(robot)
+        ]
         if not free:
             raise RobotInvalid(
-                "there is no robot that could move: all are mounted, or of a kind whose best place "
-                "is not known how to find, or there is none"
+                "there is no robot that could move: all are mounted, fail with others, or are of a "
+                "kind whose best place is not known how to find, or there is none"
             )
         return [robot for robot in free if not _is_worthless(problem, robot)] or free
     wanted, faults = [swarm[name] for name in swarm.known(names)], []
     for robot in wanted:
         if robot.mounted:
             faults.append(f"{robot.name} is mounted and stays where it is")
+        elif _fails_with_others(problem, robot):
+            faults.append(
+                f"{robot.name}: where a robot should go that fails with others, as one of a group "
+                "or by name, is not known how to find; ask without losses and failures"
+            )
         elif not _can_be_placed(robot):
             faults.append(
                 f"{robot.name}: where a robot with a least force, with an envelope, or that "
@@ -290,6 +299,13 @@ def _is_worthless(problem: Problem, robot: Robot) -> bool:
     """Tell whether a robot counts for nothing in the worst case."""
     tolerance = robot.tolerance
     return problem.criterion.worst_case and tolerance is not None and tolerance.may_be_absent
+
+
+def _fails_with_others(problem: Problem, robot: Robot) -> bool:
+    """Tell whether the criterion loses a robot with its group, or by name."""
+    criterion = problem.criterion
+    named = {name for failure in criterion.failures for name in failure}
+    return bool(robot.group and criterion.losing) or bool({robot.name, robot.group} & named)
 
 
 def _can_be_placed(robot: Robot) -> bool:
