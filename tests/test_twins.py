@@ -26,4 +26,4 @@ def test_twins_agree(search, check):
 
 def test_the_check_allows_for_what_the_search_rounds():
     """What the search lets rounding hide is less than what its check lets it hide."""
-    assert core.UNASKED < judge.ROUNDED < core.FLOOR < core.MARGINAL
+    assert core.UNASKED < judge.ROUNDED < core.FLOOR < placement.SETTLED < core.MARGINAL

@@ -121,6 +121,12 @@ def test_no_contact_of_a_grid_is_better(kind):
         assert answer.verify(), (kind, seed, answer.verify().faults)
 
 
+def test_a_giant_among_dwarfs_hides_what_its_check_allows_for():
+    """A quality a millionth of one robot is known to a share of that robot, and no better."""
+    problem = random_problem(np.random.default_rng([793, 4]), "giant")
+    assert place(problem).verify()
+
+
 def test_two_azimuths_on_an_empty_rectangle():
     """One after the other and together; together they go to opposite corners: sqrt 2."""
     problem = Problem(Swarm(RECTANGLE, []), Newcomer(steers=True))

@@ -42,7 +42,10 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
 CERTIFIED = 1e-7
-"""The same for the worst of uncertain poses, which the search finds no nearer."""
+"""The same for the worst of uncertain poses, and for robots that are no rays, which the search
+finds no nearer."""
+SETTLED = 2e-13
+"""Share of sum |b_i| that the search leaves open of the quality of robots that are no rays."""
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
 CLOSED = 0.3
@@ -135,7 +138,7 @@ class _Check:
                 f"forces, load and lengths make wrenches of {size:.3g}{self.unit} in this metric, "
                 "too large to be squared; their size should be below 1e150"
             )
-        self.zero = ABSOLUTE * size
+        self.size, self.zero = size, ABSOLUTE * size
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
         self.pieces = list(Allowed(asked, boundary, present).pieces())
         units = [units_of(proof.normals) for proof in claim.proofs]
@@ -232,8 +235,10 @@ class _Check:
 
     def slack(self, value: float) -> float:
         """Return the difference that counts as rounding at a value."""
-        is_uncertain = self.base.spread or self.is_tolerant
-        return (CERTIFIED if is_uncertain else RELATIVE) * value + self.rounding
+        is_round = bool(self.base.round) or self.keeps
+        if self.base.spread or self.is_tolerant or is_round:
+            return CERTIFIED * value + self.rounding + (SETTLED * self.size if is_round else 0.0)
+        return RELATIVE * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""
