@@ -202,3 +202,31 @@ def test_a_wrench_its_load_and_the_rest_are_told_with_one_prefix(run):
     told = [line for line in said.splitlines() if line.startswith(("Wanted", "Load ", "By the"))]
     assert len(told) == 3
     assert all(" MN along x" in line for line in told)
+
+
+def test_robots_that_steer_are_told_which_way(run, tmp_path):
+    """Force, share and direction of each tug, and who steers as far as it can; in tables, too."""
+    picture = tmp_path / "tugs.png"
+    wrench = ("--wrench", "300e3", "150e3", "0", "--plot", picture)
+    status, said, complaints = run("forces", "harbour-tugs", *wrench)
+    assert (status, complaints) == (0, "")
+    assert "Largest share  59.5 %: Ajax (at its starboard limit), Boreas (at its starboard" in said
+    rows = [line.split() for line in said.splitlines()]
+    (ajax,) = [row for row in rows if row[:1] == ["Ajax"]]
+    assert ajax[1:6] == ["178.43", "59.5", "%", "300.00", "60.0"]
+    assert "of the largest it can exert that way." in said
+    assert picture.exists()
+    table = tmp_path / "wrenches.csv"
+    table.write_text("fx,fy,tz\n300e3,150e3,0\n0,0,0\n")
+    status, said, _ = run("forces", "harbour-tugs", "--wrenches", table, "--csv", "-")
+    head, first, still = csv.reader(io.StringIO(said))
+    assert head[6:] == [
+        f"{n} [{u}]" for u in ("N", "deg") for n in ("Ajax", "Boreas", "Castor", "Dione")
+    ]
+    assert float(first[6]) == pytest.approx(178_432.1, rel=1e-5)
+    assert [float(v) for v in first[10:]] == pytest.approx([60.0, 60.0, -60.0, -60.0], abs=1e-4)
+    assert {float(v) for v in still[6:10]} == {0.0}
+    _, printed, _ = run("forces", "harbour-tugs", *wrench[:4], "--json", "-")
+    found = json.loads(printed)
+    assert found["is_least_squares"] is True
+    assert found["vectors"][0] == pytest.approx([89_216.1, 154_526.7], rel=1e-5)

@@ -304,3 +304,37 @@ def test_a_trajectory_is_smooth():
     assert np.abs(np.diff(found.vectors, axis=0)).max() < 0.1
     np.testing.assert_array_equal(found[500].vectors, found.vectors[500])
     np.testing.assert_allclose(found.missing[~found.is_degraded], 0.0, atol=1e-9)
+
+
+def test_rays_are_told_the_same_way():
+    """Forces along their directions, of the sizes that shares of the limits are."""
+    swarm = swarm_of("free", 5, 9)
+    found = forces(swarm, swarm.generators[:4].sum(axis=0) / 3)
+    ways = np.column_stack([np.cos(swarm.directions), np.sin(swarm.directions)])
+    np.testing.assert_allclose(found.vectors, found.forces[:, None] * ways, atol=1e-12)
+    np.testing.assert_allclose(found.forces, found.shares * swarm.limits, rtol=1e-12)
+    assert found.is_least_squares
+    forged = replace(found, vectors=found.vectors[:, ::-1])
+    assert "not its share of its limit" in "; ".join(forged.verify().faults)
+
+
+@pytest.mark.parametrize(
+    ("counts", "said"),
+    [
+        ([1.0], "a count for each arm"),
+        ([0.0, 3.0], "add up"),
+        ([1.5, 1.5], "add up"),
+        ([1.0, 1.0], "add up"),
+    ],
+)
+def test_the_kernel_refuses_elements_of_nobody(counts, said):
+    """Each robot has one at least, and all are some robot's."""
+    elements, unit_scale, none = (
+        np.tile([1.0, 0.0, 0.0, 0.0, math.tau], (3, 1)),
+        (1.0,) * 3,
+        (0.0,) * 3,
+    )
+    with pytest.raises(ValueError, match=said):
+        kernel.push_forces(
+            np.zeros((2, 2)), elements, np.array(counts), unit_scale, np.eye(3), none
+        )

@@ -57,6 +57,21 @@ def test_halves_of_a_thruster_share_a_label():
     assert texts == {"bow: 50 %", "aft: 50 %"}
 
 
+def test_all_forces_of_a_tug_are_an_area():
+    """Around the arrow of its force; a thruster that reverses has a pale arrow each way."""
+    hull = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
+    tug = Robot((-2, 0), 0.0, 2.0, name="tug", steers=0.5)
+    tunnel = Robot((1, 0), math.pi / 2, 1.0, name="bow", mounted=True, reverse_limit=0.6)
+    found = forces(Swarm(hull, [tug, tunnel]), (1.0, -0.2, 0.0))
+    figure = forces_plan(found)
+    ((area,),) = [shapes.get_paths() for shapes in by_gid(figure, "limit-area")]
+    drawn = np.concatenate([lengths(figure, "force"), lengths(figure, "hardest")])
+    assert np.ptp(np.sort(drawn) / np.sort(found.forces)) < 1e-9
+    reach = np.hypot(*(area.vertices - (-2, 0)).T).max()
+    assert reach / 2.0 == pytest.approx(drawn.max() / found.forces.max())
+    assert sorted(lengths(figure, "limit") / reach * 2.0) == pytest.approx([0.6, 1.0])
+
+
 @pytest.mark.parametrize("count", [0, 1, 60])
 @pytest.mark.parametrize("wrench", [(0.0, 0.0, 0.0), (2.0, -1.0, 0.3)])
 def test_any_number_of_robots_is_drawn(count, wrench, tmp_path):

@@ -91,21 +91,26 @@ double share_of(const Pusher *pusher, const double *force) {
 /* -- all of them ---------------------------------------------------------------------------------- */
 
 double push_along(const Pushers *pushers, const double *normal, Column *best) {
-    double height = 0.0;
-    memset(best->wrench, 0, sizeof best->wrench);
+    double height = 0.0, sum[3] = {0.0}; /* of forces, and of their moments */
     for (int i = 0; i < pushers->count; i++) {
         const Pusher *r = pushers->pusher + i;
-        double *force = best->force + 2 * (ptrdiff_t)i, p[2], wrench[3];
+        double *force = best->force + 2 * (ptrdiff_t)i, p[2];
         lever(pushers->scale, r->set.arm, normal, p);
         support(&r->set, p, force, NULL);
         force[0] -= r->rest[0];
         force[1] -= r->rest[1];
-        if (!(along(force, p) > 0.0))
+        double worth = along(force, p);
+        if (!(worth > 0.0)) {
             force[0] = force[1] = 0.0;
-        height += along(force, p);
-        wrench_of(pushers->scale, r->set.arm, force, wrench);
-        add(best->wrench, wrench);
+            continue;
+        }
+        height += worth;
+        sum[0] += force[0];
+        sum[1] += force[1];
+        sum[2] += across(r->set.arm, force);
     }
+    for (int c = 0; c < 3; c++)
+        best->wrench[c] = pushers->scale[c] * sum[c];
     return height;
 }
 

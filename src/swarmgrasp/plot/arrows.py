@@ -95,6 +95,11 @@ class Arrows:
         sign = -1.0 if self._pushes(robot) else 1.0
         return np.array(robot.contact) + sign * self.length(1.0) * boundary_of(robot)
 
+    def force_ends(self, robot: Robot, force: Vector) -> tuple[Vector, Vector]:
+        """Return tail and tip of the arrow of a force (2,) [N, N] that a robot exerts."""
+        contact, reach = np.array(robot.contact), self.length(1.0) * force
+        return (contact - reach, contact) if self._pushes(robot) else (contact, contact + reach)
+
     def _pushes(self, robot: Robot) -> bool:
         """Tell whether a robot's force along its direction goes into the object, and no other."""
         if robot.mounted or robot.reverse_limit or robot.steers > 0.5 * math.pi:

@@ -1,17 +1,19 @@
 """The plan view of push forces: who pushes how hard to make a wrench."""
 
 import math
-from dataclasses import replace
 from typing import Any, Final, cast
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from swarmgrasp.forces import Forces
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn, has_area
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.plan import (
     FEW,
@@ -33,18 +35,26 @@ LIMIT: Final = "#C3D3E0"
 WIDTH: Final = 0.026
 """Of the arrows [in]."""
 
+AREA_LOOK: Final[dict[str, Any]] = {
+    "facecolor": to_rgba(LIMIT, 0.3),
+    "edgecolor": LIMIT,
+    "linewidth": 0.8,
+}
+"""Of all that a robot can exert."""
+
 LEAST_SHARE: Final = 0.002
 """Share below which no force is drawn."""
 
-HARDEST: Final = 1e-9
-"""Difference from the largest share that counts as none."""
+HARDEST: Final = 2e-6
+"""Difference from the largest share that counts as none: twice what the least squares may take."""
 
 
 def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
     """Draw the object from above with the forces that make a wrench.
 
-    A pale arrow is the force a robot can exert, the dark part of it the one it does; robots at
-    the largest share are orange. A push ends at the contact, a pull starts there. At the origin is
+    A pale arrow is the force a robot can exert, the dark part of it the one it does; of robots that
+    steer, or have friction or an envelope, all their forces are a pale area. Robots at the
+    largest share are orange. A push ends at the contact, a pull starts there. At the origin is
     drawn which way the wanted wrench acts.
 
     Parameters
@@ -81,25 +91,32 @@ def _hardest(found: Forces) -> NDArray[np.bool_]:
     return np.asarray((found.shares >= top - HARDEST) & (top > LEAST_SHARE))
 
 
+def _is_pushing(found: Forces) -> NDArray[np.bool_]:
+    """Tell which robots exert a force that is drawn."""
+    return np.asarray(found.forces > LEAST_SHARE * found.swarm.limits)
+
+
 def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
     """Draw every robot's limit, its force, and a mark at its contact."""
     robots = arrows.robots
     width = 0.6 * WIDTH if len(robots) > MOST_LABELS else WIDTH
-    limits = [arrows.ends(robot) for robot in robots]
+    limits = [shaft for robot in robots if not has_area(robot) for shaft in arrows.shafts(robot)]
     for tail, tip in limits:
         page.keep_clear(tail, tip, breadth=HEAD * width)
     draw_arrows(page.ax, limits, color=LIMIT, width=width, gid="limit", zorder=3.5)
+    areas = [arrows.area(robot) for robot in robots if has_area(robot)]
+    page.ax.add_collection(PolyCollection(areas, **AREA_LOOK, zorder=3.4, gid="limit-area"))
     hardest = _hardest(found)
     for is_hardest, colour, gid in (
         (False, style.BLUE, "force"),
         (True, style.VERMILION, "hardest"),
     ):
-        chosen = (found.shares > LEAST_SHARE) & (hardest == is_hardest)
-        pushing = [
-            replace(robots[i], limit=float(found.forces[i]), tolerance=None)
-            for i in np.flatnonzero(chosen).tolist()
+        chosen = _is_pushing(found) & (hardest == is_hardest)
+        ends = [
+            arrows.force_ends(robots[i], found.vectors[i]) for i in np.flatnonzero(chosen).tolist()
         ]
-        ends = [arrows.ends(robot) for robot in pushing]
+        for tail, tip in ends:
+            page.keep_clear(tail, tip, breadth=HEAD * width)
         draw_arrows(page.ax, ends, color=colour, width=width, gid=gid)
     page.ax.plot(
         *np.reshape([robot.contact for robot in robots], (-1, 2)).T, "o", markersize=3.2,
@@ -141,7 +158,7 @@ def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
     if len(robots) > MOST_LABELS:
         return
     size = 8.0 if len(robots) <= FEW else 7.0
-    hardest = _hardest(found)
+    hardest, pushing = _hardest(found), _is_pushing(found)
     names = {(robot.name, robot.contact) for robot in robots}
     done = set()
     for index in np.argsort(-found.shares, kind="stable").tolist():
@@ -155,7 +172,7 @@ def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
             done.add((stem, robot.contact))
         spots, bearing = outer_spots(arrows, robot)
         colour = style.VERMILION if hardest[index] else style.BLUE
-        colour = colour if share > LEAST_SHARE else style.GREY
+        colour = colour if pushing[index] else style.GREY
         text = f"{name}: {_percent(share)}"
         page.label(text, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
@@ -178,14 +195,17 @@ def _caption(found: Forces, is_shown: bool) -> Caption:
     swarm = found.swarm
     kinds = {"force": style.BLUE, "force at the largest share": style.VERMILION}
     hardest = _hardest(found)
-    drawn = [bool((found.shares[~hardest] > LEAST_SHARE).any()), bool(hardest.any())]
+    drawn = [bool(_is_pushing(found)[~hardest].any()), bool(hardest.any())]
     entries: list[Any] = [
         ArrowEntry(facecolor=colour, label=label)
         for (label, colour), is_drawn in zip(kinds.items(), drawn, strict=True)
         if is_drawn
     ]
-    if len(swarm):
+    wide = [has_area(robot) for robot in swarm.robots]
+    if not all(wide):
         entries.append(ArrowEntry(facecolor=LIMIT, label="limit"))
+    if any(wide):
+        entries.append(Patch(**AREA_LOOK, label="all it can exert"))
     if is_shown:
         entries.append(ArrowEntry(facecolor=style.PURPLE, label="wrench wanted"))
     words = wrench_words(found.wanted * swarm.scale)

@@ -9,19 +9,21 @@ from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.forces import Forces
-from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.swarm.force_words import heading
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.words import Lengths, Unit, degrees, percent, wrench_words
 
-SHARE = "Share: a robot's force as a part of its limit."
 IDLE = 1e-7
 """Share that is told as none."""
-FULL = 1e-9
-"""Difference of two shares that counts as none."""
+FULL = 2e-6
+"""Difference of two shares that counts as none: twice what the least squares may take."""
 NONE = 1e-9
 """Size of a wrench, relative to one beside it, that is told as none."""
 MANY = 1000.0
 """Reserve beyond which nobody counts."""
+AT_END = 1e-6
+"""Difference of two angles [rad] that counts as none."""
 
 
 def show(name: str, found: Forces) -> None:
@@ -40,7 +42,20 @@ def show(name: str, found: Forces) -> None:
     report.blank()
     report.facts(_missed(found, unit) if found.is_degraded else _made(found, unit))
     _show_robots(report, found)
-    report.small_print(swarm, SHARE)
+    report.small_print(swarm, share_words(swarm))
+
+
+def share_words(swarm: Swarm) -> str:
+    """Say what a share is."""
+    if swarm.has_rays_only:
+        return "Share: a robot's force as a part of its limit."
+    taut = "; above a least force, a part of the way to its limit" if _has_rests(swarm) else ""
+    return f"Share: a robot's force as a part of the largest it can exert that way{taut}."
+
+
+def _has_rests(swarm: Swarm) -> bool:
+    """Tell whether robots may always exert some force."""
+    return bool(swarm.leasts.any() or swarm.rare.envelopes)
 
 
 def _made(found: Forces, unit: Unit) -> list[tuple[str, str]]:
@@ -50,7 +65,7 @@ def _made(found: Forces, unit: Unit) -> list[tuple[str, str]]:
         return facts
     facts.append(("Largest share", f"{share(found.largest_share)}: {_hardest(found)}"))
     facts.append(("", "no forces of these robots make the wrench with a smaller one"))
-    if found.needed < 1.0 - FULL:
+    if found.needed < 1.0 - FULL and not _has_rests(found.swarm):
         more = 1.0 / found.needed
         times = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
         what = "this" if not found.load.any() else "what they make"
@@ -73,6 +88,7 @@ def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
             if more < 1.0
             else f"limits {found.needed:.3g} times as large"
         )
+        needed += ", counted from the least forces" if _has_rests(swarm) else ""
     return [
         *_asked(found, unit),
         ("Made instead", wrench_text(swarm, found.wrench, unit, wanted)),
@@ -81,6 +97,8 @@ def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
         ("It takes", needed),
         *([("Largest share", f"{share(found.largest_share)}: {_hardest(found)}")]
           if found.shares.any() else []),
+        *([] if found.is_least_squares else
+          [("", "other forces for it may have a smaller sum of squares")]),
     ]  # fmt: skip
 
 
@@ -127,11 +145,44 @@ def share(part: float) -> str:
 
 
 def _hardest(found: Forces) -> str:
-    """Name the robots with the largest share."""
+    """Name the robots with the largest share, and say where they are at the end of a sector."""
     hardest = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
-    names = [found.swarm.names[i] for i in hardest[:8]]
+    names = [_named(found, i) for i in hardest[:8]]
     more = f" and {len(hardest) - 8} more" if len(hardest) > 8 else ""
     return ", ".join(names) + more
+
+
+def _named(found: Forces, index: int) -> str:
+    """Name a robot, with how it pushes if there is something to say of it."""
+    said = manner(found.swarm.robots[index], float(found.directions[index]))
+    return f"{found.swarm.names[index]} ({said})" if said else found.swarm.names[index]
+
+
+def manner(robot: Robot, direction: float) -> str:
+    """Say what there is to say of the direction [rad] of a robot's force.
+
+    Examples
+    --------
+    >>> tug = Robot((0.0, 0.0), 0.5, steers=0.3)
+    >>> manner(tug, 0.8), manner(tug, 0.2), manner(tug, 0.6)
+    ('at its port limit', 'at its starboard limit', '')
+    >>> manner(Robot((0.0, 0.0), 0.0, reverse_limit=0.6), math.pi)
+    'astern'
+    >>> manner(Robot((0.0, 0.0), 0.0, friction=1.0), math.pi / 4)
+    'about to slip'
+    """
+    off = math.remainder(direction - robot.direction, math.tau)
+    is_astern = robot.reverse_limit > 0.0 and abs(off) > 0.5 * math.pi
+    if is_astern and not robot.steers:
+        return "astern"
+    if robot.friction and abs(abs(off) - math.atan(robot.friction)) <= AT_END:
+        return "about to slip"
+    if is_astern and robot.steers < math.pi:
+        off = math.remainder(off + math.pi, math.tau)
+    words = ["astern"] if is_astern and robot.steers < math.pi else []
+    if 0.0 < robot.steers < math.pi and abs(abs(off) - robot.steers) <= AT_END:
+        words.append(f"at its {'port' if off > 0.0 else 'starboard'} limit")
+    return ", ".join(words)
 
 
 def _show_robots(report: Report, found: Forces) -> None:
@@ -140,7 +191,7 @@ def _show_robots(report: Report, found: Forces) -> None:
     if not len(swarm):
         return
     unit = Unit.for_size(*swarm.limits.tolist())
-    own = Unit.for_size(*found.forces.tolist()) if found.shares.any() else unit
+    own = Unit.for_size(*found.forces.tolist()) if found.vectors.any() else unit
     lengths = Lengths.for_extent(swarm.outline.extent)
     columns = [
         Column("robot"),
@@ -149,14 +200,21 @@ def _show_robots(report: Report, found: Forces) -> None:
         )),
         Column("place", is_spare=True),
     ]  # fmt: skip
+    if not swarm.has_rays_only:
+        columns.insert(-1, Column("how", is_spare=True))
     rows = []
     for index, robot in enumerate(swarm.robots):
-        part, force = float(found.shares[index]), float(found.forces[index])
+        part, direction = float(found.shares[index]), float(found.directions[index])
+        is_idle = part <= IDLE and robot.least == 0.0 and robot.envelope is None
+        said = "" if is_idle else manner(robot, direction)
         x, y = (lengths.number(v) for v in robot.contact)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
+        limit = robot.reverse_limit if "astern" in said else robot.limit
         rows.append([
-            swarm.names[index], own.number(force if part > IDLE else 0.0), share(part),
-            unit.number(robot.limit), degrees(robot.direction), x, y, where,
+            swarm.names[index], own.number(0.0 if is_idle else float(found.forces[index])),
+            share(part), unit.number(limit),
+            heading(robot) if is_idle else degrees(direction), x, y,
+            *([] if swarm.has_rays_only else [said]), where,
         ])  # fmt: skip
     report.blank()
     report.table(columns, rows)

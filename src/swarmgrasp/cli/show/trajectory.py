@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from swarmgrasp.cli.show.forces import IDLE, SHARE, share, size_of, wrench_text
+from swarmgrasp.cli.show.forces import IDLE, share, share_words, size_of, wrench_text
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.forces import ForcesAlong
 from swarmgrasp.words import Unit
@@ -16,14 +16,21 @@ MOST_TOLD = 20
 
 
 def table_text(found: ForcesAlong) -> str:
-    """Return the forces as a table: what was wanted, how well it is made, and who does what."""
+    """Return the forces as a table: what was wanted, how well it is made, and who does what.
+
+    Directions follow where robots can push more than one way.
+    """
     out = io.StringIO(newline="")
     writer = tables.writer(out, lineterminator="\n")
     robots = [f"{name} [N]" for name in found.swarm.names]
+    told = found.forces
+    if not found.swarm.has_rays_only:
+        robots += [f"{name} [deg]" for name in found.swarm.names]
+        told = np.hstack([told, np.degrees(found.directions)])
     writer.writerow(["fx", "fy", "tz", "largest_share", "needed", "shortfall", *robots])
     columns = zip(
         found.wanted.tolist(), found.largest_shares.tolist(), found.needed.tolist(),
-        found.shortfalls.tolist(), found.forces.tolist(), strict=True,
+        found.shortfalls.tolist(), told.tolist(), strict=True,
     )  # fmt: skip
     for wanted, largest, needed, shortfall, forces in columns:
         writer.writerow([*wanted, largest, needed, shortfall, *forces])
@@ -46,7 +53,7 @@ def show(name: str, found: ForcesAlong, lines: Sequence[int]) -> None:
     report.facts(_facts(found, lines, missed, unit))
     _show_robots(report, found, lines)
     _show_wrenches(report, found, lines, unit)
-    report.small_print(swarm, SHARE)
+    report.small_print(swarm, share_words(swarm))
 
 
 def _facts(
