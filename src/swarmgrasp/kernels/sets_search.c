@@ -54,6 +54,16 @@ static size_t sift(Hunt *h, Triangle *triangle, size_t begin, size_t end, const 
     return kept;
 }
 
+/* Give up a triangle that is a point. What is wanted there is held but for rounding, as where the
+ * robots and the task both come to nothing; or its bound is all that is known. */
+static Status give_up(Hunt *h, const Triangle *triangle, double edge) {
+    double height, cap, weight = h->floor / SETS_FLOOR;
+    Status status = sets_height(h->sets, triangle->normal, h->extra, &height, &cap);
+    if (status == SOLVED && height + (edge + SETS_FLOOR) * weight < wanted(h) * triangle->extent[0])
+        h->bound = smaller(h->bound, triangle->bound);
+    return status;
+}
+
 static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int depth);
 
 /* Search the half of a triangle in which the middle of an edge replaces a corner. */
@@ -114,10 +124,8 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
         return status;
     double edge, normal[3], size;
     int from = longest_edge(triangle->normal, &edge), to = (from + 1) % 3;
-    if (depth == 0 || edge <= SMALLEST) {
-        h->bound = smaller(h->bound, triangle->bound);
-        return SOLVED;
-    }
+    if (depth == 0 || edge <= SMALLEST)
+        return give_up(h, triangle, edge);
     for (int k = 0; k < 3; k++)
         normal[k] = triangle->normal[3 * from + k] + triangle->normal[3 * to + k];
     size = length(normal);
