@@ -34,6 +34,7 @@ double slow_height(const double *generators, int n, const double *load, int losi
 double slow_least(const double *generators, int n, const double *load, int losing,
                   const double *task, int tasks);
 
+void test_boxes(void);
 void test_triangle(void);
 void test_facets(void);
 void test_sphere(void);

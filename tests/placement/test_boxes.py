@@ -2,6 +2,7 @@
 
 import copy
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -76,7 +77,7 @@ def draw(seed):
 
 
 def best_on_grid(answer, contacts=9, directions=13):
-    """Return the best quality of a grid of places, as the quality of each swarm says."""
+    """Return what the quality of the best of a grid of places is at least."""
     problem, best = answer.problem, 0.0
     outline, newcomer = problem.swarm.outline, problem.newcomer
     for piece in problem.pieces().each:
@@ -85,7 +86,7 @@ def best_on_grid(answer, contacts=9, directions=13):
             for angle in np.linspace(piece.lo, piece.hi, directions).tolist():
                 robot = Robot(point, angle, newcomer.limit, reverse_limit=newcomer.reverse_limit)
                 found = quality(problem.swarm.with_robot(robot), **problem.criterion.terms)
-                best = max(best, found.value)
+                best = max(best, found.bound)
     return best
 
 
@@ -184,6 +185,31 @@ def test_a_search_cut_short_keeps_its_bound():
     found = search.solve(1e-6, asks=5)
     assert not found.solved
     assert found.upper_bound > 68.388 > found.best.quality > 0.0
+
+
+@pytest.mark.parametrize("losing", [1, 2])
+def test_losses_are_certified(losing):
+    """Bounds travel with what is left after the losses, of robots and of groups."""
+    rng = np.random.default_rng(7)
+    robots = [
+        robot_of(k, rng) for k in ("two-way", "sector", "azimuth", "two-way", "finger", "ray")
+    ]
+    robots = [replace(robot, group="bus" if k < 2 else "") for k, robot in enumerate(robots)]
+    answer = place(
+        Swarm(RECTANGLE, robots), Newcomer(1.0, reverse_limit=1.0), gap=1e-4, losing=losing
+    )
+    assert answer.gap <= 1e-4
+    assert best_on_grid(answer, 5, 7) <= answer.upper_bound * (1.0 + 1e-8)
+    document = document_of(answer)
+    verdict = verify_document(document)
+    assert verdict, verdict.faults
+    if losing == 1:
+        boxes = document["placements"][0]["boxes"]
+        assert any(any(box["lost"]) for box in boxes)
+        for box in boxes:  # all of them at once may not be lost
+            box["lost"] = [[r.name for r in answer.problem.swarm] for _ in box["lost"]]
+        document["digest"] = digest_of(document)
+        assert not verify_document(document)
 
 
 def _spoil(document, how):

@@ -284,7 +284,7 @@ TAMPERINGS = [
     (_origin, "the quality before is said to be"),
     (_metric, "the quality before is said to be"),
     (_weights, "the quality before is said to be"),
-    (_mounted, "a newcomer is on the boundary"),
+    (_mounted, "is mounted, and the newcomer otherwise"),
 ]
 
 
@@ -401,7 +401,7 @@ class Looked(str):
 
 def test_names_of_zones_are_looked_at_once():
     """Of a thousand zones of one name each is numbered without a look at all the others."""
-    zones = [SimpleNamespace(stretch=SimpleNamespace(name=Looked("quay"))) for _ in range(1000)]
+    zones = [SimpleNamespace(name=Looked("quay")) for _ in range(1000)]
     labels = labels_of([zones[0], None, *zones[1:], ZONES[1]])
     assert labels[:3] == ["quay (1)", "", "quay (2)"]
     assert labels[-2:] == ["quay (1000)", "bollard"]

@@ -7,9 +7,13 @@
 #include "place.h"
 #include "quality.h"
 
-#define EXACT 1e-9      /* gap of a quality that is asked */
+#define NEARER 0.05     /* gap of a quality that is asked, relative to that of the search */
 #define STARTS 3       /* normals at which it begins */
 #define PARALLEL 1e-9   /* sine of the angle between wrenches that have no common plane */
+#define FIRST 24        /* rows that a game begins with, */
+#define FRESH 8         /* that come in at a time, */
+#define ACTIVE 96       /* and that it has at most */
+#define LOWER 1e-11     /* of the range of worths: a row that is lower by more comes in */
 #define PIVOTS 60       /* of a game; its combination is good at any time */
 #define LOWEST 6        /* normals through which others travel */
 #define BESIDE 3.0      /* diameters of a box within which its wrenches are across such a normal */
@@ -109,7 +113,8 @@ static Status list_kinks(BoxSearch *s) {
 Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int many, double limit,
                    double reverse, double units, int (*interrupted)(void)) {
     *s = (BoxSearch){.sets = sets, .pieces = pieces, .many = many, .limit = limit,
-                     .reverse = reverse, .least_cap = INFINITY, .is_convex = sets->losing == 0,
+                     .reverse = reverse, .least_cap = INFINITY,
+                     .is_convex = sets->losing <= LOST && sets->failures == 0,
                      .work = work_of(units, interrupted)};
     double bound, most = 0.0, opposite[3];
     for (int k = 0; k < 2 * many; k++) {
@@ -122,6 +127,9 @@ Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int man
         if (sets->set[i].adrift || sets->set[i].turning)
             s->is_convex = 0;
     Status status = list_kinks(s);
+    s->exerted = malloc(((size_t)sets->machines + 1) * sizeof *s->exerted);
+    if (!s->exerted)
+        status = NO_MEMORY;
     if (status == SOLVED)
         status = sets_search(sets, NULL, EXACT, INFINITY, NULL, 0, &s->work, &s->quality, &bound,
                              s->weakest);
@@ -141,7 +149,8 @@ Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int man
 }
 
 void boxes_end(BoxSearch *s) {
-    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->tableau, s->used, s->term};
+    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->used, s->term,
+                   s->exerted};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         free(all[k]);
 }
@@ -172,8 +181,8 @@ static Status find_across(BoxSearch *s, const double *b, double *value, double *
     return status;
 }
 
-Status boxes_quality(BoxSearch *s, const double *arm, double direction, double *quality,
-                     double *normal) {
+Status boxes_quality(BoxSearch *s, const double *arm, double direction, double gap,
+                     double *quality, double *normal) {
     double c = cos(direction), sn = sin(direction), b[3], force[2] = {c, sn}, bound;
     double start[STARTS][3], low[STARTS] = {INFINITY, INFINITY};
     double ahead[ELEMENT] = {0.0, s->limit * c, s->limit * sn, direction - 0.5 * PI,
@@ -207,7 +216,7 @@ Status boxes_quality(BoxSearch *s, const double *arm, double direction, double *
         low[at] = value;
         memcpy(start[at], s->pool[k].normal, sizeof start[at]);
     }
-    return sets_search(s->sets, &set, EXACT, INFINITY, start[0], starts, &s->work, quality, &bound,
+    return sets_search(s->sets, &set, gap, INFINITY, start[0], starts, &s->work, quality, &bound,
                        normal);
 }
 
@@ -227,45 +236,33 @@ static void pivot(double *t, int width, int row, int column) {
     }
 }
 
-/* Of rows A (count, CORNERS + 1), the last number of each D, find weights y whose greatest
- * sum y (A - level D) over the corners is least. Rows that cannot matter get none. Writes the rows
- * that do and their weights, at most CORNERS, and the shares of the corners that do best against
- * them. Returns how many. */
-static int play(BoxSearch *s, int count, double level, int *chosen, double *weight, double *share) {
-    const double *a = s->row;
-    double least_top = INFINITY, lowest = INFINITY;
-    int kept = 0;
-    for (int k = 0; k < count; k++) {
-        double top = -INFINITY;
-        for (int i = 0; i < CORNERS; i++)
-            top = larger(top, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
-        least_top = smaller(least_top, top);
-    }
-    for (int k = 0; k < count; k++) {
-        double low = INFINITY;
-        for (int i = 0; i < CORNERS; i++)
-            low = smaller(low, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
-        if (low > least_top)
-            continue;
-        lowest = smaller(lowest, low);
-        s->used[kept++] = k;
-    }
-    double unit = least_top - lowest; /* the values become 1 to 2 or so */
-    unit = unit > 0.0 ? unit : 1.0;
-    int width = kept + CORNERS + 1, basis[CORNERS];
-    double *t = s->tableau, *price = t + CORNERS * width;
+/* Of rows (count, CORNERS + 1), A and D, the worth of a mixture of corners at a level. */
+static double worth(const double *row, double level, const double *share) {
+    double sum = 0.0;
+    for (int i = 0; i < CORNERS; i++)
+        sum += share[i] * row[i];
+    return sum - level * row[CORNERS];
+}
+
+/* Play a game of the rows in `active`, whose worths are `lowest` and more by about `unit`: write the
+ * weights of rows whose greatest sum over the corners is least, at most CORNERS of them, and the shares
+ * of the corners that do best against them. Returns how many rows have a weight. */
+static int play(BoxSearch *s, const int *active, int count, double level, double lowest, double unit,
+                int *chosen, double *weight, double *share) {
+    int width = count + CORNERS + 1, basis[CORNERS];
+    double t[(CORNERS + 1) * (ACTIVE + CORNERS + 1)], *price = t + CORNERS * width;
     for (int i = 0; i < CORNERS; i++) {
-        for (int j = 0; j < kept; j++) {
-            const double *row = a + (ptrdiff_t)s->used[j] * (CORNERS + 1);
+        for (int j = 0; j < count; j++) {
+            const double *row = s->row + (ptrdiff_t)active[j] * (CORNERS + 1);
             t[i * width + j] = 1.0 + (row[i] - level * row[CORNERS] - lowest) / unit;
         }
         for (int j = 0; j < CORNERS; j++)
-            t[i * width + kept + j] = i == j;
+            t[i * width + count + j] = i == j;
         t[i * width + width - 1] = 1.0;
-        basis[i] = kept + i;
+        basis[i] = count + i;
     }
     for (int j = 0; j < width; j++)
-        price[j] = j < kept;
+        price[j] = j < count;
     for (int turn = 0; turn < PIVOTS; turn++) {
         int column = -1, row = -1;
         double most = 1e-11, step = INFINITY;
@@ -277,7 +274,8 @@ static int play(BoxSearch *s, int count, double level, int *chosen, double *weig
         if (column < 0)
             break;
         for (int i = 0; i < CORNERS; i++)
-            if (t[i * width + column] > 1e-9 && t[i * width + width - 1] < step * t[i * width + column]) {
+            if (t[i * width + column] > 1e-9
+                && t[i * width + width - 1] < step * t[i * width + column]) {
                 step = t[i * width + width - 1] / t[i * width + column];
                 row = i;
             }
@@ -290,12 +288,12 @@ static int play(BoxSearch *s, int count, double level, int *chosen, double *weig
     double sum = 0.0, all = 0.0;
     for (int i = 0; i < CORNERS; i++) {
         double q = t[i * width + width - 1];
-        if (basis[i] < kept && q > 0.0) {
-            chosen[found] = s->used[basis[i]];
+        if (basis[i] < count && q > 0.0) {
+            chosen[found] = active[basis[i]];
             weight[found++] = q;
             sum += q;
         }
-        share[i] = larger(0.0, -price[kept + i]);
+        share[i] = larger(0.0, -price[count + i]);
         all += share[i];
     }
     for (int k = 0; k < found; k++)
@@ -303,6 +301,63 @@ static int play(BoxSearch *s, int count, double level, int *chosen, double *weig
     for (int i = 0; i < CORNERS; i++)
         share[i] = all > 0.0 ? share[i] / all : 1.0 / CORNERS;
     return found;
+}
+
+/* Put a row with its value into a list of the lowest, which is full at `room`. Returns the new count. */
+static int keep_lowest(int *kept, double *value, int count, int room, int row, double here) {
+    int j = count < room ? count++ : room;
+    if (j == room && !(here < value[--j]))
+        return count;
+    for (; j > 0 && here < value[j - 1]; j--) {
+        value[j] = value[j - 1];
+        kept[j] = kept[j - 1];
+    }
+    value[j] = here;
+    kept[j] = row;
+    return count;
+}
+
+/* The same with all rows: those that are low come in until none is lower than the game is worth. */
+static int balance(BoxSearch *s, int count, double level, int *chosen, double *weight, double *share) {
+    const double *a = s->row;
+    int active[ACTIVE], fresh[FRESH], found = 0, actives = 0, kept = 0;
+    double value[ACTIVE], least_top = INFINITY, lowest = INFINITY;
+    for (int k = 0; k < count; k++) {
+        double top = -INFINITY;
+        for (int i = 0; i < CORNERS; i++)
+            top = larger(top, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
+        least_top = smaller(least_top, top);
+    }
+    for (int i = 0; i < CORNERS; i++)
+        share[i] = 1.0 / CORNERS;
+    for (int k = 0; k < count; k++) {
+        const double *row = a + (ptrdiff_t)k * (CORNERS + 1);
+        double low = INFINITY;
+        for (int i = 0; i < CORNERS; i++)
+            low = smaller(low, row[i] - level * row[CORNERS]);
+        if (low > least_top)
+            continue; /* it cannot matter */
+        lowest = smaller(lowest, low);
+        s->used[kept++] = k;
+        actives = keep_lowest(active, value, actives, FIRST, k, worth(row, level, share));
+    }
+    double unit = least_top > lowest ? least_top - lowest : 1.0;
+    while (1) {
+        found = play(s, active, actives, level, lowest, unit, chosen, weight, share);
+        double game = INFINITY;
+        for (int k = 0; k < actives; k++)
+            game = smaller(game, worth(a + (ptrdiff_t)active[k] * (CORNERS + 1), level, share));
+        int more = 0;
+        for (int k = 0; k < kept; k++) {
+            double here = worth(a + (ptrdiff_t)s->used[k] * (CORNERS + 1), level, share);
+            if (here < game - LOWER * unit)
+                more = keep_lowest(fresh, value, more, FRESH, s->used[k], here);
+        }
+        if (!more || actives + more > ACTIVE)
+            return found;
+        memcpy(active + actives, fresh, (size_t)more * sizeof *fresh);
+        actives += more;
+    }
 }
 
 /* -- boxes -------------------------------------------------------------------------------------- */
@@ -353,14 +408,50 @@ static void farthest(const Sets *sets, const double *normal, double *wrench) {
         wrench[c] /= size;
 }
 
+/* Find the machines that add most along a normal, as many as may be lost. */
+static void find_lost(BoxSearch *s, const double *normal, int *lost) {
+    const Sets *sets = s->sets;
+    for (int k = 0; k < LOST; k++)
+        lost[k] = -1;
+    if (!sets->losing)
+        return;
+    memset(s->exerted, 0, (size_t)sets->machines * sizeof *s->exerted);
+    for (int i = 0; i < sets->count; i++)
+        s->exerted[sets->machine[i]] += exert(sets->scale, sets->set + i, normal, NULL, NULL, NULL);
+    for (int k = 0; k < sets->losing; k++) {
+        double most = 0.0;
+        for (int m = 0; m < sets->machines; m++)
+            if (s->exerted[m] > most) {
+                most = s->exerted[m];
+                lost[k] = m;
+            }
+        if (lost[k] >= 0)
+            s->exerted[lost[k]] = 0.0;
+    }
+}
+
+/* h at a normal, without some machines. */
+static double height_without(const Sets *sets, const int *lost, const double *normal) {
+    double height = dot(sets->load, normal);
+    for (int i = 0; i < sets->count; i++) {
+        int is_lost = 0;
+        for (int k = 0; k < LOST; k++)
+            is_lost |= lost[k] == sets->machine[i];
+        if (!is_lost)
+            height += exert(sets->scale, sets->set + i, normal, NULL, NULL, NULL);
+    }
+    return height;
+}
+
 /* Write a row of the normals b x g, which at a level is worth no less than any quality above it (T23):
  * with N the normals at the corners and d the task's wrench farthest along their sum, t D(n) <= h(n)
  * gives t c <= sum mu (h(N) - level d . N) + level c with c the least d . N. Returns whether there is
  * one. */
 static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double level, double *row,
-                     int *is_row) {
-    double normal[CORNERS][3], sum[3] = {0.0}, d[3], least = INFINITY, mean = 0.0, cap;
+                     Term *term, int *is_row) {
+    double normal[CORNERS][3], sum[3] = {0.0}, d[3], least = INFINITY, mean = 0.0;
     *is_row = 0;
+    *term = (Term){.kind = TRAVELLING, .vector = {g[0], g[1], g[2]}};
     for (int i = 0; i < CORNERS; i++) {
         cross(corner[i], g, normal[i]);
         add(sum, normal[i]);
@@ -373,12 +464,10 @@ static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double 
         least = smaller(least, dot(d, normal[i]));
     if (!(least > TURNED_OFF * mean))
         return SOLVED;
-    for (int i = 0; i < CORNERS; i++) {
-        Status status = sets_height(s->sets, normal[i], NULL, row + i, &cap);
-        if (status != SOLVED)
-            return status;
-        row[i] = (row[i] - level * dot(d, normal[i])) / least + level;
-    }
+    find_lost(s, sum, term->lost);
+    for (int i = 0; i < CORNERS; i++)
+        row[i] = (height_without(s->sets, term->lost, normal[i]) - level * dot(d, normal[i])) / least
+                 + level;
     row[CORNERS] = 1.0;
     *is_row = 1;
     return spend(&s->work, (double)CORNERS * s->sets->count);
@@ -411,14 +500,12 @@ static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found
 /* Make room for a game of so many rows. */
 static int make_room(BoxSearch *s, size_t rows) {
     free(s->row);
-    free(s->tableau);
     free(s->used);
     free(s->term);
     s->row = malloc(rows * (CORNERS + 1) * sizeof *s->row);
-    s->tableau = malloc((CORNERS + 1) * (rows + CORNERS + 1) * sizeof *s->tableau);
     s->used = malloc(rows * sizeof *s->used);
     s->term = malloc(rows * sizeof *s->term);
-    int is_made = s->row && s->tableau && s->used && s->term;
+    int is_made = s->row && s->used && s->term;
     s->rows_room = is_made ? (int)rows : 0;
     return is_made;
 }
@@ -455,10 +542,10 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
             row[i] = at->height + (is_demanded ? s->limit * x : phi(s, x));
         }
         row[CORNERS] = at->extent;
-        term[k] = (Term){is_demanded ? DEMANDED : MET,
-                         {at->normal[0], at->normal[1], at->normal[2]}, 0.0};
+        term[k] = (Term){.kind = is_demanded ? DEMANDED : MET,
+                         .vector = {at->normal[0], at->normal[1], at->normal[2]}};
     }
-    found = play(s, s->count, level, chosen, weight, share);
+    found = balance(s, s->count, level, chosen, weight, share);
     keep_terms(s, box, term, found, chosen, weight, level);
     Status status = spend(&s->work, PASS * s->count);
     if (s->is_convex && box->bound > enough && status == SOLVED) {
@@ -468,22 +555,12 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
             const Known *known = s->pool + k;
             if (fabs(dot(known->normal, middle)) > BESIDE * wide || known->extent <= 0.0)
                 continue;
-            double here = reach_of(s, known, middle);
-            int j = lows < LOWEST ? lows++ : LOWEST;
-            if (j == LOWEST && !(here < value[--j]))
-                continue;
-            for (; j > 0 && here < value[j - 1]; j--) {
-                value[j] = value[j - 1];
-                low[j] = low[j - 1];
-            }
-            value[j] = here;
-            low[j] = k;
+            lows = keep_lowest(low, value, lows, LOWEST, k, reach_of(s, known, middle));
         }
         for (int k = 0; k < befores && status == SOLVED; k++)
             if (before[k].kind == TRAVELLING) {
                 status = travel(s, corner, before[k].vector, level,
-                                s->row + (ptrdiff_t)at * (CORNERS + 1), &is_row);
-                term[at] = before[k];
+                                s->row + (ptrdiff_t)at * (CORNERS + 1), term + at, &is_row);
                 at += is_row;
             }
         for (int l = 0; l < lows && status == SOLVED; l++) {
@@ -505,20 +582,20 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
                 for (int c = 0; c < 3; c++)
                     g[c] *= sign;
                 edges++;
-                status = travel(s, corner, g, level, s->row + (ptrdiff_t)at * (CORNERS + 1), &is_row);
-                term[at] = (Term){TRAVELLING, {g[0], g[1], g[2]}, 0.0};
+                status = travel(s, corner, g, level, s->row + (ptrdiff_t)at * (CORNERS + 1),
+                                term + at, &is_row);
                 at += is_row;
             }
         }
         if (at > s->count && !is_fault(status)) {
-            found = play(s, at, level, chosen, weight, share);
+            found = balance(s, at, level, chosen, weight, share);
             keep_terms(s, box, term, found, chosen, weight, level);
         }
     }
     if (s->least_cap <= box->bound) { /* no newcomer does better, anywhere */
         box->bound = s->least_cap;
         box->terms = 1;
-        box->term[0] = (Term){MET, {0.0}, 1.0};
+        box->term[0] = (Term){.kind = MET, .weight = 1.0};
         memcpy(box->term[0].vector, s->pool[s->capped].normal, sizeof box->term[0].vector);
     }
     double beyond = 0.0, f[2] = {0.0}, mid = 0.5 * (box->lo + box->hi);
@@ -585,10 +662,10 @@ static Status put_box(BoxSearch *s, Box *box, double level, double enough) {
 }
 
 /* Ask the quality where a box looks best. */
-static Status ask(BoxSearch *s, const Box *box, Place *best) {
+static Status ask(BoxSearch *s, const Box *box, double gap, Place *best) {
     double arm[2], quality, normal[3];
     arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, box->ask[0], arm);
-    Status status = boxes_quality(s, arm, box->ask[1], &quality, normal);
+    Status status = boxes_quality(s, arm, box->ask[1], larger(EXACT, NEARER * gap), &quality, normal);
     s->asks--;
     if (status != SOLVED)
         return status;
@@ -649,12 +726,13 @@ Status boxes_solve(BoxSearch *s, const char *chosen, double gap, int asks, Place
             status = put_box(s, &box, level, enough);
             continue;
         }
-        if (s->asks <= 0) {
+        int is_close = box.bound <= best->quality * (1.0 + CLOSE);
+        if (s->asks <= 0 || (is_close && asks - s->asks >= ENOUGH)) {
             put_open(s, &box); /* there is room: it came from there */
             status = OUT_OF_BUDGET;
             break;
         }
-        status = ask(s, &box, best);
+        status = ask(s, &box, gap, best);
         if (status != SOLVED) {
             put_open(s, &box);
             break;

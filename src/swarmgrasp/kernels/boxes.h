@@ -6,8 +6,8 @@
  * interest; phi is what the newcomer adds, D the task's part:
  *   MET         t D(n) <= H(n) + phi(n . b), convex in b.
  *   DEMANDED    If H(n) <= t D(n), a one-way newcomer that betters t pushes along n, and phi is linear.
- *   TRAVELLING  n(b) = b x g, to which the newcomer adds nothing: t D(n(b)) <= h(n(b)), where h, without
- *               losses, is convex.
+ *   TRAVELLING  n(b) = b x g, to which the newcomer adds nothing: t D(n(b)) <= h(n(b)), where h is
+ *               convex: what is left of H without machines that may be lost, those that add most.
  * A convex combination of them, from a matrix game, bounds the box. A search has up to some thousands
  * of boxes; each costs a pass over the normals met, and a few hundred heights. */
 #ifndef SWARMGRASP_BOXES_H
@@ -17,7 +17,11 @@
 #include "sets.h"
 
 #define CORNERS 6 /* wrenches whose hull holds those of a box; normals that bound one, at most */
-#define ASKS 1500 /* exact qualities that a search may take unless told otherwise */
+#define EXACT 1e-9 /* gap of a quality that is not only looked at by a search for a wider one */
+#define LOST 4    /* machines to be lost, at most, for normals to travel */
+#define ASKS 1500 /* exact qualities that a search may take unless told otherwise; or fewer, */
+#define ENOUGH 400   /* once it took so many and */
+#define CLOSE 1e-4   /* its bound is so near, relatively */
 
 typedef enum { MET, DEMANDED, TRAVELLING } Kind;
 
@@ -25,6 +29,7 @@ typedef struct {
     Kind kind;
     double vector[3]; /* the unit normal, in the metric's coordinates, or g */
     double weight;
+    int lost[LOST];   /* machines that a travelling one goes without, or -1 */
 } Term;
 
 /* Robots of a piece between two contacts, and two directions at most a right angle apart. */
@@ -55,7 +60,7 @@ typedef struct {
     int many;
     double limit, reverse;      /* of the newcomer [N] */
     double size;                /* of all wrenches together [N]: what rounding is relative to */
-    int is_convex;              /* whether h is: no losses, and no poses that may be worst */
+    int is_convex;              /* whether h is: no failures, few losses, known poses */
     double quality, weakest[3]; /* of the base swarm */
     Known *pool;
     int count, room;
@@ -65,9 +70,10 @@ typedef struct {
     int kinks;
     Box *open, *closed;         /* a heap, greatest bound first; and what was bounded */
     int opens, open_room, closes, closed_room;
-    double *row, *tableau;      /* room for a game */
+    double *row;                /* room for a game */
     Term *term;
     int *used, rows_room;
+    double *exerted;            /* (machines + 1,) room for what they exert along a normal */
     int asks;                   /* exact qualities left */
     Work work;
 } BoxSearch;
@@ -82,9 +88,9 @@ void boxes_end(BoxSearch *search);
  * SOLVED, OUT_OF_BUDGET, or a fault. */
 Status boxes_solve(BoxSearch *search, const char *chosen, double gap, int asks, Place *best);
 
-/* Find the quality with the newcomer at a moment arm, and the unit normal that attains it. Returns a
- * status; OUT_OF_BUDGET means that it may be far less. */
-Status boxes_quality(BoxSearch *search, const double *arm, double direction, double *quality,
-                     double *normal);
+/* Find the quality with the newcomer at a moment arm to a relative gap, and the unit normal that attains
+ * it. Returns a status; OUT_OF_BUDGET means that it may be far less. */
+Status boxes_quality(BoxSearch *search, const double *arm, double direction, double gap,
+                     double *quality, double *normal);
 
 #endif

@@ -25,7 +25,9 @@ UNASKED: float
 ASKS: int
 """Exact qualities that `Boxes.solve` may take unless told otherwise."""
 BOX: int
-"""Numbers of a box in what `Boxes.solve` returns."""
+"""Numbers of a box in what `Boxes.solve` returns,"""
+TERM: int
+"""and of each of its terms."""
 SPAN: int
 """Numbers of a span in what `Spans.solve` returns."""
 WORK: float
@@ -188,9 +190,10 @@ class Boxes:
 
         Stops at a relative gap, after so many exact qualities, or when the work is spent.
 
-        Returns whether the gap is closed, the best robot, and boxes (m, 36) that together cover
+        Returns whether the gap is closed, the best robot, and boxes (m, BOX) that together cover
         the pieces: piece, shares of the first and the last contact, directions [rad], what none
-        exceeds [N], and six terms of kind, vector (3,) and weight, 0 where there is none.
+        exceeds [N], and six terms of kind, vector (3,), weight, 0 where there is none, and the
+        machines that a travelling one goes without, or -1.
         """
 
     def qualities_at(self, robots: Array, /) -> bytes:

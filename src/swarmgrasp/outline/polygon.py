@@ -1,6 +1,7 @@
 """Polygons as arrays: what makes one valid, its area and its centroid."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,7 +38,7 @@ def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
         )
     if np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[1] <= 1e-9 * extent:
         raise OutlineInvalid("the vertices are collinear: the outline encloses no area")
-    # shapely takes 20 ms to load and is needed for this check alone
+    # shapely takes 20 ms to load and is needed for such checks alone
     from shapely import Polygon
     from shapely.validation import explain_validity
 
@@ -49,6 +50,26 @@ def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
             "around a simple polygon"
         )
     return corners
+
+
+def is_simple(corners: Sequence[Sequence[float]]) -> bool:
+    """Tell whether corners, in order, are a spot, a line, or a polygon that crosses nothing."""
+    from shapely import Polygon
+
+    if len(corners) < 3:
+        return len(set(map(tuple, corners))) == len(corners)
+    found = Polygon(corners)
+    return bool(found.is_valid and found.area > 0.0)
+
+
+def is_within(corners: ArrayLike, outer: ArrayLike, tolerance: float) -> bool:
+    """Tell whether a spot, a line or a polygon lies in another polygon, but for a tolerance [m]."""
+    from shapely import LineString, Point, Polygon
+
+    points = np.asarray(corners, dtype=float)
+    kinds = {1: lambda: Point(points[0]), 2: lambda: LineString(points)}
+    inner = kinds.get(len(points), lambda: Polygon(points))()
+    return bool(Polygon(np.asarray(outer)).buffer(tolerance).covers(inner))
 
 
 def edge_name_faults(names: list[str], count: int) -> list[str]:

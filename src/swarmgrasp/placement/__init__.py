@@ -1,7 +1,7 @@
 """Where the next robot goes, with a proof that no place is better."""
 
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
-from swarmgrasp.placement.certificate import Certificate, Proof
+from swarmgrasp.placement.certificate import BoxProof, Certificate, Proof
 from swarmgrasp.placement.many import cell_qualities, qualities_with
 from swarmgrasp.placement.place import place, place_sequence
 from swarmgrasp.placement.problem import Problem
@@ -16,6 +16,7 @@ from swarmgrasp.placement.together import (
 )
 
 __all__ = [
+    "BoxProof",
     "Certificate",
     "HowMany",
     "Move",

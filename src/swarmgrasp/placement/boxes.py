@@ -4,7 +4,7 @@ One-way or two-way: by branch and bound over boxes of contacts and directions.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.kernels import core
+from swarmgrasp.placement.areas import Areas
 from swarmgrasp.placement.certificate import BoxProof, Certificate
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
@@ -32,7 +33,9 @@ KINDS: tuple[Literal["met"], Literal["demanded"], Literal["travelling"]] = (
     "demanded",
     "travelling",
 )
-"""What the terms are, by the kernel's numbers."""
+"""What the terms are, by the kernel's numbers,"""
+TRAVELLING = KINDS.index("travelling")
+"""and of one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +51,7 @@ class BoxOptimum(Frozen):
         What no robot exceeds.
     bounds : (k,) [N]
         What no robot on each piece exceeds; 0 for those left out.
-    boxes : (m, 36)
+    boxes : (m, BOX)
         See `core.Boxes`.
     normals_met : (n, 3)
         Unit normals that the search has met.
@@ -62,6 +65,7 @@ class BoxOptimum(Frozen):
     normals_met: Array
     _rows: Array
     _origin: Array
+    _machines: Mapping[int, tuple[str, ...]]
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -71,7 +75,7 @@ class BoxOptimum(Frozen):
     def _proofs(self) -> Iterator[BoxProof]:
         """Yield the proof of each box."""
         for row in self.boxes:
-            terms = row[TERMS:].reshape(-1, 5)
+            terms = row[TERMS:].reshape(-1, core.TERM)
             terms = terms[terms[:, 4] > 0.0]
             arms = self._rows[int(row[PIECE])]
             ends = row[FROM : TO + 1, None] * (arms[2:4] - arms[:2]) + arms[:2] + self._origin
@@ -84,7 +88,14 @@ class BoxOptimum(Frozen):
                 tuple(KINDS[int(kind)] for kind in terms[:, 0]),
                 terms[:, 1:4],
                 terms[:, 4],
+                tuple(self._robots_of(term) for term in terms.tolist()),
             )
+
+    def _robots_of(self, term: list[float]) -> tuple[str, ...]:
+        """Return the robots that a term goes without."""
+        if int(term[0]) != TRAVELLING:
+            return ()
+        return tuple(name for m in term[5:] if m >= 0.0 for name in self._machines[int(m)])
 
 
 class BoxSearch:
@@ -93,7 +104,7 @@ class BoxSearch:
     Parameters
     ----------
     problem : Problem
-    pieces : Pieces
+    pieces : Pieces or Areas
 
     Attributes
     ----------
@@ -108,10 +119,15 @@ class BoxSearch:
         What exact qualities by the aim may take besides: as much as the search.
     """
 
-    def __init__(self, problem: Problem, pieces: Pieces) -> None:
+    def __init__(self, problem: Problem, pieces: Pieces | Areas) -> None:
         self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
         self._unit = self.aim.unit
         self._rows, self._origin = pieces.rows, problem.swarm.outline.origin
+        self._machines: dict[int, tuple[str, ...]] = {}
+        if problem.criterion.losing:
+            swarm = problem.swarm
+            for i, machine in enumerate(swarm.machines.tolist()):
+                self._machines[machine] = (*self._machines.get(machine, ()), swarm.names[i])
         self._limits = problem.certain_limit, problem.newcomer.reverse_limit
         sets = self.aim.robots
         assert isinstance(sets, RobotSets)
@@ -160,22 +176,34 @@ class BoxSearch:
             best = Best(value / self._unit, *self._wrench(self._spot), piece)
         top = float(boxes[:, BOUND].max(initial=0.0))
         return BoxOptimum(
-            solved, best, top, bounds, boxes, self._normals(), self._rows, self._origin
+            solved,
+            best,
+            top,
+            bounds,
+            boxes,
+            self._normals(),
+            self._rows,
+            self._origin,
+            self._machines,
         )
 
     def _twins(self) -> list[tuple[int, int]]:
         """Return pieces of the same robots: pushing one way is pulling the other."""
         if self._limits[0] != self._limits[1]:
             return []
-        seen: dict[tuple[float, ...], int] = {}
+        seen: dict[tuple[float, ...], list[int]] = {}
         twins = []
         for k, row in enumerate(self._rows.tolist()):
-            first, last, lo, hi = tuple(row[:2]), tuple(row[2:4]), row[4], row[5]
-            other = seen.get((*last, *first, hi - lo))
-            if other is not None and _is_half_turn(lo - float(self._rows[other, 4])):
-                twins.append((other, k))
-            seen[(*first, *last, hi - lo)] = k
+            x, y, to_x, to_y, lo, hi = row[:6]
+            others = seen.get((to_x, to_y, x, y), ())
+            twins += [(j, k) for j in others if self._is_half_turn(j, lo, hi)][:1]
+            seen.setdefault((x, y, to_x, to_y), []).append(k)
         return twins
+
+    def _is_half_turn(self, piece: int, lo: float, hi: float) -> bool:
+        """Tell whether a sector [rad] is that of a piece, turned around."""
+        turns = np.array([lo, hi]) - self._rows[piece, 4:6] - math.pi
+        return bool((np.abs(np.remainder(turns + 1.0, math.tau) - 1.0) <= SAME_ANGLE).all())
 
     def _wrench(self, spot: Spot) -> tuple[float, float, float]:
         """Return the unit wrench [1, 1, m] of a robot."""
@@ -209,8 +237,3 @@ class BoxSearch:
         """Return the quality (c,) [N] with each of robots (c, 3): moment arms and directions."""
         found = np.frombuffer(self._core.qualities_at(np.ascontiguousarray(robots)))
         return found.reshape(-1, 4)[:, 0] / self._unit
-
-
-def _is_half_turn(turn: float) -> bool:
-    """Tell whether a turn [rad] is half a one, or one and a half, and so on."""
-    return abs(math.remainder(turn - math.pi, math.tau)) <= SAME_ANGLE

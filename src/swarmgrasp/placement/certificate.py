@@ -45,8 +45,8 @@ class BoxProof(Frozen, Plain):
 
     - "met", a unit normal n: t D(n) <= H(n) + phi(n . b);
     - "demanded", if n has H(n) <= t D(n) and the newcomer is one-way: t D(n) <= H(n) + limit n . b;
-    - "travelling", g: t D(n) <= H(n) for the normal n = b x g across b. There is none where losses
-      or uncertain poses are asked for.
+    - "travelling", g: t D(n) <= H(n) for the normal n = b x g across b, where H is no more than
+      what robots exert without those lost. There is none for named failures and uncertain poses.
 
     Attributes
     ----------
@@ -59,6 +59,8 @@ class BoxProof(Frozen, Plain):
         In the metric's coordinates, at most 6.
     weights : (m,)
         Positive; of any sum.
+    lost : tuple of tuple of str
+        Of each vector, the robots lost; none but for a travelling one.
     """
 
     start: tuple[float, float]
@@ -68,6 +70,7 @@ class BoxProof(Frozen, Plain):
     kinds: tuple[Literal["met", "demanded", "travelling"], ...]
     vectors: NDArray[np.float64]
     weights: NDArray[np.float64]
+    lost: tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)

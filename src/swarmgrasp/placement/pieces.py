@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
@@ -75,6 +75,11 @@ class Pieces:
         piece = self.each[index]
         return _point_on(self.outline, piece, share if piece.inward else 1.0 - share)
 
+    @property
+    def places(self) -> list[str]:
+        """The place of each."""
+        return [piece.place for piece in self.each]
+
     def robot_at(self, index: int, c: float, s: float, torque: float) -> tuple[Interval, float]:
         """Return the contact [m, m] and direction [rad] of a unit wrench [1, 1, m] on a piece."""
         first_x, first_y, last_x, last_y = self.rows[index, :4].tolist()
@@ -125,7 +130,7 @@ def pieces_of(
 
 def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
     """Return the zones' names; of several with one name, each with its number; "" without zones."""
-    names = [zone.stretch.name for zone in zones or ()]
+    names = [zone.name for zone in zones or ()]
     uses, so_far, labels = Counter(names), Counter[str](), []
     for name in names:
         so_far[name] += 1
@@ -160,13 +165,21 @@ def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
     p = corners[edges]
     along = (np.roll(corners, -1, axis=0)[edges] - p) / outline.lengths[edges][:, None]
     inward = numbers[:, 5:6] != 0.0
-    rows = np.empty((len(pieces), 10))
-    rows[:, 0:2] = p + along * np.where(inward, numbers[:, 1:2], numbers[:, 2:3])
-    rows[:, 2:4] = p + along * np.where(inward, numbers[:, 2:3], numbers[:, 1:2])
-    rows[:, 4:6] = numbers[:, 3:5]
-    rows[:, 6::2], rows[:, 7::2] = np.cos(numbers[:, 3:5]), np.sin(numbers[:, 3:5])
+    first = p + along * np.where(inward, numbers[:, 1:2], numbers[:, 2:3])
+    last = p + along * np.where(inward, numbers[:, 2:3], numbers[:, 1:2])
+    return Pieces(outline, tuple(pieces), rows_of(first, last, numbers[:, 3:5]))
+
+
+def rows_of(
+    first: NDArray[np.float64], last: NDArray[np.float64], sectors: ArrayLike
+) -> NDArray[np.float64]:
+    """Return pieces as the kernels take them, (k, 10), from ends and sectors, (k, 2) each."""
+    limits = np.asarray(sectors, dtype=float)
+    rows = np.empty((len(limits), 10))
+    rows[:, 0:2], rows[:, 2:4], rows[:, 4:6] = first, last, limits
+    rows[:, 6::2], rows[:, 7::2] = np.cos(limits), np.sin(limits)
     rows.setflags(write=False)
-    return Pieces(outline, tuple(pieces), rows)
+    return rows
 
 
 def _point_on(outline: Outline, piece: Piece, share: float) -> Interval:
@@ -196,7 +209,7 @@ def _allowed(
     """Yield (start, end) of every stretch of an edge that a zone allows and others leave."""
     sliver = SLIVER * outline.extent
     wanted = [(0.0, float(outline.lengths[edge]))]
-    if zone is not None:
+    if zone is not None and zone.stretch is not None:
         wanted = _on_edge(outline, edge, zone.stretch)
     for start, end in wanted:
         if start == end:

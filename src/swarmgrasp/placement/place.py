@@ -240,7 +240,7 @@ class _Placing:
 
     def __init__(self, problem: Problem, gap: float) -> None:
         self.problem, self.gap = problem, float(gap)
-        self.pieces = problem.pieces()
+        self.pieces = problem.places()
         self.search = self.begin()
         # half of the gap is the search's, the other half the tie-break's
         self.half = math.sqrt(1.0 + self.gap) - 1.0
@@ -248,7 +248,7 @@ class _Placing:
     def begin(self) -> Seeking:
         """Return the search of the problem."""
         if self.problem.newcomer.steers or self.problem.newcomer.friction:
-            return SpanSearch(self.problem, self.pieces)
+            return SpanSearch(self.problem, self.problem.pieces())
         if self.problem.has_rays_only:
             return search_for(self.problem, self.pieces.rows)
         return BoxSearch(self.problem, self.pieces)
@@ -298,7 +298,7 @@ class _Placing:
             If spacing leaves no place to another newcomer.
         """
         self.problem = self.problem.with_swarm(answer.swarm_after)
-        self.pieces = self.problem.pieces()
+        self.pieces = self.problem.places()
         if isinstance(self.search, Search) and self.search.aim is None:
             self.search.join(*self.wrench(answer.robot), self.pieces.rows)
         else:
@@ -338,7 +338,7 @@ class _Placing:
     def candidate(self, best: Best | Stand, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn what a search has found into a robot in contact, with its quality."""
         if isinstance(best, Stand):
-            robot = robot_on(self.problem, self.pieces, best.piece, best.share, name)
+            robot = robot_on(self.problem, self.problem.pieces(), best.piece, best.share, name)
         else:
             contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
             robot = self.robot(contact, angle, name)
@@ -386,7 +386,9 @@ class _Aiming(_Placing):
         search = self.search
         assert not isinstance(found, SpanOptimum)  # see check_newcomer
         search.work.left += search.left  # it is not asked again
-        self.aiming = TolerantSearch(self.problem, self.pieces, found, search.zero, search.work)
+        self.aiming = TolerantSearch(
+            self.problem, self.problem.pieces(), found, search.zero, search.work
+        )
         best = self.aiming.solve(self.gap)
         return (*self.aimed(best, name), best.upper_bound)
 

@@ -12,6 +12,8 @@ from swarmgrasp.errors import (
 )
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
+from swarmgrasp.outline.polygon import is_within
+from swarmgrasp.placement.areas import Areas, areas_of
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
@@ -82,7 +84,7 @@ class Problem(Frozen, Plain):
             (ZoneInvalid, faults),
         )
         vars(self).update(zones=zones, no_go=no_go, spacing=float(self.spacing))
-        faults = self._stretch_faults()
+        faults = self._stretch_faults() + self._area_faults()
         tolerance = self.newcomer.tolerance
         if self.criterion.worst_case and tolerance is not None and tolerance.may_be_absent:
             faults.append("a newcomer that may be absent is worth nothing in the worst case")
@@ -95,7 +97,8 @@ class Problem(Frozen, Plain):
             return []
         perimeter = self.swarm.outline.perimeter
         reach = perimeter + self.swarm.outline.tolerance
-        named = [("zone", zone.stretch) for zone in self.zones or ()]
+        stretches = [zone.stretch for zone in self.zones or () if zone.stretch is not None]
+        named = [("zone", stretch) for stretch in stretches]
         named += [("no-go stretch", stretch) for stretch in self.no_go]
         faults = [
             f"{kind} {s.name!r} runs from {s.start:.9g} to {s.end:.9g} m; both ends should lie "
@@ -109,6 +112,27 @@ class Problem(Frozen, Plain):
             for s in self.no_go
             if s.is_point
         ]
+
+    def _area_faults(self) -> list[str]:
+        """Return what is wrong with areas, and with what a mounted newcomer is asked beside."""
+        outline, mounted, zones = self.swarm.outline, self.newcomer.mounted, self.zones or ()
+        wanted = "an area" if mounted else "a stretch of the boundary"
+        faults = [
+            f"zone {zone.name!r} has no {wanted.split(' ', 1)[1]}: a newcomer that is "
+            f"{'' if mounted else 'not '}mounted needs {wanted}"
+            for zone in zones
+            if (zone.area is None) == mounted
+        ]
+        faults += [
+            f"zone {zone.name!r} leaves the outline: all of its area should be inside"
+            for zone in zones
+            if zone.area and not is_within(zone.area, outline.vertices, outline.tolerance)
+        ]
+        if mounted and self.no_go:
+            faults.append("no-go stretches are for newcomers on the boundary: leave them out")
+        if mounted and self.spacing:
+            faults.append("a mounted newcomer keeps no distance: leave out the spacing")
+        return faults
 
     @property
     def zone_labels(self) -> tuple[str, ...]:
@@ -127,6 +151,16 @@ class Problem(Frozen, Plain):
         crowd = swarm.contacts[~swarm.mounted] if self.spacing > 0.0 else None
         return pieces_of(swarm.outline, self.newcomer, self.zones, self.no_go, crowd, self.spacing)
 
+    def places(self) -> Pieces | Areas:
+        """List the pieces of the boundary, or of areas inside, that are left to the newcomer.
+
+        Raises
+        ------
+        NowhereToAttach
+            If there are none.
+        """
+        return areas_of(self.swarm.outline, self.zones) if self.newcomer.mounted else self.pieces()
+
     def with_swarm(self, swarm: Swarm) -> "Problem":
         """Return the same question for another swarm on the same outline."""
         return replace(self, swarm=swarm)
@@ -142,10 +176,10 @@ class Problem(Frozen, Plain):
     @property
     def has_rays_only(self) -> bool:
         """Whether all robots push along one ray each, the newcomer too, and fail one by one."""
-        newcomer, swarm = self.newcomer, self.swarm
+        newcomer, swarm, criterion = self.newcomer, self.swarm, self.criterion
         is_ray = not (newcomer.steers or newcomer.reverse_limit or newcomer.friction)
-        has_groups = bool(self.criterion.losing and swarm.rare.groups)
-        return is_ray and swarm.has_rays_only and not has_groups
+        has_machines = bool(criterion.failures or (criterion.losing and swarm.rare.groups))
+        return is_ray and swarm.has_rays_only and not has_machines
 
     @property
     def fewest(self) -> int:
@@ -180,15 +214,15 @@ def check_several(problem: Problem, what: str) -> None:
 def check_newcomer(problem: Problem) -> None:
     """Raise `ForceSetUnsupported` for a newcomer whose place is not known how to find."""
     newcomer = problem.newcomer
-    if newcomer.mounted:
+    if newcomer.mounted and (newcomer.steers or newcomer.friction):
         raise ForceSetUnsupported(
-            "placement is for a newcomer of one ray, one line or one sector at a place on the "
-            "boundary: leave out that it is mounted"
+            "placement inside is for a newcomer that pushes along one line: leave out what it "
+            "steers and its friction, or that it is mounted"
         )
-    if problem.is_tolerant and not newcomer.is_ray:
+    if problem.is_tolerant and (newcomer.mounted or not newcomer.is_ray):
         raise ForceSetUnsupported(
-            "where a newcomer ends up is known how to bound of one that pushes along one ray only: "
-            "leave out its tolerance, or ask without the worst case"
+            "where a newcomer ends up is known how to bound of one that pushes along one ray only, "
+            "from a place on the boundary: leave out its tolerance, or ask without the worst case"
         )
 
 

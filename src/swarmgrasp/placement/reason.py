@@ -184,7 +184,7 @@ def _runner_up(answer: "Placement") -> str:
         if share >= ALL_OF_IT:
             return f"{said} as much, {value}."
         return f"{said} {value}, {percent(share)} of it."
-    if len({piece.place for piece in answer.problem.pieces().each}) == 1:
+    if len(set(answer.problem.places().places)) == 1:
         return f"There is no other place for {_name(answer)}."
     return "There is no runner-up: none was asked for, or none comes near enough."
 

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from swarmgrasp.placement.areas import Areas
 from swarmgrasp.placement.pieces import SLIVER, Pieces
 
 SMOOTH = math.radians(20.0)
@@ -36,16 +37,19 @@ class Parts(NamedTuple):
     touching: list[tuple[int, int]]
 
 
-def parts_of(pieces: Pieces) -> Parts:
+def parts_of(pieces: Pieces | Areas) -> Parts:
     """Part the boundary: a zone or a named edge is one part, a smooth side has many.
 
     Parameters
     ----------
-    pieces : Pieces
+    pieces : Pieces or Areas
+        An area is one part.
     """
     places: dict[str, list[int]] = {}
-    for k, piece in enumerate(pieces.each):
-        places.setdefault(piece.place, []).append(k)
+    for k, place in enumerate(pieces.places):
+        places.setdefault(place, []).append(k)
+    if isinstance(pieces, Areas):
+        return Parts(list(places.values()), [])
     outline, plain = pieces.outline, {}
     for place, members in list(places.items()):
         edge = pieces.each[members[0]].edge

@@ -109,7 +109,7 @@ def plan(
     if placements:
         zones = zones or placements[0].problem.zones or ()
         no_go = no_go or placements[0].problem.no_go
-    strips = [zone.stretch for zone in zones]
+    strips = [zone.stretch for zone in zones if zone.stretch is not None]
     case = worst_case(swarm, quality, placements)
     arrows = Arrows(
         swarm.outline,

@@ -255,8 +255,9 @@ class _File:
     def zone(self, zone: Zone) -> dict[str, Any]:
         """Return a zone."""
         ways = zone.directions
+        where = _stretch(zone.stretch) if zone.stretch else _given(name=zone.name, area=zone.area)
         return {
-            **_stretch(zone.stretch),
+            **where,
             **self.attachment(zone),
             **_given(directions=None if ways is None else list(map(self.angle, ways))),
         }

@@ -6,6 +6,7 @@ from typing import Literal, get_args
 
 from swarmgrasp.errors import RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
+from swarmgrasp.outline.polygon import is_simple
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import (
     STRONGEST,
@@ -281,11 +282,11 @@ class Newcomer(Plain):
 
 @dataclass(frozen=True)
 class Zone(Plain):
-    """A part of the boundary where a newcomer may attach, and how it may push there.
+    """Where a newcomer may attach, and how it may push there.
 
     Attributes
     ----------
-    stretch : Stretch
+    stretch : Stretch, optional
         Where: a stretch of the boundary, or a single point such as a bollard.
     attachment : {"push", "pull", "free"}, optional
         Overrides the newcomer's own attachment.
@@ -295,6 +296,11 @@ class Zone(Plain):
         An absolute range of force directions, counter-clockwise from the first to the
         second; whole turns apart they mean any direction, equal ones just that one.
         Further limits whatever the attachment allows.
+    area : tuple of (float, float) [m, m], optional
+        Instead of a stretch, for a mounted newcomer: the corners, in order, of an area inside the
+        outline; two are a line, and one is a spot.
+    name : str
+        A label for messages and pictures; that of the stretch, if there is one.
 
     Raises
     ------
@@ -303,20 +309,31 @@ class Zone(Plain):
 
     Examples
     --------
-    Pads to push on, and a bollard to pull from.
+    Pads to push on, a bollard to pull from, and a bay for a thruster.
 
     >>> pads = Zone(Stretch(10.0, 25.0, "pads"))
     >>> bollard = Zone(Stretch(4.0, 4.0, "bollard"), attachment="pull", half_angle=1.0)
+    >>> bay = Zone(area=[(1.0, -0.5), (2.0, -0.5), (2.0, 0.5), (1.0, 0.5)], name="bay")
     """
 
-    stretch: Stretch
+    stretch: Stretch | None = None
     attachment: Attachment | None = None
     half_angle: float | None = None
     directions: tuple[float, float] | None = None
+    area: tuple[tuple[float, float], ...] | None = None
+    name: str = ""
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = kind_faults(self.stretch, Stretch, "Stretch(start, end) or Outline.stretch")
+        faults = name_faults(self.name)
+        corners: tuple[tuple[float, ...], ...] = ()
+        if self.area is None:
+            faults += kind_faults(self.stretch, Stretch, "Stretch(start, end) or Outline.stretch")
+        else:
+            corners = tuple(point for p in items(self.area) or () if len(point := numbers(p)) == 2)
+            faults += self._area_faults(corners)
+        if isinstance(self.stretch, Stretch) and self.name not in {"", self.stretch.name}:
+            faults.append("a stretch has a name of its own: leave out the zone's")
         if self.attachment is not None:
             faults += attachment_faults(self.attachment, self.half_angle)
         elif self.half_angle is not None:
@@ -326,10 +343,12 @@ class Zone(Plain):
             faults.append(
                 f"the directions are {shown(ends)}; they should be two angles within 1e6 [rad]"
             )
+        name = getattr(self.stretch, "name", self.name)
         if faults:
-            name = getattr(self.stretch, "name", "")
             raise ZoneInvalid(f"zone {shown(name)}: {fault}" for fault in faults)
         vars(self).update(
+            area=corners or None,
+            name=str(name),
             attachment=None if self.attachment is None else str(self.attachment),
             half_angle=None if self.half_angle is None else float(self.half_angle),
             directions=None if ends is None else angles(ends),
@@ -349,6 +368,25 @@ class Zone(Plain):
             if width > 0.0 or last == first:
                 return first, first + width
         return middle - math.pi, middle + math.pi
+
+    def _area_faults(self, corners: tuple[tuple[float, ...], ...]) -> list[str]:
+        """Return what is wrong with an area of these corners, and with what goes with one."""
+        faults = []
+        if not corners or len(corners) < len(items(self.area) or ()):
+            faults.append(
+                f"the area is {shown(self.area)}; it should be one or more points of two finite "
+                "numbers [m, m]"
+            )
+        elif not is_simple(corners):
+            faults.append(
+                "the area crosses itself or is flat: list its corners in order around it, or the "
+                "two ends of a line"
+            )
+        if self.stretch is not None:
+            faults.append("a zone has a stretch or an area, not both")
+        if self.attachment is not None:
+            faults.append("an area touches no edge: leave out the attachment")
+        return faults
 
     def sectors(self, lo: float, hi: float) -> list[tuple[float, float]]:
         """Return the parts of a sector of directions [lo, hi] [rad] that the zone's range allows.

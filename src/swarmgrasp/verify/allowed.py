@@ -12,19 +12,33 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from swarmgrasp.verify.boundary import Boundary
-from swarmgrasp.verify.recompute import Array, covers, labels_of, sides_of
+from swarmgrasp.verify.boundary import Boundary, surrounds
+from swarmgrasp.verify.recompute import (
+    ANGLE,
+    Array,
+    covers,
+    distance_to,
+    hull_of,
+    labels_of,
+    sides_of,
+    within,
+)
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
     from swarmgrasp.verify.claims import ProblemClaim, RobotClaim, ZoneClaim
 
+INSIDE = "inside"
+"""What the whole inside of the outline is called."""
 NEXT = 1e-5
 """Relative difference of widths next to a sliver's that rounding may make."""
 
 
 @dataclass(frozen=True)
 class Piece:
-    """Contacts between two points of an edge [m], and a sector of directions [rad]."""
+    """Contacts between two points of an edge [m], and a sector of directions [rad].
+
+    Of an area, the points where the torque of these directions is least and greatest.
+    """
 
     place: str
     p: Array
@@ -33,6 +47,16 @@ class Piece:
     hi: float
     is_sliver: bool
     """Whether the contacts are no more than rounding: no bound is asked for there."""
+    area: Array | None = None
+
+    def has(self, point: Array, near: float) -> bool:
+        """Tell whether a contact is allowed, but for so much [m]."""
+        if self.area is None:
+            return distance_to(point, self.p, self.q) <= near
+        return surrounds(self.area, point) or any(
+            distance_to(point, a, b) <= near
+            for a, b in zip(self.area, np.roll(self.area, -1, axis=0), strict=True)
+        )
 
 
 @dataclass(frozen=True)
@@ -49,6 +73,10 @@ class Allowed:
         lap, sliver = boundary.perimeter, boundary.sliver
         zones = [None] if self.asked.zones is None else self.asked.zones
         labels = labels_of(zones)
+        if self.asked.newcomer.mounted:
+            for zone, label in zip(zones, labels, strict=True):
+                yield from self.inside(zone, label)
+            return
         for edge, (length, base) in enumerate(zip(boundary.lengths, boundary.arcs, strict=False)):
             p, q = boundary.edge(edge)
             inward = math.atan2(q[0] - p[0], p[1] - q[1])
@@ -62,6 +90,26 @@ class Allowed:
                     for lo, hi in sides_of(self.asked, zone, inward):
                         yield Piece(place, start, end, lo, hi, 0.0 < b - a <= sliver * (1.0 + NEXT))
 
+    def inside(self, zone: "ZoneClaim | None", label: str) -> Iterator[Piece]:
+        """Yield pieces of an area, or of all inside.
+
+        Between the directions of the edges of its hull, the same corners are those of the least
+        and of the greatest torque.
+        """
+        area = self.boundary.corners if zone is None else np.array(zone.area)
+        corners = hull_of(area)
+        steps = np.diff(np.vstack([corners, corners[:1]]), axis=0)
+        turns = np.arctan2(steps[:, 1], steps[:, 0])
+        cuts = np.unique([*(turns % math.tau), *((turns + math.pi) % math.tau), 0.0, math.pi])
+        for lo, hi in pairwise([*cuts.tolist(), math.tau]):
+            if hi - lo <= ANGLE:
+                continue
+            middle = 0.5 * (lo + hi)
+            torques = corners @ np.array([math.sin(middle), -math.cos(middle)])
+            p, q = corners[np.argmin(torques)], corners[np.argmax(torques)]
+            for a, b in within(zone, lo, hi):
+                yield Piece(label if zone else INSIDE, p, q, a, b, False, area)
+
     def spans(
         self, zone: "ZoneClaim | None", base: float, perimeter: float, p: Array, q: Array
     ) -> list[tuple[float, float]]:
@@ -71,10 +119,11 @@ class Allowed:
         as a bollard, they are its places on the edge.
         """
         length, near = float(np.linalg.norm(q - p)), self.boundary.near
-        stretches = [*self.asked.no_go, *([] if zone is None else [zone.stretch])]
-        is_point = zone is not None and zone.stretch.is_point
+        own = zone.stretch if zone else None
+        stretches = [*self.asked.no_go, *([own] if own else [])]
+        is_point = own is not None and own.is_point
         cuts = set() if is_point else {0.0, length, *self.spacing_cuts(p, q)}
-        for stretch in [zone.stretch] if is_point and zone else stretches:
+        for stretch in [own] if is_point and own else stretches:
             for arc in (stretch.start, stretch.end):
                 for turn in (-perimeter, 0.0, perimeter):
                     at = arc + turn - base
@@ -98,8 +147,8 @@ class Allowed:
     def has(self, zone: "ZoneClaim | None", arc: float, perimeter: float, point: Array) -> bool:
         """Tell whether a contact is in the zone, in no no-go stretch, and not too near."""
         sliver = self.boundary.sliver
-        is_point = zone is not None and zone.stretch.is_point  # then the contact is its own
-        if zone and not is_point and not covers(zone.stretch, arc, perimeter, sliver):
+        own = zone.stretch if zone else None  # of a single point the contact is its own
+        if own and not own.is_point and not covers(own, arc, perimeter, sliver):
             return False
         if any(covers(stretch, arc, perimeter, -sliver) for stretch in self.asked.no_go):
             return False

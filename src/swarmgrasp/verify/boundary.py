@@ -67,13 +67,8 @@ class Boundary:
         return [int(k) for k in np.flatnonzero(self._distances(point) <= self.near)]
 
     def surrounds(self, point: Array) -> bool:
-        """Tell whether a point is inside: a ray from it crosses an odd number of edges."""
-        x, y = point
-        a, b = self.corners, self._ends
-        spans = (a[:, 1] > y) != (b[:, 1] > y)
-        a, b = a[spans], b[spans]
-        meets = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
-        return bool(np.count_nonzero(meets > x) % 2)
+        """Tell whether a point is inside."""
+        return surrounds(self.corners, point)
 
     def around(self, point: Array, first: float, last: float) -> Array:
         """Return points between which the boundary near a contact is straight.
@@ -111,3 +106,13 @@ class Boundary:
         return np.array(
             [distance_to(point, p, q) for p, q in zip(self.corners, self._ends, strict=True)]
         )
+
+
+def surrounds(corners: Array, point: Array) -> bool:
+    """Tell whether a point is inside a polygon: a ray from it crosses an odd number of edges."""
+    x, y = point
+    a, b = corners, np.roll(corners, -1, axis=0)
+    spans = (a[:, 1] > y) != (b[:, 1] > y)
+    a, b = a[spans], b[spans]
+    meets = a[:, 0] + (y - a[:, 1]) * (b[:, 0] - a[:, 0]) / (b[:, 1] - a[:, 1])
+    return bool(np.count_nonzero(meets > x) % 2)

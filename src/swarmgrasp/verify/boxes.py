@@ -13,12 +13,14 @@ gives
 
     (t - L) c <= (t - L) d . n <= sum mu_i (h(N_i) - L d . N_i),   c = min d . N_i > 0.
 
+After losses h is what robots exert without some that may be lost: H is no more, and h is convex.
+
 So any convex combination of these bounds t: by its greatest right side over the six, if that is
 above L.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -31,12 +33,19 @@ from swarmgrasp.verify.recompute import ANGLE, Array, units_of
 from swarmgrasp.verify.team import Team
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import BoxClaim
+    from swarmgrasp.verify.claims import BoxClaim, RobotClaim
 
 WIDEST = math.pi / 2 + ANGLE
 """Angle [rad] between the directions of a box, at most."""
 CORNERS = 6
 """Wrenches whose hull holds those of a box."""
+
+
+Rows = Callable[
+    [NDArray[np.intp], NDArray[np.str_], Array, tuple[str, ...]],
+    tuple[Array, Array, Array, Array],
+]
+"""What bounds boxes by vectors of kinds, without some robots."""
 
 
 class Boxes:
@@ -45,8 +54,10 @@ class Boxes:
     Parameters
     ----------
     judge : Judge
+    robots : sequence of RobotClaim
+        Those already there.
     team : Team
-        The robots already there.
+        The same.
     claims : iterable of BoxClaim
     limits : tuple of float [N, N]
         The newcomer's, ahead and astern.
@@ -59,10 +70,11 @@ class Boxes:
     """
 
     def __init__(
-        self, judge: Judge, team: Team, claims: "Iterable[BoxClaim]", limits: tuple[float, float],
-        origin: Array, level: float, rounding: float,
+        self, judge: Judge, robots: "Sequence[RobotClaim]", team: Team,
+        claims: "Iterable[BoxClaim]", limits: tuple[float, float], origin: Array, level: float,
+        rounding: float,
     ) -> None:  # fmt: skip
-        self._judge, self._team, self._limits = judge, team, limits
+        self._judge, self._robots, self._team, self._limits = judge, robots, team, limits
         self._level, self._rounding = level * judge.unit, rounding
         claims = tuple(claims)
         self.ends = np.array([(box.start, box.end) for box in claims]).reshape(-1, 2, 2)
@@ -76,15 +88,18 @@ class Boxes:
         sums, asked, hidden = np.zeros((count, CORNERS)), np.zeros(count), np.zeros(count)
         capped, is_proof = np.full(count, np.inf), np.zeros(count, dtype=bool)
         owner, kinds, vectors, weights = [], [], [], []
+        lost: list[tuple[str, ...]] = []
         for k, claim in enumerate(claims):
             units, own = units_of(claim.vectors), np.array(claim.weights)
             width = claim.hi - claim.lo
-            fits = len(claim.kinds) == len(claim.vectors) == len(own) and (own > 0.0).all()
+            sizes = {len(claim.kinds), len(claim.vectors), len(claim.lost), len(own)}
+            fits = len(sizes) == 1 and (own > 0.0).all()
             if units is None or not fits or not 0.0 <= width <= WIDEST:
                 continue
             is_proof[k] = True
             owner += [k] * len(own)
             kinds += claim.kinds
+            lost += map(tuple, claim.lost)
             vectors.append(units)
             own = own / own.max()
             weights.append(own / own.sum())
@@ -93,10 +108,14 @@ class Boxes:
         box, kind = np.array(owner), np.array(kinds)
         vector, weight = np.concatenate(vectors), np.concatenate(weights)
         travels = kind == "travelling"
-        for chosen, rows in ((~travels, self._met), (travels, self._travelling)):
+        ways: list[tuple[NDArray[np.bool_], Rows, tuple[str, ...]]] = [(~travels, self._met, ())]
+        for gone in set(lost):
+            which = travels & np.array([own == gone for own in lost])
+            ways.append((which, self._travelling, gone))
+        for chosen, rows, gone in ways:
             if not chosen.any():
                 continue
-            values, extent, off, cap = rows(box[chosen], kind[chosen], vector[chosen])
+            values, extent, off, cap = rows(box[chosen], kind[chosen], vector[chosen], gone)
             share = weight[chosen]
             np.add.at(sums, box[chosen], share[:, None] * values)
             np.add.at(asked, box[chosen], share * extent)
@@ -113,9 +132,10 @@ class Boxes:
         return (found - hidden) / self._judge.unit, (found + hidden) / self._judge.unit
 
     def _met(
-        self, box: NDArray[np.intp], kind: NDArray[np.str_], normals: Array
+        self, box: NDArray[np.intp], kind: NDArray[np.str_], normals: Array, gone: tuple[str, ...]
     ) -> tuple[Array, Array, Array, Array]:
         """Return right sides at the corners, D relative to the task's size, rounding, and caps."""
+        del gone
         different, which = np.unique(normals, axis=0, return_inverse=True)
         height, cap, extent = (
             part[which.reshape(-1)] for part in self._judge.held(self._team, different)
@@ -133,7 +153,7 @@ class Boxes:
         return height[:, None] + gain, extent, np.full(len(box), self._rounding), caps
 
     def _travelling(
-        self, box: NDArray[np.intp], kind: NDArray[np.str_], vectors: Array
+        self, box: NDArray[np.intp], kind: NDArray[np.str_], vectors: Array, gone: tuple[str, ...]
     ) -> tuple[Array, Array, Array, Array]:
         """Return the same for normals that travel; without end where there is no such bound."""
         del kind
@@ -142,14 +162,29 @@ class Boxes:
         ways = self._judge.farthest(normals.sum(axis=1))
         along = np.einsum("kic,kc->ki", normals, ways)
         least = along.min(axis=1)
-        known = (least > 0.0) & self._judge.is_convex(self._team)
+        left = self._without(gone)
+        known = (least > 0.0) & (left is not None)
         least = np.where(known, least, 1.0)
         units = normals / np.where(sizes > 0.0, sizes, 1.0)[:, :, None]
-        height = self._judge.held(self._team, units.reshape(-1, 3)).height.reshape(-1, CORNERS)
+        height = np.zeros(sizes.shape)
+        if left is not None:
+            height = self._judge.height(left, units.reshape(-1, 3)).reshape(-1, CORNERS)
         rows = (height * sizes - self._level * along) / least[:, None] + self._level
         rows[~known] = np.inf
         off = self._rounding * sizes.max(axis=1) / least
         return rows, np.ones(len(box)), off, np.full(len(box), np.inf)
+
+    def _without(self, gone: tuple[str, ...]) -> Team | None:
+        """Return the robots without the machines of some; None if that bounds nothing.
+
+        For some machine is not known, or they are more than may be lost, or H is not convex.
+        """
+        known = {robot.name for robot in self._robots}
+        machines = {robot.group or f" {robot.name}" for robot in self._robots if robot.name in gone}
+        if self._team.spread or not known.issuperset(gone) or len(machines) > self._judge.losing:
+            return None
+        kept = [r for r in self._robots if (r.group or f" {r.name}") not in machines]
+        return self._judge.team(kept)
 
     def cover(self, piece: Piece, sliver: float) -> bool:
         """Tell whether the boxes cover a piece, but for what is no more than rounding.

@@ -98,10 +98,12 @@ class StretchClaim(_Form):
 class ZoneClaim(_Form):
     """Where a newcomer may attach, and how."""
 
-    stretch: StretchClaim
+    stretch: StretchClaim | None
     attachment: Literal["push", "pull", "free"] | None
     half_angle: HalfAngle | None
     directions: tuple[Angle, Angle] | None
+    area: list[Point] | None = Field(min_length=1)
+    name: str
 
 
 class NewcomerClaim(_Form):
@@ -175,6 +177,7 @@ class BoxClaim(_Form):
     kinds: list[Literal["met", "demanded", "travelling"]]
     vectors: list[Wrench] = Field(min_length=1)
     weights: list[Number]
+    lost: list[list[str]]
 
 
 class SpanClaim(_Form):
@@ -262,7 +265,11 @@ class ProblemClaim(_Form):
     def check_stretches(self) -> Self:
         """Refuse stretches beyond the boundary's length."""
         reach = self.swarm.outline.perimeter * (1.0 + 1e-6)
-        zones = [zone.stretch for zone in self.zones or []]
+        mounted = self.newcomer.mounted
+        for k, zone in enumerate(self.zones or []):
+            if (zone.area is None, zone.stretch is None) != (not mounted, mounted):
+                raise ValueError(f"zones.{k} should be {'an area' if mounted else 'a stretch'}")
+        zones = [zone.stretch for zone in self.zones or [] if zone.stretch]
         for kind, stretches in (("zones", zones), ("no_go", self.no_go)):
             for k, stretch in enumerate(stretches):
                 if max(stretch.start, stretch.end) > reach:

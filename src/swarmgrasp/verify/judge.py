@@ -122,6 +122,15 @@ class Judge:
         """Tell whether H is known to be convex: without losses and uncertain poses."""
         return self._criterion.losing == 0 and not team.spread
 
+    @property
+    def losing(self) -> int:
+        """Machines that may be lost."""
+        return self._criterion.losing
+
+    def height(self, team: Team, normals: Array) -> Array:
+        """Return what all of a team exert with the load, at unit normals (m, 3): (m,) [N]."""
+        return np.asarray(normals @ self.load + team.exerted(normals).sum(axis=1))
+
     def held(self, team: Team, normals: Array) -> Held:
         """Return what a newcomer to a team finds at unit normals (m, 3)."""
         step = max(1, BLOCK // max(1, len(team)))

@@ -27,7 +27,6 @@ from swarmgrasp.verify.recompute import (
     ABSOLUTE,
     ANGLE,
     crest,
-    distance_to,
     turns_into,
     units_of,
 )
@@ -263,14 +262,15 @@ class _Check:
             yield f"{what} has another tolerance than the newcomer"
         if robot.friction != newcomer.friction or robot.least or robot.envelope or robot.group:
             yield f"{what} exerts other forces than the newcomer"
-        if robot.mounted:
-            yield f"{what} is mounted; a newcomer is on the boundary"
+        if robot.mounted != newcomer.mounted:
+            yield f"{what} is {'' if robot.mounted else 'not '}mounted, and the newcomer otherwise"
         contact = np.array(robot.contact)
+        if robot.mounted and not (self.boundary.has(contact) or self.boundary.surrounds(contact)):
+            yield f"{what} is outside the outline"
         places = {
             piece.place
             for piece in self.pieces
-            if distance_to(contact, piece.p, piece.q) <= self.boundary.near
-            and self.fits(robot, piece)
+            if piece.has(contact, self.boundary.near) and self.fits(robot, piece)
         }
         if not places:
             yield (
@@ -356,8 +356,8 @@ class _Check:
         """Do the same by the boxes, which should cover the pieces."""
         limits = self.certain_limit, self.asked.newcomer.reverse_limit
         boxes = Boxes(
-            self.judge, self.base, self.claim.boxes, limits, self.boundary.origin, self.most,
-            self.rounding * self.judge.unit,
+            self.judge, self.present, self.base, self.claim.boxes, limits,
+            self.boundary.origin, self.most, self.rounding * self.judge.unit,
         )  # fmt: skip
         if not all(boxes.cover(piece, self.boundary.sliver) for piece in pieces):
             return math.inf, math.inf

@@ -101,6 +101,51 @@ def crest(covector: Array, arms: Array, lo: Array, hi: Array) -> Array:
     return np.asarray(np.where(turned <= hi, np.hypot(a, b), ends))
 
 
+def hull_of(points: Array) -> Array:
+    """Return the corners of the hull of points (k, 2), counter-clockwise, each wrapped to the next.
+
+    Examples
+    --------
+    >>> hull_of(np.array([[0, 0], [2, 0], [1, 0], [1, 1], [2, 2], [0, 2]])).tolist()
+    [[0, 0], [2, 0], [2, 2], [0, 2]]
+    """
+    first = int(np.lexsort((points[:, 0], points[:, 1]))[0])
+    found, heading = [first], 0.0
+    while len(found) <= len(points):
+        steps = points - points[found[-1]]
+        far = np.hypot(steps[:, 0], steps[:, 1])
+        turns = np.arctan2(steps[:, 1], steps[:, 0]) - heading
+        turns = (turns + ANGLE) % (2.0 * math.pi) - ANGLE
+        turns[far == 0.0] = math.inf
+        if not turns.min() < math.inf:
+            break
+        least = turns <= turns.min() + 1e-15
+        following = int(np.argmax(np.where(least, far, -1.0)))
+        if following == first:
+            break
+        heading = math.atan2(steps[following, 1], steps[following, 0])
+        found.append(following)
+    return points[found]
+
+
+def within(zone: "ZoneClaim | None", lo: float, hi: float) -> Iterator[tuple[float, float]]:
+    """Yield the parts of a sector that a zone's range of directions allows."""
+    if zone is None or zone.directions is None:
+        yield lo, hi
+        return
+    first, last = zone.directions
+    width = (last - first) % (2.0 * math.pi)
+    if width == 0.0 and last != first:  # whole turns: any direction
+        yield lo, hi
+        return
+    for turn in range(-2, 3):
+        start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
+        a, b = max(start, lo), min(start + width, hi)
+        if a > b + ANGLE:
+            continue
+        yield (a, b) if a <= b else (0.5 * (a + b),) * 2
+
+
 def sides_of(
     asked: "ProblemClaim", zone: "ZoneClaim | None", inward: float
 ) -> Iterator[tuple[float, float]]:
@@ -116,20 +161,7 @@ def sides_of(
     for side, middle in (("push", inward), ("pull", inward + math.pi)):
         if not free and source.attachment != side:
             continue
-        if zone is None or zone.directions is None:
-            yield middle - half, middle + half
-            continue
-        first, last = zone.directions
-        width = (last - first) % (2.0 * math.pi)
-        if width == 0.0 and last != first:  # whole turns: any direction
-            yield middle - half, middle + half
-            continue
-        for turn in range(-2, 3):
-            start = first % (2.0 * math.pi) + 2.0 * math.pi * turn
-            lo, hi = max(start, middle - half), min(start + width, middle + half)
-            if lo > hi + ANGLE:
-                continue
-            yield (lo, hi) if lo <= hi else (0.5 * (lo + hi),) * 2
+        yield from within(zone, middle - half, middle + half)
 
 
 def whole_turn(zone: "ZoneClaim | None", inward: float) -> tuple[float, float]:
@@ -171,7 +203,7 @@ def turns_into(angle: float, lo: float, hi: float) -> bool:
 
 def labels_of(zones: "Sequence[ZoneClaim | None]") -> list[str]:
     """Return the zones' names; of several with one name, each with its number."""
-    names = ["" if zone is None else zone.stretch.name for zone in zones]
+    names = ["" if zone is None else zone.name for zone in zones]
     uses, so_far, labels = Counter(names), Counter[str](), []
     for name in names:
         so_far[name] += 1

@@ -85,12 +85,14 @@ static void give_back(PyObject *object) {
 static void write_box(const Box *box, double *row) {
     double head[] = {box->piece, box->from, box->to, box->lo, box->hi, box->bound};
     memcpy(row, head, sizeof head);
-    memset(row + 6, 0, 5 * CORNERS * sizeof *row);
+    memset(row + 6, 0, TERM_ROW * CORNERS * sizeof *row);
     for (int k = 0; k < box->terms; k++) {
-        double *at = row + 6 + 5 * k;
+        double *at = row + 6 + TERM_ROW * k;
         at[0] = box->term[k].kind;
         memcpy(at + 1, box->term[k].vector, sizeof box->term[k].vector);
         at[4] = box->term[k].weight;
+        for (int l = 0; l < LOST; l++)
+            at[5 + l] = box->term[k].lost[l];
     }
 }
 
@@ -138,7 +140,7 @@ static PyObject *boxes_qualities_method(PyObject *object, PyObject *robots) {
     if (s) {
         for (int k = 0; k < count && !is_fault(status); k++, found += 4) {
             const double *robot = (const double *)view.buf + 3 * (Py_ssize_t)k;
-            status = boxes_quality(s, robot, robot[2], found, found + 1);
+            status = boxes_quality(s, robot, robot[2], EXACT, found, found + 1);
             if (status == OUT_OF_BUDGET)
                 *found = 0.0;
         }

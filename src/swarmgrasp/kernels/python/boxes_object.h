@@ -5,7 +5,8 @@
 #include "../boxes.h"
 #include "binding.h"
 
-#define BOX_ROW (6 + 5 * CORNERS) /* numbers of a box: what it holds, its bound, and its terms */
+#define TERM_ROW (5 + LOST)              /* numbers of a term, and of a box: what it holds, its */
+#define BOX_ROW (6 + TERM_ROW * CORNERS) /* bound, and its terms */
 
 /* Make the type of a module's searches over boxes. Returns NULL with an exception. */
 PyObject *make_boxes_type(PyObject *module);

@@ -433,6 +433,7 @@ static int fill(PyObject *module) {
            || put(module, "UNASKED", PyFloat_FromDouble(UNASKED))
            || put(module, "ASKS", PyLong_FromLong(ASKS))
            || put(module, "BOX", PyLong_FromLong(BOX_ROW))
+           || put(module, "TERM", PyLong_FromLong(TERM_ROW))
            || put(module, "SPAN", PyLong_FromLong(SPAN_ROW))
            || put(module, "WORK", PyFloat_FromDouble(WORK)) ? -1 : 0;
 }
