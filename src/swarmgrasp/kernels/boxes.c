@@ -20,6 +20,7 @@
 #define EDGES 3         /* of h through one of them */
 #define ON_EDGE 1e-6    /* sine of the angle between a normal and a wrench across it */
 #define SAME 1e-9       /* square of the distance between unit normals that are one */
+#define ACROSS 1e-5     /* sine of the angle between a wrench and g below which rounding turns b x g */
 #define TURNED_OFF 0.02 /* of the mean, up to which a travelling normal may all but vanish */
 #define MIDDLE 0.2      /* share of a box within which it is not cut near its ends */
 #define SMALLEST 1e-12  /* width of a box [rad], or share of a piece, that only rounding could split */
@@ -457,7 +458,7 @@ static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double 
         add(sum, normal[i]);
         mean += length(normal[i]) / CORNERS;
     }
-    if (!(length(sum) > TURNED_OFF * mean))
+    if (!(length(sum) > TURNED_OFF * mean && mean > ACROSS * length(g) * length(corner[0])))
         return SOLVED;
     farthest(s->sets, sum, d);
     for (int i = 0; i < CORNERS; i++)
