@@ -38,6 +38,8 @@ NEAR = 1e-3
 """The same for one that may come down to it."""
 MOST_STEPS, FARTHEST_STEP = 20, 0.02
 """Newton's steps towards a weakest normal, and their greatest length [rad]."""
+SAME = 1e-11
+"""By how much the cosine between two normals is below 1 that are one."""
 LOOKS = 3000
 """Normals looked at for others as weak as the weakest,"""
 STARTS, APART = 40, 0.9
@@ -370,16 +372,21 @@ def _weakest_normals(aim: Aim, place: _Place, value: float, normal: Array) -> Ar
             starts = np.concatenate([starts, look[None]])
     near = _followed_down(aim, starts, 0.05)
     for step in (1e-3, 1e-5):  # valleys bend
-        near = near[aim.values(near) <= value * (1.0 + NEAR)]
+        near = _each_once(near[aim.values(near) <= value * (1.0 + NEAR)])
         near = np.array([place.polished(n, value) for n in near]).reshape(-1, 3)
         near = _followed_down(aim, near, step)
     found = np.array([place.polished(n, value) for n in (normal, *near)])
     values = aim.values(found)
+    return _each_once(found[values <= max(value, float(values.min())) * (1.0 + TIED)])
+
+
+def _each_once(normals: Array) -> Array:
+    """Return unit normals (m, 3), those that are the same once."""
     kept: list[Array] = []
-    for n in found[values <= max(value, float(values.min())) * (1.0 + TIED)]:
-        if all(n @ other < 1.0 - 1e-12 for other in kept):
+    for n in normals:
+        if all(n @ other < 1.0 - SAME for other in kept):
             kept.append(n)
-    return np.array(kept)
+    return np.reshape(kept, (-1, 3))
 
 
 def _followed_down(aim: Aim, normals: Array, step: float) -> Array:
