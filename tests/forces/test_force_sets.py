@@ -16,7 +16,6 @@ from swarmgrasp.verify.pushes import Robots
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 HULL = Outline([(-22, -8), (22, -8), (22, 8), (-22, 8)])
-EVEN = [f for f in FAMILIES if f not in {"giant", "spread limits", "weighted", "nearly parallel"}]
 AZIMUTH = {"steers": math.pi, "mounted": True}
 
 
@@ -140,7 +139,7 @@ def test_the_largest_share_is_that_of_a_linear_program(seed):
         assert slow * math.cos(0.005) * (1.0 - 1e-7) <= found.needed <= slow * (1.0 + 1e-7)
 
 
-@pytest.mark.parametrize("family", EVEN)
+@pytest.mark.parametrize("family", FAMILIES)
 def test_rays_are_sets_too(family):
     """The kernel of sets finds what that of rays does."""
     swarm = swarm_of(family, 3, 12)

@@ -22,7 +22,7 @@
 #define BROAD 1e-2    /* with so much */
 #define MOVES 6
 #define GAP 1e-5      /* of the sum of squares: above the dual */
-#define DAMPING 1e-13 /* of the curvature */
+#define DAMPING 1e-17 /* of the curvature */
 
 typedef struct {
     double price[3], missing[3];

@@ -50,7 +50,10 @@ static int solve(Basis *b, const double *target) {
                     rest[c] -= b->level[k] * b->column[k].wrench[c];
             }
     }
-    return length(rest) <= LOST;
+    double sum = 1.0;
+    for (int k = 0; k < 3; k++)
+        sum += fabs(b->level[k]) * length(b->column[k].wrench);
+    return length(rest) <= LOST * sum;
 }
 
 /* Find the normal along which each column is worth its cost. */
@@ -94,7 +97,7 @@ static int leaving(const Basis *b, const double *wrench, int kept) {
     double size = fabs(part[0]) + fabs(part[1]) + fabs(part[2]);
     for (int k = 0; k < 3 && most == 0.0; k++)
         if (part[k] > FLAT * size)
-            least = smaller(least, (larger(b->level[k], 0.0) + TIED) / part[k]);
+            least = smaller(least, (larger(b->level[k], 0.0) * (1.0 + TIED) + TIED) / part[k]);
     for (int k = 0; k < 3 && least < INFINITY; k++) /* of those all but first, the best */
         if (part[k] > larger(most, FLAT * size) && larger(b->level[k], 0.0) <= least * part[k]) {
             most = part[k];

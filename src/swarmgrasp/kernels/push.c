@@ -5,6 +5,7 @@
 #include <string.h>
 
 #define NOTHING 1e-14 /* of what a wrench is the difference of: rounding */
+#define PROVEN 3e-7   /* gap of a least share that counts as none: 1e-10 but for the hardest */
 #define FAR 1e8       /* of the total: size of a wrench of which only the direction matters */
 
 /* Write the forces, from those beyond the rests, and their shares, at most 1. */
@@ -94,7 +95,7 @@ static Status approach(Pushers *p, const Wish *wish, Work *work, Column *made, d
     Status status = nearest_wrench(p, sought, work, made, normal, &beyond);
     if (status != SOLVED)
         return status;
-    found->is_proven = beyond <= CLOSE * (p->total + far);
+    found->is_proven &= beyond <= CLOSE * (p->total + far);
     note(found->normals[0], normal);
     double size = length(made->wrench), missing[3];
     *part = 1.0;
@@ -132,11 +133,11 @@ Status push(Pushers *p, const double *wanted, double around, Work *work, double 
         return status;
     double size = wish.within * wish.size, share = factor * size, aside = length(wish.aside);
     found->needed = aside > 0.0 ? INFINITY : share <= 1.0 + CLOSE ? smaller(share, 1.0) : share;
+    found->is_proven = !(factor < INFINITY) || factor - proven <= PROVEN * factor;
     if (!(share <= 1.0 + CLOSE))
         status = approach(p, &wish, work, &made, &part, found);
     else {
         found->shortfall = aside * wish.size * p->wrench;
-        found->is_proven = factor - proven <= 10.0 * CLOSE * factor;
         if (aside > 0.0)
             note(found->normals[0], wish.aside);
         if (share > 0.0) {

@@ -27,7 +27,8 @@ SHARE = 1e-8
 
 
 SLACK = 1e-6
-"""By so much of itself the largest share may exceed the least, for the least sum of squares."""
+"""By so much of itself the least largest share may differ from what is proven, and the largest be
+more, for the least sum of squares."""
 SUM = 2e-5
 """By so much of itself that sum may exceed the least."""
 
@@ -135,7 +136,7 @@ def _set_faults(claim: Claim) -> Iterator[str]:
     height = _reach(robots, first * scale)
     if claim.shortfall == 0.0:
         proven = _proven(first, wanted, height)
-        if not abs(claim.needed - min(proven, 1.0)) <= ROUNDING * proven + _part(slack, height):
+        if not abs(claim.needed - min(proven, 1.0)) <= SLACK * proven + _part(slack, height):
             yield f"the share needed is {claim.needed:.9g}; the normal proves {proven:.9g}"
     else:
         proven = 1.0
@@ -143,7 +144,7 @@ def _set_faults(claim: Claim) -> Iterator[str]:
         if others:
             height = _reach(robots, others[0] * scale)
             proven = _proven(others[0], made, height)
-    if not top <= min(proven * (1.0 + SLACK), 1.0) + ROUNDING + _part(slack, height):
+    if not top <= min(proven * (1.0 + 2.0 * SLACK), 1.0) + ROUNDING + _part(slack, height):
         yield f"the largest share is {top:.9g}; the normal proves no more than {proven:.9g} needed"
     if claim.is_least_squares:
         yield from _sum_faults(claim, beyond, top)
