@@ -384,31 +384,6 @@ static void corners_of(const BoxSearch *s, const Box *box, double (*corner)[3], 
     }
 }
 
-/* The wrench of the task that is farthest along a normal. */
-static void farthest(const Sets *sets, const double *normal, double *wrench) {
-    double most = -INFINITY, size = length(normal);
-    memset(wrench, 0, 3 * sizeof *wrench);
-    if (sets->tasks == 0) {
-        for (int c = 0; c < 3; c++)
-            wrench[c] = normal[c] / size;
-        return;
-    }
-    for (int k = 0; k < sets->tasks; k++) {
-        const double *row = sets->task + 3 * (ptrdiff_t)k;
-        double reach = dot(row, normal);
-        if (!sets->is_polytope) {
-            for (int c = 0; c < 3; c++)
-                wrench[c] += reach * row[c];
-        } else if (reach > most) {
-            most = reach;
-            memcpy(wrench, row, 3 * sizeof *wrench);
-        }
-    }
-    size = length(wrench) > 0.0 && !sets->is_polytope ? sets_extent(sets, normal) : 1.0;
-    for (int c = 0; c < 3; c++)
-        wrench[c] /= size;
-}
-
 /* Find the machines that add most along a normal, as many as may be lost. */
 static void find_lost(BoxSearch *s, const double *normal, int *lost) {
     const Sets *sets = s->sets;
@@ -460,7 +435,7 @@ static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double 
     }
     if (!(length(sum) > TURNED_OFF * mean && mean > ACROSS * length(g) * length(corner[0])))
         return SOLVED;
-    farthest(s->sets, sum, d);
+    sets_farthest(s->sets, sum, d);
     for (int i = 0; i < CORNERS; i++)
         least = smaller(least, dot(d, normal[i]));
     if (!(least > TURNED_OFF * mean))

@@ -324,3 +324,23 @@ double sets_extent(const Sets *sets, const double *normal) {
     }
     return sets->is_polytope ? extent : sqrt(extent);
 }
+
+void sets_farthest(const Sets *sets, const double *normal, double *wrench) {
+    double extent = sets_extent(sets, normal), most = 0.0;
+    memset(wrench, 0, 3 * sizeof *wrench);
+    if (!(extent > 0.0))
+        return;
+    for (int k = 0; k < sets->tasks; k++) {
+        const double *row = sets->task + (ptrdiff_t)3 * k;
+        double reach = dot(row, normal);
+        if (sets->is_polytope && reach > most) {
+            most = reach;
+            memcpy(wrench, row, 3 * sizeof *wrench);
+        } else if (!sets->is_polytope) {
+            for (int i = 0; i < 3; i++)
+                wrench[i] += reach / extent * row[i];
+        }
+    }
+    for (int i = 0; i < 3 && sets->tasks == 0; i++)
+        wrench[i] = normal[i] / extent;
+}

@@ -107,6 +107,10 @@ Status sets_after(const Sets *sets, int failure, Sets *left);
 /* The task's support function. */
 double sets_extent(const Sets *sets, const double *normal);
 
+/* The task's wrench (3,) that is farthest along a normal of any length: the slope of its support
+ * function. It is 0 where that is. */
+void sets_farthest(const Sets *sets, const double *normal, double *wrench);
+
 /* Find the least H / D, with one more robot or NULL, to a relative `gap`. A value of `below` or more
  * is not wanted: it is then `below`, and the normal is zero. `start` (starts, 3) are normals to look at
  * first. What is 0 but for rounding is 0, and the first to be found; so is what a load leaves that is

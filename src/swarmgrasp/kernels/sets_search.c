@@ -175,25 +175,6 @@ static double slope_at(Hunt *h, const double *normal, double *slope) {
     return height;
 }
 
-/* The slope of D. */
-static void extent_slope(const Sets *sets, const double *normal, double extent, double *slope) {
-    double most = 0.0;
-    memset(slope, 0, 3 * sizeof *slope);
-    for (int k = 0; k < sets->tasks; k++) {
-        const double *row = sets->task + (ptrdiff_t)3 * k;
-        double reach = dot(row, normal);
-        if (sets->is_polytope && reach > most) {
-            most = reach;
-            memcpy(slope, row, 3 * sizeof *slope);
-        } else if (!sets->is_polytope && extent > 0.0) {
-            for (int i = 0; i < 3; i++)
-                slope[i] += reach / extent * row[i];
-        }
-    }
-    if (!sets->tasks)
-        memcpy(slope, normal, 3 * sizeof *slope);
-}
-
 /* Walk down from the best normal along the sphere, by ever shorter steps. */
 static Status descend(Hunt *h) {
     double step = STEP, slope[3], rise[3], normal[3], at[3];
@@ -201,7 +182,7 @@ static Status descend(Hunt *h) {
     double height = slope_at(h, at, slope), extent = sets_extent(h->sets, at);
     for (int t = 0; t < STEPS && step > SHORT && h->best > 0.0; t++) {
         double value = extent > 0.0 ? height / extent : 0.0, inward, size;
-        extent_slope(h->sets, at, extent, rise);
+        sets_farthest(h->sets, at, rise);
         for (int k = 0; k < 3; k++)
             rise[k] = slope[k] - value * rise[k];
         inward = dot(rise, at);

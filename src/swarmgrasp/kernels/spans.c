@@ -14,7 +14,7 @@
 #define STRONG 0.3    /* of the swarm's size: from this strength on a newcomer's own poles matter */
 #define PASS 12.0     /* units of work that a normal takes on a span */
 #define NOTHING 1.5   /* times what counts as 0: what normals leave that were asked where it is 0 */
-#define STEEP 0.01     /* cosine of half the angle between normals, below which none travels */
+#define STEEP 0.01    /* share of D, along each of two normals, below which none travels between them */
 
 static double between(double a, double b, double share) { return a + (b - a) * share; }
 
@@ -89,7 +89,7 @@ Status spans_begin(SpanSearch *s, const Sets *sets, const double *ends, int many
                    const double *rows, const double *counts, double units,
                    int (*interrupted)(void)) {
     *s = (SpanSearch){.sets = sets, .ends = ends, .many = many, .least_cap = INFINITY,
-                      .may_travel = sets->losing == 0 && sets->tasks == 0,
+                      .may_travel = sets->losing == 0,
                       .work = work_of(units, interrupted)};
     double bound, opposite[3];
     int elements = 0;
@@ -254,11 +254,17 @@ static void by_travelling(const SpanSearch *s, Span *span, const double *a, cons
         int first = pair[sign][0], last = pair[sign][1];
         if (first < 0 || first == last)
             continue;
-        double along_ = dot(s->pool[first].normal, s->pool[last].normal);
-        double cosine = sqrt(larger(0.0, 0.5 * (1.0 + along_)));
-        if (cosine < STEEP)
+        const Level *one = s->pool + first, *other = s->pool + last;
+        double sum[3], far[3];
+        for (int k = 0; k < 3; k++)
+            sum[k] = one->normal[k] + other->normal[k];
+        sets_farthest(s->sets, sum, far);
+        double along_one = dot(far, one->normal), along_other = dot(far, other->normal);
+        if (!(along_one > STEEP * one->extent && along_other > STEEP * other->extent)
+            || one->extent == 0.0 || other->extent == 0.0)
             continue;
-        double found = larger(larger(a[first], b[last]), 0.0) / cosine;
+        double found = larger(larger(a[first] * one->extent / along_one,
+                                     b[last] * other->extent / along_other), 0.0);
         if (!(found < bound))
             continue;
         bound = found;

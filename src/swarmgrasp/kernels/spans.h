@@ -5,9 +5,11 @@
  * task's part, a quality t at c obeys two kinds of bounds:
  *   CHORDS     t D(n) <= H(n) + sigma(p_n(c)) for each normal n met, which lies below its chord; a
  *              mixture of two chords is highest at an end.
- *   TRAVELLING for two unit normals a and b whose torques have one sign, without a task and losses:
- *              t <= max(v_a, v_b) / cos(angle / 2), v_a what a leaves at the first end, v_b what b
- *              leaves at the last. On the way n turns from a to b so that p_n(c) is linear in c.
+ *   TRAVELLING for two unit normals a and b whose torques have one sign, without losses: on the way n
+ *              turns from a to b so that p_n(c) is linear in c, and D(n) is at least d . n, d the task's
+ *              wrench farthest along a + b. So t <= max(v_a D(a) / d . a, v_b D(b) / d . b), v_a what a
+ *              leaves at the first end relative to D, v_b what b leaves at the last. Of the unit ball
+ *              both quotients are 1 / cos(angle / 2).
  * A search has some dozens of spans; each costs a pass over the normals met. */
 #ifndef SWARMGRASP_SPANS_H
 #define SWARMGRASP_SPANS_H

@@ -82,9 +82,10 @@ class SpanProof(Frozen, Plain):
 
     - "chords": t is at most the greater of sum l_k v_k(start) and sum l_k v_k(end), with weights
       l_k that sum to 1;
-    - "travelling", of two normals a and b with torque parts of one sign, without a task, losses and
-      uncertain poses: t is at most the greater of v_a(start) and v_b(end), divided by the cosine of
-      half the angle between them.
+    - "travelling", of two normals a and b with torque parts of one sign, without losses and
+      uncertain poses: t is at most the greater of v_a(start) D(a) / d . a and
+      v_b(end) D(b) / d . b, d the wrench of the task that is farthest along a + b. Of the unit
+      ball both quotients are 1 over the cosine of half the angle between them.
 
     Nor does it exceed the least C(n_k) / D(n_k) that any of them shows, C as for `Proof`.
 

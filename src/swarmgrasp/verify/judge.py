@@ -113,11 +113,6 @@ class Judge:
                 found = (along @ self._rows) / np.linalg.norm(along, axis=1)[:, None]
         return np.asarray(np.nan_to_num(found, posinf=0.0, neginf=0.0))
 
-    @property
-    def is_ball(self) -> bool:
-        """Whether the task is the unit ball."""
-        return self._criterion.task is None
-
     def is_convex(self, team: Team) -> bool:
         """Tell whether H is known to be convex: without losses and uncertain poses."""
         return self._criterion.losing == 0 and not team.spread

@@ -348,9 +348,7 @@ class _Check:
             self.judge, self.base, self.claim.spans, self.asked.newcomer, self.certain_limit,
             self.boundary.origin, self.rounding * self.judge.unit,
         )  # fmt: skip
-        if not all(spans.cover(piece, self.boundary.sliver) for piece in pieces):
-            return math.inf, math.inf
-        return max(float(spans.surely.max()), 0.0), max(float(spans.bound.max()), 0.0)
+        return spans.bounds(pieces, self.boundary.sliver)
 
     def box_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
         """Do the same by the boxes, which should cover the pieces."""

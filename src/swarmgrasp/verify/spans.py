@@ -6,9 +6,13 @@ sigma(p_n(c)) for every n, so that any mixture of such bounds is greatest at an 
 
 A normal that turns on the way says more. Take unit normals a and b whose torques have one sign,
 scaled to one torque: on the way from start to end n = (1 - l) a + l b has that torque too, and
-p_n(c) is linear in l. With h and sigma convex, t |n| is at most the same mixture of what a leaves
-at the start and b at the end, and |n| is at least its part along the bisector of a and b. So t is
-at most the greater of the two for unit normals, divided by the cosine of half the angle between.
+p_n(c) is linear in l. With h and sigma convex, t D(n) is at most the same mixture of what a leaves
+at the start and b at the end, and D(n) is at least d . n for any wrench d of the task. So t is at
+most the greater of the two for unit normals, each divided by its d . n, if these are positive; of
+the unit ball d is the bisector, and both are the cosine of half the angle between.
+
+What a span is said to be is rounded: it is looked at on the edge and for the sector that the check
+has found itself.
 """
 
 import math
@@ -18,7 +22,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swarmgrasp.verify.allowed import Piece
-from swarmgrasp.verify.judge import Judge
+from swarmgrasp.verify.judge import UNASKED, Judge
 from swarmgrasp.verify.recompute import ANGLE, Array, units_of
 from swarmgrasp.verify.team import Forces, Team, kept_arcs
 
@@ -50,34 +54,41 @@ class Spans:
     ) -> None:  # fmt: skip
         self._judge, self._team, self._newcomer = judge, team, newcomer
         self._limit, self._origin, self._rounding = limit, origin, rounding
-        claims = tuple(claims)
-        self.ends = np.array([(span.start, span.end) for span in claims]).reshape(-1, 2, 2)
-        self.sectors = np.array([(span.lo, span.hi) for span in claims]).reshape(-1, 2)
-        units = [units_of(span.normals) for span in claims]
-        known = [rows for rows in units if rows is not None]
-        rows = np.concatenate(known) if known else np.zeros((0, 3))
-        levels = np.column_stack(judge.held(team, rows)) if len(rows) else np.zeros((0, 3))
-        bounds, first = [], 0
-        for span, own in zip(claims, units, strict=True):
-            if own is None:
-                bounds.append((math.inf, math.inf))
-                continue
-            bounds.append(self._bound(span, own, levels[first : first + len(own)]))
-            first += len(own)
-        self.surely, self.bound = np.array(bounds).reshape(-1, 2).T
+        self._claims = tuple(claims)
+        self.ends = np.array([(span.start, span.end) for span in self._claims]).reshape(-1, 2, 2)
+        self.sectors = np.array([(span.lo, span.hi) for span in self._claims]).reshape(-1, 2)
+        self._units = [units_of(span.normals) for span in self._claims]
 
-    def _bound(self, span: "SpanClaim", normals: Array, levels: Array) -> tuple[float, float]:
-        """Bound the quality with the newcomer on a span, from below and from above."""
-        weights, (height, cap, extent) = np.array(span.weights), levels.T
-        if len(weights) != len(normals) or not (weights > 0.0).all() or span.hi < span.lo:
+    def bounds(self, pieces: Iterable[Piece], sliver: float) -> tuple[float, float]:
+        """Bound the quality with the newcomer on pieces, less and more what rounding hides.
+
+        Without end if the spans leave more of a piece than rounding.
+
+        Parameters
+        ----------
+        pieces : iterable of Piece
+        sliver : float [m]
+        """
+        surely = bound = 0.0
+        for piece in pieces:
+            shares = self._shares(piece, sliver)
+            if not _is_covered([ends for _, ends in shares], sliver / max(_length(piece), sliver)):
+                return math.inf, math.inf
+            for k, ends in shares:
+                arms = piece.p + ends[:, None] * (piece.q - piece.p) - self._origin
+                low, high = self._bound(k, arms, piece.lo, piece.hi)
+                surely, bound = max(surely, low), max(bound, high)
+        return surely, bound
+
+    def _bound(self, k: int, arms: Array, lo: float, hi: float) -> tuple[float, float]:
+        """Bound the quality with the newcomer between two moment arms (2, 2) [m]."""
+        span, normals = self._claims[k], self._units[k]
+        weights = np.array(span.weights)
+        if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
             return math.inf, math.inf
-        arcs = kept_arcs(self._newcomer, self._limit, span.lo, span.hi)
-        gains = np.array(
-            [
-                Forces(np.array(end) - self._origin, arcs).along(normals * self._judge.scale)
-                for end in (span.start, span.end)
-            ]
-        )
+        height, cap, extent = self._judge.held(self._team, normals)
+        arcs = kept_arcs(self._newcomer, self._limit, lo, hi)
+        gains = np.array([Forces(arm, arcs).along(normals * self._judge.scale) for arm in arms])
         least = float(extent.min())
         if least == 0.0:  # it bounds nothing, unless a load is not held
             unheld = (height + gains).max(axis=0) < -self._rounding
@@ -85,47 +96,55 @@ class Spans:
             return found, found
         values = (height + gains) / extent
         if span.kind == "travelling":
-            found = self._travelling(normals, values)
+            least, found = self._travelling(normals, values * extent)
         else:
+            weights = weights / weights.max()
             found = float((values @ (weights / weights.sum())).max())
         found = min(max(found, 0.0), max(float((cap / extent).min()), 0.0))
         hidden = self._rounding / least
         return found - hidden, found + hidden
 
-    def _travelling(self, normals: Array, values: Array) -> float:
-        """Bound it by a normal that turns from the first to the second on the way."""
-        judge = self._judge
-        if len(normals) != 2 or not judge.is_ball or not judge.is_convex(self._team):
-            return math.inf
-        a, b = normals
-        cosine = math.sqrt(max(0.5 * (1.0 + float(a @ b)), 0.0))
-        if not a[2] * b[2] > 0.0 or cosine == 0.0:
-            return math.inf
-        return max(float(values[0, 0]), float(values[1, 1]), 0.0) / cosine
+    def _travelling(self, normals: Array, sides: Array) -> tuple[float, float]:
+        """Bound it by a normal that turns from the first to the second on the way.
 
-    def cover(self, piece: Piece, sliver: float) -> bool:
-        """Tell whether spans of its sector cover a piece, but for what is no more than rounding.
-
-        Parameters
-        ----------
-        piece : Piece
-        sliver : float [m]
+        The right sides (2, 2) are those at the start and at the end. Returns the least of what
+        divides them, and the bound.
         """
-        step = piece.q - piece.p
-        length = float(np.linalg.norm(step))
+        judge = self._judge
+        if len(normals) != 2 or not judge.is_convex(self._team):
+            return 1.0, math.inf
+        along = normals @ judge.farthest(normals.sum(axis=0)[None])[0]
+        if not normals[0, 2] * normals[1, 2] > 0.0 or not along.min() > UNASKED:
+            return 1.0, math.inf
+        along = along * judge.unit
+        return float(along.min()), float((np.maximum(np.diag(sides), 0.0) / along).max())
+
+    def _shares(self, piece: Piece, sliver: float) -> list[tuple[int, Array]]:
+        """Return the spans beside a piece for its sector, and the shares of it at their ends."""
+        step, length = piece.q - piece.p, _length(piece)
         away = self.ends - piece.p
         if length > 0.0:
             across = np.abs(away[..., 0] * step[1] - away[..., 1] * step[0]) / length
-            shares, near = np.sort((away @ step) / length**2, axis=1), sliver / length
+            shares = (away @ step) / length**2
         else:
-            across, near = np.linalg.norm(away, axis=2), 0.0
+            across = np.linalg.norm(away, axis=2)
             shares = np.tile([0.0, 1.0], (len(away), 1))
         off = self.sectors - [piece.lo, piece.hi]
         turn = math.tau * np.round(off[:, :1] / math.tau)
         is_here = (across <= sliver).all(axis=1) & (np.abs(off - turn) <= ANGLE).all(axis=1)
-        reached = 0.0
-        for first, last in shares[is_here][np.argsort(shares[is_here][:, 0])]:
-            if first > reached + near:
-                break
-            reached = max(reached, last)
-        return bool(reached >= 1.0 - near)
+        return [(int(k), shares[k]) for k in np.flatnonzero(is_here)]
+
+
+def _length(piece: Piece) -> float:
+    """Return the length [m] of a piece."""
+    return float(np.linalg.norm(piece.q - piece.p))
+
+
+def _is_covered(shares: list[Array], near: float) -> bool:
+    """Tell whether intervals cover [0, 1], but for what is no more than rounding."""
+    reached = 0.0
+    for first, last in sorted(sorted(ends.tolist()) for ends in shares):
+        if first > reached + near:
+            break
+        reached = max(reached, last)
+    return reached >= 1.0 - near
