@@ -1,5 +1,6 @@
 """Placing newcomers that keep all they can exert: tugs that steer, azimuth thrusters, fingers."""
 
+import copy
 import json
 import math
 from pathlib import Path
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 from swarmgrasp import (
+    Ellipsoid,
     Newcomer,
     Outline,
     Polytope,
@@ -26,8 +28,11 @@ from swarmgrasp import (
     qualities_with,
     quality,
 )
-from swarmgrasp.errors import ForceSetUnsupported
+from swarmgrasp.answer_file import document_of
+from swarmgrasp.errors import ForceSetUnsupported, NowhereToAttach
 from swarmgrasp.placement.spans import robot_on
+from swarmgrasp.verify import verify_document
+from swarmgrasp.verify.digest import digest_of
 
 DATA = Path(__file__).parents[1] / "data"
 RECTANGLE = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
@@ -212,6 +217,143 @@ def test_what_is_not_known_is_refused():
         place(swarm, Newcomer(steers=True, tolerance=Tolerance(0.1)), worst_case=True)
     with pytest.raises(ForceSetUnsupported, match="mounted"):
         place(swarm, Newcomer(steers=True, mounted=True))
+
+
+FOUR = [
+    Robot((-2, 0), 0.0, steers=0.5), Robot((2, 0.3), math.pi, steers=0.5),
+    Robot((0, 1), -1.5, steers=1.0), Robot((0.5, -1), 1.5, steers=1.0),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("back", [0.4, 1.0])
+@pytest.mark.parametrize("half", [0.3, math.pi / 2])
+@pytest.mark.parametrize("attachment", ["push", "pull"])
+def test_a_newcomer_that_steers_both_ways(attachment, half, back):
+    """Ahead and astern, and its robot keeps its reverse limit: no grid of contacts is better."""
+    newcomer = Newcomer(1.0, attachment, half, steers=True, reverse_limit=back)
+    answer = place(Swarm(RECTANGLE, FOUR), newcomer)
+    assert answer.robot.reverse_limit == back
+    assert best_on_a_grid(answer.problem) <= answer.upper_bound * (1.0 + 1e-9)
+    assert answer.gap <= 1e-6
+    assert answer.verify(), answer.verify().faults
+    one_way = place(Swarm(RECTANGLE, FOUR), Newcomer(1.0, attachment, half, steers=True))
+    assert answer.quality >= one_way.quality * (1.0 - 1e-6)
+
+
+def test_several_that_steer_both_ways_are_refused_in_words():
+    """Not placed without their reverse limit."""
+    problem = Problem(Swarm(RECTANGLE, FOUR), Newcomer(steers=True, reverse_limit=0.5))
+    for ask in (lambda: place_together(problem, 2), lambda: how_many(problem, 2.0)):
+        with pytest.raises(ForceSetUnsupported, match="steer both ways"):
+            ask()
+
+
+@pytest.mark.parametrize(
+    "newcomer", [Newcomer(steers=True), Newcomer(1.0, "push", 0.5, steers=True),
+                 Newcomer(1.0, "push", friction=0.5)],
+)  # fmt: skip
+@pytest.mark.parametrize(
+    "task", [Ellipsoid([(1, 0, 0), (0, 2, 0), (0, 0, 0.5)]),
+             Polytope([(1, 0, 0.2), (-0.5, 0.5, 0), (0, -1, -0.1)])],
+)  # fmt: skip
+def test_one_robot_alone_does_no_task(newcomer, task):
+    """That is proven at once: a normal that travels knows of tasks."""
+    answer = place(Swarm(RECTANGLE, []), newcomer, task=task)
+    assert (answer.quality, answer.upper_bound, answer.stopped_early) == (0.0, 0.0, False)
+    assert answer.verify(), answer.verify().faults
+
+
+@pytest.mark.parametrize(
+    "more", [{"steers": True, "half_angle": 0.5}, {"friction": 0.5}, {"steers": True}]
+)
+def test_what_is_certain_of_a_newcomer_counts(more):
+    """In the worst case it has its least limit, in the search and in its bound."""
+    attachment = "push" if len(more) == 2 or "friction" in more else "free"
+    newcomer = Newcomer(1.0, attachment, tolerance=Tolerance(least_limit=0.4), **more)
+    answer = place(Swarm(RECTANGLE, FOUR), newcomer, worst_case=True)
+    weaker = place(Swarm(RECTANGLE, FOUR), Newcomer(0.4, attachment, **more))
+    assert answer.quality == pytest.approx(weaker.quality, rel=2e-6)
+    assert answer.gap <= 1e-6
+    assert answer.verify(), answer.verify().faults
+
+
+def test_a_finger_never_pulls():
+    """Whatever a zone lets others do."""
+    finger, edge = Newcomer(1.0, "push", friction=0.5), Stretch(0.0, 4.0, "edge")
+    swarm = Swarm(RECTANGLE, FOUR)
+    with pytest.raises(NowhereToAttach):
+        place(swarm, finger, [Zone(edge, "pull")])
+    answer = place(swarm, finger, [Zone(edge, "free")])
+    assert answer.robot.direction == pytest.approx(math.pi / 2)
+    assert answer.verify(), answer.verify().faults
+
+
+def _spoil(placed, how):
+    """Alter the placement of a document."""
+    span = max(placed["spans"], key=lambda span: math.dist(span["start"], span["end"]))
+    if how == "a span is missing":
+        placed["spans"].remove(span)
+    elif how == "a span is shorter":
+        pairs = zip(span["start"], span["end"], strict=True)
+        span["start"] = [0.9 * a + 0.1 * b for a, b in pairs]
+    elif how == "a span is off the edge":
+        span["start"] = [0.9 * a for a in span["start"]]
+    elif how == "a sector is narrower":
+        span["lo"] += 1e-6
+    elif how == "all normals are one":
+        for each in placed["spans"]:
+            each["normals"] = [[1.0, 0.0, 0.0]] * len(each["normals"])
+    elif how == "a weight is negative":
+        span["weights"][0] *= -1.0
+    elif how == "all travel":
+        for each in placed["spans"]:
+            each["kind"] = "travelling"
+    elif how == "the bound is lower":
+        placed["upper_bound"] *= 1.0 - 1e-6
+    elif how == "the quality is higher":
+        placed["quality"] *= 1.0 + 1e-4
+        placed["upper_bound"] *= 1.0 + 1e-4
+    elif how == "the robot steers more":
+        placed["robot"]["steers"] += 0.1
+    elif how == "the robot is turned":
+        placed["robot"]["direction"] += 0.1
+    elif how == "the robot has friction":
+        placed["robot"]["friction"] = 0.5
+    elif how == "no spans":
+        placed["spans"] = []
+
+
+@pytest.mark.parametrize("terms", [{}, {"losing": 1}])
+@pytest.mark.parametrize(
+    "how",
+    [
+        "a span is missing", "a span is shorter", "a span is off the edge", "a sector is narrower",
+        "all normals are one", "a weight is negative", "all travel", "the bound is lower",
+        "the quality is higher", "the robot steers more", "the robot is turned",
+        "the robot has friction", "no spans",
+    ],
+)  # fmt: skip
+def test_forged_proofs_are_refused(how, terms):
+    """Spans must cover all that is allowed, for its sector, and show the bound."""
+    tug = Newcomer(1.0, "push", 0.7, steers=True)
+    document = copy.deepcopy(document_of(place(Swarm(RECTANGLE, FOUR), tug, **terms)))
+    assert verify_document(document)
+    _spoil(document["placements"][0], how)
+    document["digest"] = digest_of(document)
+    assert not verify_document(document)
+
+
+def test_no_giant_hides_a_bound_in_the_rounding_of_its_spans():
+    """Off the edge, or off the sector, by as little as rounding, a span proves no less."""
+    giant = Newcomer(1e6, "push", math.pi / 2, steers=True)
+    document = copy.deepcopy(document_of(place(Swarm(RECTANGLE, FOUR), giant)))
+    bound = verify_document(document).upper_bounds[0]
+    for span in document["placements"][0]["spans"]:
+        span["lo"], span["hi"] = span["lo"] + 4e-10, span["hi"] - 4e-10
+        for end in ("start", "end"):
+            x, y = span[end]
+            span[end] = [x, y * (1.0 - 2e-9)] if abs(y) == 1.0 else [x * (1.0 - 1e-9), y]
+    assert verify_document(document).upper_bounds[0] == pytest.approx(bound, rel=1e-11)
 
 
 @pytest.mark.long

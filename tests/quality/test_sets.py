@@ -21,6 +21,8 @@ from swarmgrasp import (
     quality,
 )
 from swarmgrasp.errors import CriterionInvalid, RobotInvalid
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.criterion import NOMINAL
 
 SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 FILE = Path(__file__).parent.parent / "data" / "steering.json"
@@ -359,6 +361,14 @@ def test_every_mix_of_kinds_and_criteria(seed):
     In the last a robot that always exerts something is lost with another of its group.
     """
     check_mix(seed, 2)
+
+
+def test_an_azimuth_has_no_seam():
+    """Rounding may leave its circle open where it starts: along that, too, it exerts its limit."""
+    alone = unit([Robot((1, -1), 2.356194490192345, steers=math.pi)])
+    normal = np.array([[-0.7071067811865474, 0.7071067811865476, 9.182338818237e-17]])
+    found = Aim(alone, NOMINAL, as_sets=True).levels(normal)[0, 0]
+    assert found == pytest.approx(1.0, rel=1e-12)
 
 
 @pytest.mark.long

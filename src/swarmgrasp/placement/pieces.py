@@ -280,8 +280,10 @@ def _sectors(newcomer: Newcomer, zone: Zone | None, inward: bool, middle: float)
     attachment, half_angle = newcomer.attachment, newcomer.half_angle
     if zone is not None and zone.attachment is not None:
         attachment, half_angle = zone.attachment, zone.half_angle
-    if newcomer.friction:
-        half_angle = 0.0
+    if newcomer.friction:  # a finger pushes, whatever else a zone lets others do
+        attachment, half_angle = ("pull" if attachment == "pull" else "push"), 0.0
+        if not inward:
+            return []
     if newcomer.steers and attachment == "free":  # one sector, not one on each side
         if not inward:
             return []

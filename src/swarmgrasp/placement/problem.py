@@ -205,6 +205,10 @@ def check_ray_problem(problem: Problem, what: str) -> None:
 
 def check_several(problem: Problem, what: str) -> None:
     """Raise `ForceSetUnsupported` unless newcomers steer, or all robots push along one ray each."""
+    if problem.newcomer.steers and problem.newcomer.reverse_limit:
+        raise ForceSetUnsupported(
+            f"{what} is not known for newcomers that steer both ways: leave out the reverse limit"
+        )
     if problem.newcomer.steers and not problem.newcomer.mounted:
         check_newcomer(problem)
     else:

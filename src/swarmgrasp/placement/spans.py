@@ -112,12 +112,13 @@ class SpanSearch:
         self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
         self._unit, self._pieces = self.aim.unit, pieces
         robots = [robot_on(problem, pieces, k, 0.5) for k in range(len(pieces.each))]
-        elements, counts = force_sets_of(columns_of(robots), {})
+        limits = np.full(len(robots), problem.certain_limit)
+        elements, counts = force_sets_of(columns_of(robots)._replace(limits=limits), {})
         sets = self.aim.robots
         assert isinstance(sets, RobotSets)
         ends = np.ascontiguousarray(pieces.rows[:, :4])
         self._core = core.Spans(sets.core, ends, elements, counts.astype(float), WORK)
-        self._newcomer = problem.newcomer
+        self._newcomer, self._limit = problem.newcomer, problem.certain_limit
         self.work = Work(WORK)
         value, normal = self._core.base
         self.base = Weakest(value / self._unit, normal)
@@ -197,7 +198,7 @@ class SpanSearch:
         across, turn = np.sqrt(1.0 - z * z), k * np.pi * (3.0 - np.sqrt(5.0))
         field = np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
         height = self.aim.levels(field)[:, 0]
-        mean = max(float(height.mean()), SOFTNESS * self._newcomer.limit)
+        mean = max(float(height.mean()), SOFTNESS * self._limit)
         height = np.maximum(height / mean + SOFTNESS, LEAST)
         return np.asarray(((height + self._gains(stands, field) / mean) ** -POWER).sum(axis=1))
 
@@ -211,12 +212,15 @@ class SpanSearch:
         middle, half = 0.5 * (rows[:, 4:5] + rows[:, 5:6]), 0.5 * (rows[:, 5:6] - rows[:, 4:5])
         c, s = np.cos(middle), np.sin(middle)
         ahead, side = px * c + py * s, np.abs(px * s - py * c)
-        limit, friction = self._newcomer.limit, self._newcomer.friction
+        limit, friction = self._limit, self._newcomer.friction
         if friction:
             return np.asarray(limit * np.maximum(ahead + friction * side, 0.0))
-        off = np.arctan2(side, ahead) - half
-        worth = np.where(off <= 0.0, 1.0, np.maximum(np.cos(off), 0.0))
-        return np.asarray(limit * np.hypot(px, py) * worth)
+        turn = np.arctan2(side, ahead)
+        worths = [
+            most * np.maximum(np.cos(np.maximum(off - half, 0.0)), 0.0)
+            for most, off in ((limit, turn), (self._newcomer.reverse_limit, np.pi - turn))
+        ]
+        return np.asarray(np.hypot(px, py) * np.maximum(*worths))
 
 
 def robot_on(problem: Problem, pieces: Pieces, index: int, share: float, name: str = "") -> Robot:
@@ -232,4 +236,5 @@ def robot_on(problem: Problem, pieces: Pieces, index: int, share: float, name: s
     return Robot(
         pieces.point_at(index, share), direction, problem.newcomer.limit, name,
         steers=min(half, math.pi), tolerance=newcomer.tolerance,
+        reverse_limit=newcomer.reverse_limit,
     )  # fmt: skip

@@ -153,8 +153,10 @@ def sides_of(
     source = asked.newcomer if zone is None or zone.attachment is None else zone
     free = source.attachment == "free"
     half = math.pi / 2 if free or source.half_angle is None else source.half_angle
-    if asked.newcomer.friction:
-        half = 0.0
+    if asked.newcomer.friction:  # a finger pushes
+        if source.attachment != "pull":
+            yield from within(zone, inward, inward)
+        return
     if asked.newcomer.steers and free:
         yield whole_turn(zone, inward)
         return

@@ -250,7 +250,8 @@ def kept_arcs(newcomer: "NewcomerClaim", limit: float, lo: float, hi: float) -> 
         size, turn = math.hypot(1.0, newcomer.friction), math.atan(newcomer.friction)
         points = [(limit * size, middle + side * turn, 0.0) for side in (-1, 1)]
         return np.array([*points, (0.0, middle, 0.0)])
-    return np.array([(limit, middle, half), (0.0, middle, 0.0)])
+    astern = (newcomer.reverse_limit, middle + math.pi, half)
+    return np.array([(limit, middle, half), astern, (0.0, middle, 0.0)])
 
 
 def wrench(arm: Array, angle: float) -> Array:
