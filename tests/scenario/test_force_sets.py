@@ -6,8 +6,8 @@ import jsonschema
 import pytest
 
 from swarmgrasp.errors import ScenarioInvalid
-from swarmgrasp.scenario import parse_scenario, scenario_schema
-from swarmgrasp.swarm import Newcomer, Robot
+from swarmgrasp.scenario import parse_scenario, scenario_schema, scenario_text
+from swarmgrasp.swarm import Newcomer, Robot, Zone
 
 # line 3 is the first robot, line 4 what follows it
 HEAD = (
@@ -189,3 +189,42 @@ def test_editors_refuse_what_the_loader_refuses(said: dict[str, object]) -> None
         {"direction": "inward", "envelope": [[1, 0], [0, 1]]},
     ):
         judge.validate({**example, "robots": [{"at": 1, **good}]})
+
+
+BAY = "{name: bay, area: [[1, 0.5], [2, 0.5], [2, 1.5]], directions: [0, 90]}"
+MOUNTED = "robots: []\nnewcomer: {limit: 5, mounted: true}\n"
+
+
+def test_a_zone_may_be_an_area_inside() -> None:
+    """In the file's units, and written as it was read."""
+    scenario = parse_scenario(f"{HEAD}{MOUNTED}zones: [{BAY}]")
+    bay = Zone(directions=(0.0, math.pi / 2), area=((1.0, 0.5), (2.0, 0.5), (2.0, 1.5)), name="bay")
+    assert scenario.zones == (bay,)
+    text = scenario_text(scenario)
+    assert parse_scenario(text).zones == scenario.zones
+    assert "{name: bay, area: [[1, 0.5], [2, 0.5], [2, 1.5]], directions: [0, 90]}" in text
+
+
+AREAS = {
+    "{area: [[1, 1], [5, 1], [1, 0.5]]}": (
+        "5:25: zones.0.area.1: an area should be inside; the nearest boundary point is [4, 1] m on "
+        "e, 1 m away (got [5, 1])"
+    ),
+    "{area: [[1, 1], [2, 1.5], [2, 1], [1, 1.5]]}": (
+        "5:16: zones.0.area: the area crosses itself or is flat: list its corners in order around "
+        "it, or the two ends of a line"
+    ),
+    "{area: [[1, 1]], edge: s}": "5:9: zones.0: edge and area each say where; keep one",
+    "{area: [[1, 1]], attachment: push}": (
+        "5:38: zones.0.attachment: an area touches no edge; leave the attachment out (got 'push')"
+    ),
+    "{area: []}": "5:16: zones.0.area: should hold at least 1 values, not 0 (got [])",
+}
+
+
+@pytest.mark.parametrize("zone", AREAS)
+def test_a_faulty_area_is_told_with_its_place(zone: str) -> None:
+    """One fault, one sentence, with line, column and key path."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(f"{HEAD}{MOUNTED}zones: [{zone}]", "a.yaml")
+    assert list(caught.value.faults) == [f"a.yaml:{AREAS[zone]}"]

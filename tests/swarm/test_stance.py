@@ -35,7 +35,7 @@ STEERS = {"steers": math.pi / 6}
             "on bow", "pushing along the inward normal, and back", "push along it, and back",
         ),
         (Robot((4, 0), 0.0, steers=math.pi), "on bow", "pushing any way", "any way"),
-        (Robot((1, 0), 0.0, mounted=True, steers=math.pi), "on board", "any way", ""),
+        (Robot((1, 0), 0.0, mounted=True, steers=math.pi), "on board", "", ""),
     ],
 )  # fmt: skip
 def test_what_a_robot_may_do_is_told_beside_its_normal(robot, where, way, short):

@@ -2,7 +2,7 @@
 
 import math
 
-from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError
+from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError, ZoneInvalid
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.ranges import plain_name
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
@@ -233,29 +233,42 @@ def _half_angle(section: NewcomerSection | ZoneSection, units: Units) -> float |
 
 def _zones(locator: Locator, said: frozenset[Path]) -> tuple[Zone, ...]:
     """Return the zones; none of them once there are faults."""
-    checked, units = locator.checked, locator.units
-    found = [
-        (section, _zone_stretch(section, ("zones", i), locator))
-        for i, section in enumerate(checked.file.zones or [])
+    sections = [
+        (section, ("zones", i))
+        for i, section in enumerate(locator.checked.file.zones or [])
         if ("zones", i) in said
     ]
-    if checked.faults:
-        return ()
-    zones = []
-    for section, stretch in found:
-        directions = section.directions
-        if stretch is not None:
-            zones.append(
-                Zone(
-                    stretch,
-                    section.attachment,
-                    _half_angle(section, units),
-                    (units.radians(directions[0]), units.radians(directions[1]))
-                    if directions
-                    else None,
-                )
-            )
-    return tuple(zones)
+    found = [_zone(section, path, locator) for section, path in sections]
+    return tuple(zone for zone in found if zone is not None)
+
+
+def _zone(section: ZoneSection, path: Path, locator: Locator) -> Zone | None:
+    """Return a zone, or None after noting a fault."""
+    units, directions = locator.units, section.directions
+    range_ = (units.radians(directions[0]), units.radians(directions[1])) if directions else None
+    if section.area is not None:
+        return _area(section, (*path, "area"), range_, locator)
+    stretch = _zone_stretch(section, path, locator)
+    if stretch is None or locator.checked.faults:
+        return None
+    return Zone(stretch, section.attachment, _half_angle(section, units), range_)
+
+
+def _area(
+    section: ZoneSection, path: Path, directions: tuple[float, float] | None, locator: Locator
+) -> Zone | None:
+    """Return a zone inside the outline, or None after noting a fault."""
+    units, corners = locator.units, section.area or []
+    inside = [locator.inside(corner, (*path, k)) for k, corner in enumerate(corners)]
+    if None in inside:
+        return None
+    area = tuple((units.metres(x), units.metres(y)) for x, y in corners)
+    try:
+        return Zone(directions=directions, area=area, name=section.name)
+    except ZoneInvalid as error:  # corners that are not in order around it
+        for fault in error.faults:
+            locator.checked.fault(path, fault.partition(": ")[2], got=False)
+        return None
 
 
 def _zone_stretch(section: ZoneSection, path: Path, locator: Locator) -> Stretch | None:

@@ -77,10 +77,11 @@ class Locator:
         return None
 
     def inside(self, wanted: list[float], path: Path) -> Place | None:
-        """Return the point [x, y] of a mounted robot, or None after noting it is outside."""
+        """Return the point [x, y] of a mounted robot or of an area; None after noting a fault."""
         if self.outline.contains(wanted):
             return Place((wanted[0], wanted[1]), 0.0, None)
-        self.checked.fault(path, f"a mounted robot should be inside; {self._off(wanted)}")
+        what = "an area" if path[0] == "zones" else "a mounted robot"
+        self.checked.fault(path, f"{what} should be inside; {self._off(wanted)}")
         return None
 
     def _at_point(self, wanted: list[float], path: Path) -> Place | None:

@@ -253,12 +253,13 @@ class StretchSection(Section):
 class ZoneSection(StretchSection):
     """Where a newcomer may attach: a stretch of the boundary, or a point such as a bollard.
 
-    A point is given by one of `contact`, `theta`, `at`, or `edge` with `along`.
+    A point is given by one of `contact`, `theta`, `at`, or `edge` with `along`; for a mounted
+    newcomer, `area` gives a part of the inside.
     """
 
     model_config = ConfigDict(
         json_schema_extra={
-            "oneOf": [*_ways(["contact"], ["theta"], ["at"]), _STRETCH],
+            "oneOf": [*_ways(["contact"], ["theta"], ["at"], ["area"]), _STRETCH],
             "dependentRequired": {"along": ["edge"], "half_angle": ["attachment"]},
         }
     )
@@ -267,6 +268,13 @@ class ZoneSection(StretchSection):
     theta: Number | None = Field(None, description=THETA, examples=[0.5])
     at: Distance | None = Field(None, description=AT, examples=[5.5])
     along: Distance | None = Field(None, description=ALONG, examples=[1.5])
+    area: list[Point] | None = Field(
+        None,
+        min_length=1,
+        description="Corners [x, y], in order, of an area inside the outline, for a mounted "
+        "newcomer; two are a line, and one is a spot [units.length].",
+        examples=[[[1, -0.5], [2, -0.5], [2, 0.5], [1, 0.5]]],
+    )
     attachment: Attachment | None = Field(
         None, description=ATTACHMENT + " Overrides the newcomer's own."
     )

@@ -109,6 +109,8 @@ def _is_stretch_said(section: StretchSection, path: Path, checked: Checked, unit
     is_zone = isinstance(section, ZoneSection)
     if not checked.is_known(*path):
         return False
+    if checked.has(*path, "area"):
+        return _is_area_said(path, checked)
     if not _has_one_way(path, checked, point=is_zone, stretch=True):
         return False
     sound = all(checked.is_sound(*path, key) for key in ("from", "to"))
@@ -122,6 +124,18 @@ def _is_stretch_said(section: StretchSection, path: Path, checked: Checked, unit
         checked.fault((*path, "from"), said)
         return False
     return True
+
+
+def _is_area_said(path: Path, checked: Checked) -> bool:
+    """Tell whether a zone inside the outline says nothing else of where, or of how it is held."""
+    others = [key for key in (*POINT_KEYS, "along", "from", "to") if checked.has(*path, key)]
+    if others:
+        said = f"{' and '.join([*others, 'area'])} each say where; keep one"
+        checked.fault(path, said, got=False)
+    if checked.has(*path, "attachment"):
+        said = "an area touches no edge; leave the attachment out"
+        checked.fault((*path, "attachment"), said)
+    return not others and checked.is_sound(*path, "area")
 
 
 def _has_one_way(path: Path, checked: Checked, *, point: bool, stretch: bool) -> bool:

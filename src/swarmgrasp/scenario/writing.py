@@ -254,10 +254,10 @@ class _File:
 
     def zone(self, zone: Zone) -> dict[str, Any]:
         """Return a zone."""
-        ways = zone.directions
-        where = _stretch(zone.stretch) if zone.stretch else _given(name=zone.name, area=zone.area)
+        ways, stretch = zone.directions, zone.stretch
+        area = {**_given(name=zone.name), "area": list(map(list, zone.area or ()))}
         return {
-            **where,
+            **(area if stretch is None else _stretch(stretch)),
             **self.attachment(zone),
             **_given(directions=None if ways is None else list(map(self.angle, ways))),
         }

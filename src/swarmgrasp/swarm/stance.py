@@ -23,7 +23,7 @@ class Stance:
     where : str
         "on" its edge, "at" a corner, or "on board".
     way : str
-        "pushing" or "pulling", how far off the normal, and how far it steers.
+        "pushing" or "pulling", how far off the normal, and how far it steers; nothing on board.
     short : str
         The same for a table.
     """
@@ -45,7 +45,7 @@ def stance(outline: Outline, robot: Robot) -> Stance:
     robot : Robot
     """
     if robot.mounted:
-        return Stance(None, "on board", "any way" if robot.steers >= math.pi else "fixed", "")
+        return Stance(None, "on board", "", "")
     contact = outline.at_point(robot.contact)
     edges = [contact.edge]
     where = f"on {outline.edge_label(contact.edge)}"

@@ -168,11 +168,12 @@ def _spot(answer: Placement, placed: Stance) -> str:
 
 def _way(robot: Robot, placed: Stance) -> list[tuple[str, str]]:
     """Return as facts which way a robot pushes and how hard."""
+    way = f": {placed.way}" if placed.way else ""
     if not robot.is_ray:
-        return [("Force", force_words(robot)), ("", placed.way)]
+        return [("Force", f"{force_words(robot)}{way}")]
     limit = Unit.for_size(robot.limit).text(robot.limit)
     return [
-        ("Direction", f"{degrees(robot.direction)} deg: {placed.way}"),
+        ("Direction", f"{degrees(robot.direction)} deg{way}"),
         ("Force", f"{limit}, its limit"),
     ]
 
