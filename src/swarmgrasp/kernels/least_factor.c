@@ -9,9 +9,10 @@
 #define PIVOT 1e-9    /* part of a column that takes an aid's place */
 #define TIED 1e-13    /* levels that count as one */
 #define LOST 1e-11    /* of the target: what columns that are all but parallel do not make */
+#define SUNK 1e-9     /* level below 0 that is rounding */
 #define DEAR 1e3      /* cost of an aid that is left, relative to the price of the others, at first, */
 #define DEARER 30.0   /* and by how much it grows where the target is on a border of all that is made */
-#define DEAREST 1e9 
+#define DEAREST 1e9
 #define SETTLED 1e-6  /* of a height */
 #define BEYOND 1e-13  /* of the total: what rounding leaves of no height */
 
@@ -25,7 +26,7 @@ typedef struct {
 } Basis;
 
 /* Find the rows of the inverse, and the levels, refined: columns become nearly parallel where a set is
- * round. Tells whether the columns make the target. */
+ * round. Tells whether the columns make the target, at levels of 0 or more but for rounding. */
 static int solve(Basis *b, const double *target) {
     double rest[3] = {target[0], target[1], target[2]};
     for (int k = 0; k < 3; k++) {
@@ -50,10 +51,12 @@ static int solve(Basis *b, const double *target) {
                     rest[c] -= b->level[k] * b->column[k].wrench[c];
             }
     }
-    double sum = 1.0;
-    for (int k = 0; k < 3; k++)
+    double sum = 1.0, least = 0.0;
+    for (int k = 0; k < 3; k++) {
         sum += fabs(b->level[k]) * length(b->column[k].wrench);
-    return length(rest) <= LOST * sum;
+        least = smaller(least, b->level[k]);
+    }
+    return length(rest) <= LOST * sum && least >= -SUNK * sum;
 }
 
 /* Find the normal along which each column is worth its cost. */
