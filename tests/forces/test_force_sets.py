@@ -271,6 +271,14 @@ def test_azimuths_at_one_point_turn_nothing():
     assert turned.verify()
 
 
+def test_what_cancels_is_not_exerted():
+    """The nearest wrench is none, which two could make against each other."""
+    sides = [Robot((0, -1), math.pi / 2), Robot((0, 1), math.pi / 2, reverse_limit=1.0)]
+    found = forces(unit(*sides), (0.0, 0.0, 17.0))
+    assert not found.vectors.any()
+    assert found.verify()
+
+
 def test_one_or_none_of_nothing():
     """No wrench takes no force; a steady force is all that a robot without a choice exerts."""
     still = forces(PAIR, (0.0, 0.0, 0.0))

@@ -105,7 +105,8 @@ static Status approach(Pushers *p, const Wish *wish, Work *work, Column *made, d
         status = even_out(p, way, size, 1.0 / size, normal, work, made, part, found);
         if (!found->is_even)
             *part = 1.0; /* of the forces found, which make all of it */
-    }
+    } else /* what cancels is of no use */
+        memset(made->force, 0, 2 * (size_t)p->count * sizeof *made->force);
     memcpy(missing, wish->way, sizeof missing);
     for (int i = 0; i < p->count; i++) {
         double wrench[3];
