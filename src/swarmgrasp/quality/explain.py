@@ -204,7 +204,10 @@ def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
     (opposite,) = Aim(swarm, found.criterion).values(-found.direction[None])
     if opposite > found.value * (1.0 + EQUAL):
         return []
-    return ["The opposite way is as weak, so that no single newcomer can help: place two."]
+    return [
+        "The opposite way is as weak, so that no single newcomer that pushes one way can help: "
+        "place two, or one that reverses."
+    ]
 
 
 def _bound_sentences(found: "Quality", unit: Unit) -> list[str]:
