@@ -31,7 +31,7 @@ from swarmgrasp import (
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import ForceSetUnsupported, NowhereToAttach
 from swarmgrasp.placement.spans import robot_on
-from swarmgrasp.verify import verify_document
+from swarmgrasp.verify import judge, verify_document
 from swarmgrasp.verify.digest import digest_of
 
 DATA = Path(__file__).parents[1] / "data"
@@ -83,7 +83,9 @@ def test_reference(told):
     assert not answer.stopped_early
     half = told["new"]["half_angle"]
     assert answer.robot.steers == pytest.approx(half)
-    assert answer.verify()
+    verdict = answer.verify()
+    assert verdict
+    assert verdict.unchecked == ()
 
 
 def random_problem(rng, kind):
@@ -341,6 +343,29 @@ def test_forged_proofs_are_refused(how, terms):
     _spoil(document["placements"][0], how)
     document["digest"] = digest_of(document)
     assert not verify_document(document)
+
+
+@pytest.mark.parametrize("terms", [{}, {"losing": 1}, {"load": (0.1, 0.05, -0.1)}])
+def test_a_quality_said_too_low_is_refused(terms):
+    """The check proves from below what the swarm has; out of its budget it says so."""
+    tug = Newcomer(1.0, "push", 0.7, steers=True)
+    document = copy.deepcopy(document_of(place(Swarm(RECTANGLE, FOUR), tug, **terms)))
+    assert verify_document(document).unchecked == ()
+    placed = document["placements"][0]
+    placed["quality"] *= 0.9999
+    placed["stopped_early"] = True
+    document["digest"] = digest_of(document)
+    assert verify_document(document).faults
+
+
+def test_the_check_tells_where_its_budget_ends(monkeypatch):
+    """Beside rays only, too: what a robot that steers adds is then bounded from above only."""
+    monkeypatch.setattr(judge, "MOST_TERMS", 1000)
+    rays = [Robot(r.contact, r.direction) for r in FOUR]
+    answer = place(Swarm(RECTANGLE, rays), Newcomer(1.0, "push", 0.7, steers=True))
+    verdict = answer.verify()
+    assert verdict
+    assert "from above only" in verdict.unchecked[0]
 
 
 def test_no_giant_hides_a_bound_in_the_rounding_of_its_spans():

@@ -33,6 +33,13 @@ quality; it grows with the number of more."""
 STEPS, NEAR_BY = tuple(0.5 * 0.6**k for k in range(45)), 40
 """From how far to how near a weakest direction is looked for around the best so far, and at how
 many places each time: where robots are no rays."""
+PROVEN = 5e-7
+"""Relative difference between a quality of robots that are no rays and what it is proven to be at
+least."""
+MOST_TERMS = 1_500_000
+"""Contributions that such a proof may add up, of each robot in each triangle of directions, and as
+many as `BESIDES` robots' for what a triangle takes besides: up to a second."""
+BESIDES = 10
 PARALLEL = 1e-12
 """Sine of the angle between generators that have no common plane."""
 BLOCK = 200_000
@@ -154,7 +161,8 @@ class Judge:
         """Bound the quality of a team from both sides; they are as good as equal if it is known.
 
         Of uncertain poses, or of too many robots, it is known only that no direction holds
-        less: the given unit normals (k, 3), their opposites, and others spread evenly.
+        less: the given unit normals (k, 3), their opposites, and others spread evenly. Of robots
+        that are no rays the lower bound is proven, to `PROVEN`, or 0.
         """
         if not team.spread and not team.round:
             if self.is_plain and len(team) <= MOST_SWEPT:
@@ -174,7 +182,43 @@ class Judge:
             near /= np.linalg.norm(near, axis=1)[:, None]
             least, place = self.weakest(self.held(team, near), near, self.size(team))
             most, at = (least, place) if least < most else (most, at)
+        if team.round and not team.spread:
+            return self._proven(team, most)
         return 0.0, max(most, 0.0)
+
+    def _proven(self, team: Team, most: float) -> tuple[float, float]:
+        """Bound a quality from below, which is at most so much, in all directions (T21, T25).
+
+        On a triangle with corners v_j and n = sum l_j v_j, l_j >= 0, H(n) is at least W . n, W the
+        best wrenches in its middle, less what is lost, a convex function as D is: so H >= t D
+        holds on the triangle if this does at the corners. Otherwise the longest edge is cut.
+        """
+        signs = np.array(np.meshgrid(*[(1.0, -1.0)] * 3)).reshape(3, -1).T
+        cells, seen, size = signs[:, :, None] * np.eye(3), 0, self.size(team)
+        while len(cells) and most > ABSOLUTE * size:
+            seen += len(cells)
+            if seen * (len(team) + BESIDES) > MOST_TERMS:
+                return 0.0, most
+            middles = cells.sum(axis=1)
+            middles /= np.linalg.norm(middles, axis=1)[:, None]
+            corners = cells.reshape(-1, 3)
+            least = np.einsum("ck,cjk->cj", self.load + team.best(middles), cells)
+            least -= self._lost(team, corners).reshape(-1, 3) + ROUNDED * size
+            wanted = (1.0 - PROVEN) * most * self.extents(corners).reshape(-1, 3)
+            is_short = (least < wanted).any(axis=1)
+            cells, middles = cells[is_short], middles[is_short]
+            if len(cells):
+                most = min(most, self.weakest(self.held(team, middles), middles, size)[0])
+                cells = _halves(cells)
+        return 0.0 if len(cells) else (1.0 - PROVEN) * most, max(most, 0.0)
+
+    def _lost(self, team: Team, normals: Array) -> Array:
+        """Return what may be lost at most along unit normals (m, 3): (m,) [N]."""
+        lost = self._criterion.losing
+        if lost == 0:
+            return np.zeros(len(normals))
+        terms = np.sort(np.maximum(team.exerted(normals), 0.0), axis=1)
+        return np.asarray(terms[:, -lost:].sum(axis=1))
 
     def listed(self, team: Team) -> tuple[float, float, Array]:
         """List all vertices: bounds of the quality from both sides, and a normal that attains it.
@@ -223,6 +267,19 @@ class Judge:
     def size(self, team: Team) -> float:
         """Return what the rounding of H is relative to [N]."""
         return team.size + float(np.linalg.norm(self.load))
+
+
+def _halves(cells: Array) -> Array:
+    """Cut triangles of unit normals (c, 3, 3) in two, across their longest edges."""
+    edges = np.linalg.norm(cells - np.roll(cells, -1, axis=1), axis=2)
+    rows, first = np.arange(len(cells)), edges.argmax(axis=1)
+    second = (first + 1) % 3
+    between = cells[rows, first] + cells[rows, second]
+    between /= np.linalg.norm(between, axis=1)[:, None]
+    one, other = cells.copy(), cells.copy()
+    one[rows, first] = between
+    other[rows, second] = between
+    return np.concatenate([one, other])
 
 
 def over(height: Array, extent: Array, rounding: float) -> Array:

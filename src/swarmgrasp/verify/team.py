@@ -80,6 +80,18 @@ class Forces(NamedTuple):
         off = np.abs((angle - middle + math.pi) % math.tau - math.pi)
         return np.asarray((radius * size * np.cos(np.maximum(off - half, 0.0))).max(axis=1))
 
+    def best(self, covectors: Array) -> Array:
+        """Return the wrenches (m, 3) [N, N, N m] that are worth so much along covectors (m, 3)."""
+        a = covectors[:, 0] - covectors[:, 2] * self.arm[1]
+        b = covectors[:, 1] + covectors[:, 2] * self.arm[0]
+        radius, middle, half = self.arcs.T
+        off = (np.arctan2(b, a)[:, None] - middle + math.pi) % math.tau - math.pi
+        nearest = np.clip(off, -half, half)
+        chosen = (radius * np.cos(off - nearest)).argmax(axis=1)
+        turn = (middle + nearest)[np.arange(len(chosen)), chosen]
+        fx, fy = radius[chosen] * np.cos(turn), radius[chosen] * np.sin(turn)
+        return np.column_stack([fx, fy, self.arm[0] * fy - self.arm[1] * fx])
+
 
 @dataclass(frozen=True)
 class Team:
@@ -146,6 +158,16 @@ class Team:
             parts.append(np.maximum(self._least(normals), 0.0))
         parts += [s.along(normals * self.scale)[:, None] for s in self.round]
         return self.by_machine(np.hstack(parts))
+
+    def best(self, normals: Array) -> Array:
+        """Return the sum (m, 3) [N] of all wrenches that are best along normals (m, 3).
+
+        In the metric's coordinates, of robots whose poses are known.
+        """
+        found = np.maximum(np.sign(normals @ self.known.T), 0.0) @ self.known
+        for robot in self.round:
+            found = found + robot.best(normals * self.scale) * self.scale
+        return np.asarray(found)
 
     def by_machine(self, terms: Array) -> Array:
         """Add up what belongs to one machine: (m, n) -> (m, k)."""
