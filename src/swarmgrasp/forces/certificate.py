@@ -23,9 +23,9 @@ class ForcesCertificate(Frozen, Told):
     all exert together beyond their least forces. Then there is one normal: that which proves the
     largest share or, of a wrench out of reach, that nothing is nearer; if the robots exert nothing
     along that one, a second proves the largest share. With t up to 1e-6 of itself above what is
-    proven, each robot exerts the force of t times its set that is nearest to r_i^2 J_i' y: r_i is
-    its largest force, and J_i turns its force into a wrench. That makes the sum of |F_i|^2 / r_i^2
-    the least.
+    proven, each robot exerts the force of t times its set that is nearest to ``r_i^2 J_i^T y``: r_i
+    is its largest force, and J_i turns its force into a wrench. That makes the sum of
+    ``|F_i|^2 / r_i^2`` the least.
 
     Attributes
     ----------
