@@ -14,7 +14,16 @@ RING = np.column_stack([np.cos(TURN), np.sin(TURN), 0.3 * (-1.0) ** np.arange(le
 """Every facet of a perfectly regular ring is the weakest: nothing takes longer."""
 
 
+@pytest.fixture
+def keyboard():
+    """Have Python listen to the keyboard, though tests that run in the background may not."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals differ")
+@pytest.mark.usefixtures("keyboard")
 def test_a_search_is_interrupted_from_the_keyboard():
     """The kernel returns long before it is done, as KeyboardInterrupt."""
     with (
