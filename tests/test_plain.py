@@ -34,6 +34,7 @@ from swarmgrasp.scenario import example_names, load_example
 numbers = st.floats(-1e6, 1e6)
 areas = st.floats(1e-3, 1e6)
 shares = st.floats(1e-3, 1.0)
+names = st.text("ab é", max_size=5).filter(lambda name: not name.isspace())
 wrenches = st.lists(st.tuples(numbers, numbers, st.floats(1.0, 1e6)), min_size=1, max_size=3)
 tolerances = st.builds(
     Tolerance, st.tuples(st.floats(-9, 0), st.floats(0, 9)), st.floats(0, 3), st.none() | shares,
@@ -59,7 +60,7 @@ parts = (
     | st.builds(Contact, st.tuples(numbers, numbers), st.integers(0, 9), areas, numbers,
                 st.booleans())
     | st.builds(Robot, st.tuples(numbers, numbers), numbers, areas.map(lambda v: v + 1.0),
-                st.text("ab é", max_size=5), st.just(False), st.none() | tolerances)
+                names, st.just(False), st.none() | tolerances)
 )  # fmt: skip
 
 
