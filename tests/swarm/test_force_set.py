@@ -124,6 +124,7 @@ AJAX = Robot((1, 0), 3.0, name="Ajax", steers=0.5)
 PUSHERS = [Robot((1, 0.3), 3.0), Robot((-1, 0.5), 0.4), Robot((0.2, -1), 1.7), AJAX]
 STEERING = Swarm(SQUARE, PUSHERS)
 FIXED = Swarm(SQUARE, PUSHERS[:3])
+MOUNTED = sg.Problem(FIXED, Newcomer(mounted=True))
 RAYS_ONLY = {
     "count": lambda: sg.how_many(sg.Problem(STEERING, Newcomer()), 1.0),
     "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
@@ -138,3 +139,9 @@ def test_what_knows_rays_only_refuses_other_robots(asked):
     """No answer takes a robot that steers for one that does not."""
     with pytest.raises(ForceSetUnsupported, match=r"one (ray|line)"):
         RAYS_ONLY[asked]()
+
+
+def test_a_newcomer_inside_has_no_landscape_along_the_boundary():
+    """Its places are not on the boundary."""
+    with pytest.raises(ForceSetUnsupported, match="sits inside"):
+        sg.cell_qualities(MOUNTED, (2, 2))

@@ -39,8 +39,8 @@ def pictures(
     Returns
     -------
     list of Path
-        Those written: of several pictures, a wrench set with too many faces, and the landscape of
-        robots that steer, are left out with a word on standard error.
+        Those written: of several pictures, a wrench set with too many faces, and the landscape of a
+        mounted newcomer, are left out with a word on standard error.
     """
     from swarmgrasp.plot import save
 

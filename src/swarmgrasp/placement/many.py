@@ -8,7 +8,7 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import ProblemInvalid, refuse
+from swarmgrasp.errors import ForceSetUnsupported, ProblemInvalid, refuse
 from swarmgrasp.placement.boxes import BoxSearch
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
@@ -110,6 +110,8 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     ------
     ProblemInvalid
         If `problem` is no `Problem`, or the resolution not two such numbers.
+    ForceSetUnsupported
+        If the newcomer is mounted, or its place is not known how to find.
     NowhereToAttach
         If no allowed point is left.
     """
@@ -122,6 +124,10 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
         )
     refuse((ProblemInvalid, faults))
     check_newcomer(problem)
+    if problem.newcomer.mounted:
+        raise ForceSetUnsupported(
+            "the landscape is of places along the boundary, and a mounted newcomer sits inside"
+        )
     outline = problem.swarm.outline
     columns = np.linspace(0.0, outline.perimeter, sides[0] + 1)
     rows = np.linspace(-math.pi, math.pi, sides[1] + 1)

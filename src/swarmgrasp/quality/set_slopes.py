@@ -299,6 +299,7 @@ class _Place:
         """Return a step (3,) along rows (f, 3) towards where H - value D is level."""
 
         def slope(n: Array) -> Array:
+            """Return how H - value D rises along the rows, (f,)."""
             around = self.at(n)
             vertex, lost = next(self.cases(around))
             made = self.wrenches(around.forces[0])[~lost].sum(axis=0)
