@@ -51,18 +51,18 @@ static void bounds(int n, double present, double back, int losing, int tasks, in
     CHECK(boxes_begin(&search, &sets, pieces, 2, 1.0, back, WORK, look) == SOLVED);
     Status status = boxes_solve(&search, NULL, GAP, asks, &best);
     CHECK(status == SOLVED || status == OUT_OF_BUDGET);
-    for (int k = 0; k < search.closes; k++)
-        top = larger(top, search.closed[k].bound);
+    for (int k = 0; k < search.boxes; k++)
+        top = larger(top, search.box[k].bound);
     if (status == SOLVED)
-        CHECK(top <= best.quality * (1.0 + GAP) + 1e-11 * search.size);
-    for (int k = 0; k < search.closes; k += 1 + search.closes / 40) {
-        const Box *box = search.closed + k;
+        CHECK(top <= best.quality * (1.0 + GAP) + 1e-11 * search.pool.size);
+    for (int k = 0; k < search.boxes; k += 1 + search.boxes / 40) {
+        const Box *box = search.box + k;
         const double *p = pieces + PIECE * box->piece;
         double share = uniform(box->from, box->to), turn = uniform(box->lo, box->hi);
         for (int c = 0; c < 2; c++)
             point[c] = p[c] + share * (p[c + 2] - p[c]);
         CHECK(boxes_quality(&search, point, turn, EXACT, &quality, normal) == SOLVED);
-        CHECK(quality <= larger(box->bound, best.quality * (1.0 + GAP)) * (1.0 + 1e-8) + 1e-11 * search.size);
+        CHECK(quality <= larger(box->bound, best.quality * (1.0 + GAP)) * (1.0 + 1e-8) + 1e-11 * search.pool.size);
         double weights = 0.0;
         for (int t = 0; t < box->terms; t++)
             weights += box->term[t].weight;

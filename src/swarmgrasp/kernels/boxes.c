@@ -19,11 +19,9 @@
 #define BESIDE 3.0      /* diameters of a box within which its wrenches are across such a normal */
 #define EDGES 3         /* of h through one of them */
 #define ON_EDGE 1e-6    /* sine of the angle between a normal and a wrench across it */
-#define SAME 1e-9       /* square of the distance between unit normals that are one */
 #define ACROSS 1e-5     /* sine of the angle between a wrench and g below which rounding turns b x g */
 #define TURNED_OFF 0.02 /* of the mean, up to which a travelling normal may all but vanish */
 #define MIDDLE 0.2      /* share of a box within which it is not cut near its ends */
-#define SMALLEST 1e-12  /* width of a box [rad], or share of a piece, that only rounding could split */
 #define FEW_POINTS 4    /* corners of a force set up to which all lines between them are edges */
 #define PASS 2.0        /* units of work that a normal takes in a box */
 
@@ -31,56 +29,14 @@
 
 static double phi(const BoxSearch *s, double x) { return larger(s->limit * x, -s->reverse * x); }
 
-/* What a newcomer with the unit wrench b reaches at most, by one normal; D is some multiple of it. */
+/* What a newcomer with the unit wrench b reaches at most, by one normal. */
 static double reach_of(const BoxSearch *s, const Known *at, const double *b) {
-    double height = at->height + phi(s, dot(at->normal, b));
-    return at->extent > 0.0 ? height / at->extent : height < 0.0 ? 0.0 : INFINITY;
-}
-
-/* Make room for one more of some things. */
-static int has_room(void **things, int *room, int count, size_t size) {
-    if (count < *room)
-        return 1;
-    int more = 2 * *room + 64;
-    void *grown = realloc(*things, (size_t)more * size);
-    if (!grown)
-        return 0;
-    *things = grown;
-    *room = more;
-    return 1;
-}
-
-/* Add a unit normal to the pool, unless it is there. */
-static Status meet(BoxSearch *s, const double *normal) {
-    for (int k = 0; k < s->count; k++) {
-        double apart = 0.0;
-        for (int i = 0; i < 3; i++)
-            apart += (s->pool[k].normal[i] - normal[i]) * (s->pool[k].normal[i] - normal[i]);
-        if (apart <= SAME * SAME)
-            return SOLVED;
-    }
-    if (!has_room((void **)&s->pool, &s->room, s->count, sizeof *s->pool))
-        return NO_MEMORY;
-    Known *at = s->pool + s->count;
-    memcpy(at->normal, normal, sizeof at->normal);
-    Status status = sets_height(s->sets, normal, NULL, &at->height, &at->cap);
-    if (status != SOLVED)
-        return status;
-    at->extent = sets_extent(s->sets, normal);
-    if (at->extent <= UNASKED)
-        at->extent = 0.0;
-    double cap = at->extent > 0.0 ? larger(at->cap, 0.0) / at->extent : INFINITY;
-    if (cap < s->least_cap) {
-        s->least_cap = cap;
-        s->capped = s->count;
-    }
-    s->count++;
-    return spend(&s->work, s->sets->count);
+    return allowed(at, at->height + phi(s, dot(at->normal, b)));
 }
 
 /* List the wrenches across which h may have an edge: corners of force sets, and lines between them. */
 static Status list_kinks(BoxSearch *s) {
-    const Sets *sets = s->sets;
+    const Sets *sets = s->pool.sets;
     size_t most = 1;
     for (int i = 0; i < sets->count; i++)
         most += (size_t)sets->set[i].elements + FEW_POINTS * FEW_POINTS;
@@ -113,45 +69,27 @@ static Status list_kinks(BoxSearch *s) {
 
 Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int many, double limit,
                    double reverse, double units, int (*interrupted)(void)) {
-    *s = (BoxSearch){.sets = sets, .pieces = pieces, .many = many, .limit = limit,
-                     .reverse = reverse, .least_cap = INFINITY,
-                     .is_convex = sets->losing <= LOST && sets->failures == 0,
-                     .work = work_of(units, interrupted)};
-    double bound, most = 0.0, opposite[3];
+    double most = 0.0;
     for (int k = 0; k < 2 * many; k++) {
         const double *arm = pieces + PIECE * (ptrdiff_t)(k / 2) + 2 * (k & 1);
         most = larger(most, sets->scale[2] * hypot(arm[0], arm[1]));
     }
-    s->size = sets->weight
-              + larger(limit, reverse) * hypot(larger(sets->scale[0], sets->scale[1]), most);
+    most = larger(limit, reverse) * hypot(larger(sets->scale[0], sets->scale[1]), most);
+    *s = (BoxSearch){.pieces = pieces, .many = many, .limit = limit, .reverse = reverse,
+                     .is_convex = sets->losing <= LOST && sets->failures == 0};
     for (int i = 0; i < sets->count; i++)
         if (sets->set[i].adrift || sets->set[i].turning)
             s->is_convex = 0;
-    Status status = list_kinks(s);
-    s->exerted = malloc(((size_t)sets->machines + 1) * sizeof *s->exerted);
-    if (!s->exerted)
-        status = NO_MEMORY;
+    Status status = pool_begin(&s->pool, sets, most, units, interrupted);
     if (status == SOLVED)
-        status = sets_search(sets, NULL, EXACT, INFINITY, NULL, 0, &s->work, &s->quality, &bound,
-                             s->weakest);
-    if (is_fault(status))
-        return status;
-    for (int c = 0; c < 3; c++)
-        opposite[c] = -s->weakest[c];
-    status = meet(s, s->weakest);
-    if (!is_fault(status))
-        status = meet(s, opposite);
-    for (int c = 0; c < 6 && !is_fault(status); c++) {
-        double axis[3] = {0.0};
-        axis[c / 2] = c % 2 ? -1.0 : 1.0;
-        status = meet(s, axis);
-    }
-    return is_fault(status) ? status : SOLVED;
+        status = list_kinks(s);
+    s->exerted = malloc(((size_t)sets->machines + 1) * sizeof *s->exerted);
+    return s->exerted ? status : NO_MEMORY;
 }
 
 void boxes_end(BoxSearch *s) {
-    void *all[] = {s->pool, s->kink, s->open, s->closed, s->row, s->used, s->term,
-                   s->exerted};
+    void *all[] = {s->kink, s->box, s->row, s->used, s->term, s->exerted};
+    pool_end(&s->pool);
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         free(all[k]);
 }
@@ -168,16 +106,16 @@ static Status find_across(BoxSearch *s, const double *b, double *value, double *
             continue;
         for (int c = 0; c < 3; c++)
             n[c] /= size;
-        status = sets_height(s->sets, n, NULL, &height, &cap);
+        status = sets_height(s->pool.sets, n, NULL, &height, &cap);
         if (status != SOLVED)
             return status;
-        double extent = sets_extent(s->sets, n);
+        double extent = sets_extent(s->pool.sets, n);
         double here = extent > UNASKED ? height / extent : height < 0.0 ? 0.0 : INFINITY;
         if (here < *value) {
             *value = here;
             memcpy(normal, n, sizeof n);
         }
-        status = spend(&s->work, s->sets->count);
+        status = spend(&s->pool.work, s->pool.sets->count);
     }
     return status;
 }
@@ -185,40 +123,33 @@ static Status find_across(BoxSearch *s, const double *b, double *value, double *
 Status boxes_quality(BoxSearch *s, const double *arm, double direction, double gap,
                      double *quality, double *normal) {
     double c = cos(direction), sn = sin(direction), b[3], force[2] = {c, sn}, bound;
-    double start[STARTS][3], low[STARTS] = {INFINITY, INFINITY};
+    double start[STARTS][3], low[STARTS];
     double ahead[ELEMENT] = {0.0, s->limit * c, s->limit * sn, direction - 0.5 * PI,
                              direction + 0.5 * PI};
     double astern[ELEMENT] = {0.0, -s->reverse * c, -s->reverse * sn, direction + 0.5 * PI,
                               direction + 1.5 * PI};
     Element element[2] = {element_of(ahead), element_of(astern)};
     ForceSet set = {.arm = {arm[0], arm[1]}, .element = element, .elements = 2};
-    wrench_of(s->sets->scale, arm, force, b);
+    wrench_of(s->pool.sets->scale, arm, force, b);
     Status status = find_across(s, b, quality, normal);
     if (status != SOLVED)
         return status;
-    if (*quality <= ZERO * s->size) {
+    if (*quality <= ZERO * s->pool.size) {
         *quality = 0.0;
         return SOLVED;
     }
-    int starts = *quality < INFINITY;
-    if (starts) {
-        low[0] = *quality;
-        memcpy(start[0], normal, sizeof start[0]);
+    int kept[STARTS], starts = 0;
+    if (*quality < INFINITY)
+        starts = keep_lowest(kept, low, starts, STARTS, -1, *quality);
+    for (int k = 0; k < s->pool.count; k++) {
+        double value = reach_of(s, s->pool.row + k, b);
+        if (value < INFINITY)
+            starts = keep_lowest(kept, low, starts, STARTS, k, value);
     }
-    for (int k = 0; k < s->count; k++) {
-        double value = reach_of(s, s->pool + k, b);
-        int at = starts < STARTS ? starts++ : STARTS;
-        if (at == STARTS && !(value < low[--at]))
-            continue;
-        for (; at > 0 && value < low[at - 1]; at--) {
-            low[at] = low[at - 1];
-            memcpy(start[at], start[at - 1], sizeof start[at]);
-        }
-        low[at] = value;
-        memcpy(start[at], s->pool[k].normal, sizeof start[at]);
-    }
-    return sets_search(s->sets, &set, gap, INFINITY, start[0], starts, &s->work, quality, &bound,
-                       normal);
+    for (int k = 0; k < starts; k++)
+        memcpy(start[k], kept[k] < 0 ? normal : s->pool.row[kept[k]].normal, sizeof start[k]);
+    return sets_search(s->pool.sets, &set, gap, INFINITY, start[0], starts, &s->pool.work, quality,
+                       &bound, normal);
 }
 
 /* -- games -------------------------------------------------------------------------------------- */
@@ -304,21 +235,7 @@ static int play(BoxSearch *s, const int *active, int count, double level, double
     return found;
 }
 
-/* Put a row with its value into a list of the lowest, which is full at `room`. Returns the new count. */
-static int keep_lowest(int *kept, double *value, int count, int room, int row, double here) {
-    int j = count < room ? count++ : room;
-    if (j == room && !(here < value[--j]))
-        return count;
-    for (; j > 0 && here < value[j - 1]; j--) {
-        value[j] = value[j - 1];
-        kept[j] = kept[j - 1];
-    }
-    value[j] = here;
-    kept[j] = row;
-    return count;
-}
-
-/* The same with all rows: those that are low come in until none is lower than the game is worth. */
+/* Play a game of all rows: those that are low come in until none is lower than the game is worth. */
 static int balance(BoxSearch *s, int count, double level, int *chosen, double *weight, double *share) {
     const double *a = s->row;
     int active[ACTIVE], fresh[FRESH], found = 0, actives = 0, kept = 0;
@@ -363,14 +280,6 @@ static int balance(BoxSearch *s, int count, double level, int *chosen, double *w
 
 /* -- boxes -------------------------------------------------------------------------------------- */
 
-static double between(double a, double b, double share) { return a + share * (b - a); }
-
-/* The moment arm at a share of a piece. */
-static void arm_at(const double *piece, double share, double *arm) {
-    arm[0] = between(piece[0], piece[2], share);
-    arm[1] = between(piece[1], piece[3], share);
-}
-
 /* The corners of a box, unit forces or little longer: contact by contact, in three directions. */
 static void corners_of(const BoxSearch *s, const Box *box, double (*corner)[3], double (*force)[2]) {
     double half = 0.5 * (box->hi - box->lo), more = 1.0 / cos(half);
@@ -380,13 +289,13 @@ static void corners_of(const BoxSearch *s, const Box *box, double (*corner)[3], 
         arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, i < 3 ? box->from : box->to, arm);
         force[i][0] = size * cos(angle[i % 3]);
         force[i][1] = size * sin(angle[i % 3]);
-        wrench_of(s->sets->scale, arm, force[i], corner[i]);
+        wrench_of(s->pool.sets->scale, arm, force[i], corner[i]);
     }
 }
 
 /* Find the machines that add most along a normal, as many as may be lost. */
 static void find_lost(BoxSearch *s, const double *normal, int *lost) {
-    const Sets *sets = s->sets;
+    const Sets *sets = s->pool.sets;
     for (int k = 0; k < LOST; k++)
         lost[k] = -1;
     if (!sets->losing)
@@ -435,18 +344,18 @@ static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double 
     }
     if (!(length(sum) > TURNED_OFF * mean && mean > ACROSS * length(g) * length(corner[0])))
         return SOLVED;
-    sets_farthest(s->sets, sum, d);
+    sets_farthest(s->pool.sets, sum, d);
     for (int i = 0; i < CORNERS; i++)
         least = smaller(least, dot(d, normal[i]));
     if (!(least > TURNED_OFF * mean))
         return SOLVED;
     find_lost(s, sum, term->lost);
     for (int i = 0; i < CORNERS; i++)
-        row[i] = (height_without(s->sets, term->lost, normal[i]) - level * dot(d, normal[i])) / least
+        row[i] = (height_without(s->pool.sets, term->lost, normal[i]) - level * dot(d, normal[i])) / least
                  + level;
     row[CORNERS] = 1.0;
     *is_row = 1;
-    return spend(&s->work, (double)CORNERS * s->sets->count);
+    return spend(&s->pool.work, (double)CORNERS * s->pool.sets->count);
 }
 
 /* Bound a box by weights of rows, and keep them. */
@@ -490,7 +399,7 @@ static int make_room(BoxSearch *s, size_t rows) {
 static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     double corner[CORNERS][3], force[CORNERS][2], middle[3] = {0.0}, wide = 0.0;
     double weight[CORNERS], share[CORNERS];
-    int chosen[CORNERS], found, rows = s->count + LOWEST * (EDGES + 1) + CORNERS;
+    int chosen[CORNERS], found, rows = s->pool.count + LOWEST * (EDGES + 1) + CORNERS;
     Term before[CORNERS];
     int befores = box->terms;
     memcpy(before, box->term, sizeof before);
@@ -505,11 +414,11 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
         double off[3] = {corner[i][0] - middle[0], corner[i][1] - middle[1], corner[i][2] - middle[2]};
         wide = larger(wide, 2.0 * length(off));
     }
-    box->known = s->count;
+    box->known = s->pool.count;
     box->terms = 0;
     box->bound = INFINITY;
-    for (int k = 0; k < s->count; k++) {
-        const Known *at = s->pool + k;
+    for (int k = 0; k < s->pool.count; k++) {
+        const Known *at = s->pool.row + k;
         double *row = s->row + (ptrdiff_t)k * (CORNERS + 1);
         int is_demanded = s->reverse == 0.0 && at->height <= level * at->extent
                           && (at->extent > 0.0 || at->height < 0.0);
@@ -521,14 +430,14 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
         term[k] = (Term){.kind = is_demanded ? DEMANDED : MET,
                          .vector = {at->normal[0], at->normal[1], at->normal[2]}};
     }
-    found = balance(s, s->count, level, chosen, weight, share);
+    found = balance(s, s->pool.count, level, chosen, weight, share);
     keep_terms(s, box, term, found, chosen, weight, level);
-    Status status = spend(&s->work, PASS * s->count);
+    Status status = spend(&s->pool.work, PASS * s->pool.count);
     if (s->is_convex && box->bound > enough && status == SOLVED) {
-        int low[LOWEST], lows = 0, at = s->count, is_row;
+        int low[LOWEST], lows = 0, at = s->pool.count, is_row;
         double value[LOWEST];
-        for (int k = 0; k < s->count; k++) {
-            const Known *known = s->pool + k;
+        for (int k = 0; k < s->pool.count; k++) {
+            const Known *known = s->pool.row + k;
             if (fabs(dot(known->normal, middle)) > BESIDE * wide || known->extent <= 0.0)
                 continue;
             lows = keep_lowest(low, value, lows, LOWEST, k, reach_of(s, known, middle));
@@ -540,7 +449,7 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
                 at += is_row;
             }
         for (int l = 0; l < lows && status == SOLVED; l++) {
-            const double *normal = s->pool[low[l]].normal;
+            const double *normal = s->pool.row[low[l]].normal;
             int edges = 0;
             for (int k = 0; k <= s->kinks && edges < EDGES && status == SOLVED; k++) {
                 double g[3], *kink = s->kink + 3 * (ptrdiff_t)k, there[3];
@@ -563,16 +472,16 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
                 at += is_row;
             }
         }
-        if (at > s->count && !is_fault(status)) {
+        if (at > s->pool.count && !is_fault(status)) {
             found = balance(s, at, level, chosen, weight, share);
             keep_terms(s, box, term, found, chosen, weight, level);
         }
     }
-    if (s->least_cap <= box->bound) { /* no newcomer does better, anywhere */
-        box->bound = s->least_cap;
+    if (s->pool.least_cap <= box->bound) { /* no newcomer does better, anywhere */
+        box->bound = s->pool.least_cap;
         box->terms = 1;
         box->term[0] = (Term){.kind = MET, .weight = 1.0};
-        memcpy(box->term[0].vector, s->pool[s->capped].normal, sizeof box->term[0].vector);
+        memcpy(box->term[0].vector, s->pool.row[s->pool.capped].normal, sizeof box->term[0].vector);
     }
     double beyond = 0.0, f[2] = {0.0}, mid = 0.5 * (box->lo + box->hi);
     for (int i = 0; i < CORNERS; i++) {
@@ -588,53 +497,22 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
 
 /* -- the search --------------------------------------------------------------------------------- */
 
-static Status put_closed(BoxSearch *s, const Box *box) {
-    if (!has_room((void **)&s->closed, &s->closed_room, s->closes, sizeof *s->closed))
-        return NO_MEMORY;
-    s->closed[s->closes++] = *box;
-    return SOLVED;
-}
-
-static Status put_open(BoxSearch *s, const Box *box) {
-    if (!has_room((void **)&s->open, &s->open_room, s->opens, sizeof *s->open))
-        return NO_MEMORY;
-    int k = s->opens++;
-    for (; k > 0 && s->open[(k - 1) / 2].bound < box->bound; k = (k - 1) / 2)
-        s->open[k] = s->open[(k - 1) / 2];
-    s->open[k] = *box;
-    return SOLVED;
-}
-
-static Box take_open(BoxSearch *s) {
-    Box top = s->open[0], last = s->open[--s->opens];
-    int k = 0;
-    for (int child; (child = 2 * k + 1) < s->opens; k = child) {
-        if (child + 1 < s->opens && s->open[child + 1].bound > s->open[child].bound)
-            child++;
-        if (s->open[child].bound <= last.bound)
-            break;
-        s->open[k] = s->open[child];
-    }
-    if (s->opens)
-        s->open[k] = last;
-    return top;
-}
-
-/* What a bound may be for a box to be closed, and the level between it and the best. */
-static double enough_for(const BoxSearch *s, const Place *best, double gap, double *level) {
-    double most = best->quality + larger(gap * best->quality, FLOOR * s->size);
-    most = larger(most, ZERO * s->size);
-    *level = between(best->quality, most, 0.5);
-    return most;
-}
-
-/* Bound a box, and put it where it belongs. */
-static Status put_box(BoxSearch *s, Box *box, double level, double enough) {
+/* Bound a box, and open it if that is too much. */
+static Status put_box(BoxSearch *s, int at, double level, double enough) {
+    Box *box = s->box + at;
     Status status = bound_box(s, box, level, enough), put;
-    if (is_fault(status))
+    if (is_fault(status) || box->bound <= enough)
         return status;
-    put = box->bound <= enough ? put_closed(s, box) : put_open(s, box);
+    put = pool_open(&s->pool, box->bound, at);
     return put == SOLVED ? status : put;
+}
+
+/* The same with one more. */
+static Status add_box(BoxSearch *s, const Box *box, double level, double enough) {
+    if (!has_room((void **)&s->box, &s->room, s->boxes, sizeof *s->box))
+        return NO_MEMORY;
+    s->box[s->boxes] = *box;
+    return put_box(s, s->boxes++, level, enough);
 }
 
 /* Ask the quality where a box looks best. */
@@ -642,35 +520,36 @@ static Status ask(BoxSearch *s, const Box *box, double gap, Place *best) {
     double arm[2], quality, normal[3];
     arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, box->ask[0], arm);
     Status status = boxes_quality(s, arm, box->ask[1], larger(EXACT, NEARER * gap), &quality, normal);
-    s->asks--;
+    s->pool.asks--;
     if (status != SOLVED)
         return status;
     if (quality > best->quality)
         *best = (Place){quality, box->ask[0], box->ask[1], box->piece};
-    return meet(s, normal);
+    return pool_meet(&s->pool, normal);
 }
 
-/* Cut a box across its longer side, where it was asked if that is not near an end. */
-static int cut(const BoxSearch *s, const Box *box, Box *halves) {
+/* Cut a box across its longer side, where it was asked if that is not near an end. Returns whether it
+ * could be; it is the first half then. */
+static int cut(const BoxSearch *s, Box *box, Box *other) {
     const double *p = s->pieces + PIECE * (ptrdiff_t)box->piece;
-    double longest = s->sets->scale[2] * hypot(p[2] - p[0], p[3] - p[1]) * (box->to - box->from);
+    double longest = s->pool.sets->scale[2] * hypot(p[2] - p[0], p[3] - p[1]) * (box->to - box->from);
     int is_across = longest > box->hi - box->lo;
     double first = is_across ? box->from : box->lo, last = is_across ? box->to : box->hi;
     double at = box->ask[!is_across], width = last - first;
-    if (!(width > SMALLEST))
+    if (!(width > SMALLEST_PART))
         return 0;
     if (at < first + MIDDLE * width || at > last - MIDDLE * width)
         at = between(first, last, 0.5);
-    halves[0] = halves[1] = *box;
+    *other = *box;
     if (is_across)
-        halves[0].to = halves[1].from = at;
+        box->to = other->from = at;
     else
-        halves[0].hi = halves[1].lo = at;
+        box->hi = other->lo = at;
     return 1;
 }
 
-/* Put the boxes of a piece, each a right angle wide at most. */
-static Status put_piece(BoxSearch *s, int piece, double level, double enough) {
+/* Add the boxes of a piece, each a right angle wide at most. */
+static Status add_piece(BoxSearch *s, int piece, double level, double enough) {
     const double *p = s->pieces + PIECE * (ptrdiff_t)piece;
     int parts = p[5] - p[4] > 0.5 * PI ? 2 : 1;
     Status status = SOLVED;
@@ -678,53 +557,40 @@ static Status put_piece(BoxSearch *s, int piece, double level, double enough) {
         Box box = {.piece = piece, .to = p[0] == p[2] && p[1] == p[3] ? 0.0 : 1.0};
         box.lo = k ? between(p[4], p[5], 0.5) : p[4];
         box.hi = k + 1 < parts ? between(p[4], p[5], 0.5) : p[5];
-        status = put_box(s, &box, level, enough);
+        status = add_box(s, &box, level, enough);
     }
     return status;
 }
 
 Status boxes_solve(BoxSearch *s, const char *chosen, double gap, int asks, Place *best) {
-    double level, enough;
+    Pool *pool = &s->pool;
+    *best = (Place){.quality = pool->quality, .piece = -1};
+    s->boxes = pool->opens = 0;
+    pool->asks = asks;
+    double enough = enough_for(pool, best->quality, gap);
+    double level = between(best->quality, enough, 0.5);
     Status status = SOLVED;
-    *best = (Place){.quality = s->quality, .piece = -1};
-    s->opens = s->closes = 0;
-    s->asks = asks;
-    enough = enough_for(s, best, gap, &level);
     for (int k = 0; k < s->many && !is_fault(status); k++)
         if (!chosen || chosen[k])
-            status = put_piece(s, k, level, enough);
-    while (status == SOLVED && s->opens) {
-        enough = enough_for(s, best, gap, &level);
-        if (s->open[0].bound <= enough)
-            break;
-        Box box = take_open(s), halves[2];
-        if (box.known < s->count) {
-            status = put_box(s, &box, level, enough);
+            status = add_piece(s, k, level, enough);
+    while (status == SOLVED && pool->opens && pool->open[0].bound > enough) {
+        int at = pool_take(pool);
+        Box *box = s->box + at, other;
+        if (box->known < pool->count) {
+            status = put_box(s, at, level, enough);
             continue;
         }
-        int is_close = box.bound <= best->quality * (1.0 + CLOSE);
-        if (s->asks <= 0 || (is_close && asks - s->asks >= ENOUGH)) {
-            put_open(s, &box); /* there is room: it came from there */
-            status = OUT_OF_BUDGET;
-            break;
-        }
-        status = ask(s, &box, gap, best);
-        if (status != SOLVED) {
-            put_open(s, &box);
-            break;
-        }
-        enough = enough_for(s, best, gap, &level);
-        if (!cut(s, &box, halves)) {
-            status = put_closed(s, &box);
+        int is_close = box->bound <= best->quality * (1.0 + CLOSE);
+        if (pool->asks <= 0 || (is_close && asks - pool->asks >= ENOUGH))
+            return OUT_OF_BUDGET;
+        status = ask(s, box, gap, best);
+        enough = enough_for(pool, best->quality, gap);
+        level = between(best->quality, enough, 0.5);
+        if (status != SOLVED || !cut(s, box, &other))
             continue;
-        }
-        for (int k = 0; k < 2 && !is_fault(status); k++)
-            status = put_box(s, halves + k, level, enough);
+        status = put_box(s, at, level, enough);
+        if (!is_fault(status))
+            status = add_box(s, &other, level, enough);
     }
-    for (int k = 0; k < s->opens && !is_fault(status); k++) {
-        Status put = put_closed(s, s->open + k);
-        status = put == SOLVED ? status : put;
-    }
-    s->opens = 0;
     return status;
 }

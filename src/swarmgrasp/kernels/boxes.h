@@ -13,15 +13,13 @@
 #ifndef SWARMGRASP_BOXES_H
 #define SWARMGRASP_BOXES_H
 
+#include "pool.h"
 #include "sector.h"
-#include "sets.h"
 
 #define CORNERS 6 /* wrenches whose hull holds those of a box; normals that bound one, at most */
-#define EXACT 1e-9 /* gap of a quality that is not only looked at by a search for a wider one */
 #define LOST 4    /* machines to be lost, at most, for normals to travel */
-#define ASKS 1500 /* exact qualities that a search may take unless told otherwise; or fewer, */
-#define ENOUGH 400   /* once it took so many and */
-#define CLOSE 1e-4   /* its bound is so near, relatively */
+#define ENOUGH 400   /* exact qualities after which a search stops whose bound is */
+#define CLOSE 1e-4   /* so near, relatively */
 
 typedef enum { MET, DEMANDED, TRAVELLING } Kind;
 
@@ -44,38 +42,25 @@ typedef struct {
     Term term[CORNERS];
 } Box;
 
-/* A normal met, and what the base swarm holds along it. */
-typedef struct {
-    double normal[3], height, cap, extent;
-} Known;
-
 typedef struct {
     double quality, share, direction;
     int piece; /* -1 if none betters the base swarm */
 } Place;
 
 typedef struct {
-    const Sets *sets;
+    Pool pool;                  /* the first: see `pool_object.c` */
     const double *pieces;       /* (many, PIECE) */
     int many;
     double limit, reverse;      /* of the newcomer [N] */
-    double size;                /* of all wrenches together [N]: what rounding is relative to */
     int is_convex;              /* whether h is: no failures, few losses, known poses */
-    double quality, weakest[3]; /* of the base swarm */
-    Known *pool;
-    int count, room;
-    double least_cap;           /* relative to D, and the row that has it */
-    int capped;
     double *kink;               /* (kinks, 3) wrenches across which h may have an edge */
     int kinks;
-    Box *open, *closed;         /* a heap, greatest bound first; and what was bounded */
-    int opens, open_room, closes, closed_room;
+    Box *box;                   /* (boxes,) that cover all chosen pieces */
+    int boxes, room;
     double *row;                /* room for a game */
     Term *term;
     int *used, rows_room;
     double *exerted;            /* (machines + 1,) room for what they exert along a normal */
-    int asks;                   /* exact qualities left */
-    Work work;
 } BoxSearch;
 
 /* Prepare a search, for `units` of work in all. Returns a status; end it in any case. */
@@ -84,8 +69,7 @@ Status boxes_begin(BoxSearch *search, const Sets *sets, const double *pieces, in
 void boxes_end(BoxSearch *search);
 
 /* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds the
- * best by more than `gap` of it, or by what rounding hides. All boxes are in `closed` then. Returns
- * SOLVED, OUT_OF_BUDGET, or a fault. */
+ * best by more than `gap` of it, or by what rounding hides. Returns SOLVED, OUT_OF_BUDGET, or a fault. */
 Status boxes_solve(BoxSearch *search, const char *chosen, double gap, int asks, Place *best);
 
 /* Find the quality with the newcomer at a moment arm to a relative gap, and the unit normal that attains

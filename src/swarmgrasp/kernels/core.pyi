@@ -23,7 +23,7 @@ FLOOR: float
 UNASKED: float
 """Share of a task's size at and below which it asks for nothing: what rounding hides."""
 ASKS: int
-"""Exact qualities that `Boxes.solve` may take unless told otherwise."""
+"""Exact qualities that `Boxes.solve` and `Spans.solve` may take unless told otherwise."""
 BOX: int
 """Numbers of a box in what `Boxes.solve` returns,"""
 TERM: int
@@ -247,9 +247,6 @@ class Spans:
 
     def quality_at(self, piece: int, share: float, /) -> tuple[float, Normal]:
         """Return the quality with the newcomer there, and the unit normal that attains it."""
-
-    def normals(self) -> bytes:
-        """Return the unit normals met so far, (m, 3)."""
 
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).

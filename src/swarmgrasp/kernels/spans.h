@@ -14,9 +14,7 @@
 #ifndef SWARMGRASP_SPANS_H
 #define SWARMGRASP_SPANS_H
 
-#include "sets.h"
-
-#define SPAN_ASKS 1500 /* exact qualities that a search may take unless told otherwise */
+#include "pool.h"
 
 typedef enum { CHORDS, TRAVELLING_NORMAL } SpanKind;
 
@@ -33,36 +31,23 @@ typedef struct {
     double normal[2][3], weight[2];
 } Span;
 
-/* A normal met, and what the base swarm holds along it; D counts as 0 where nothing is asked. */
-typedef struct {
-    double normal[3], height, cap, extent;
-} Level;
-
 typedef struct {
     double quality, share;
     int piece; /* -1 if none betters the base swarm */
 } Stand;
 
 typedef struct {
-    const Sets *sets;
+    Pool pool;              /* the first: see `pool_object.c` */
     const double *ends;     /* (many, 4) moment arms of the pieces' ends [m] */
     int many;
     ForceSet *set;          /* (many,) what the newcomer can exert on each; its arm is not used */
     Element *element;
-    double size;            /* of all wrenches together [N]: what rounding is relative to */
     double strength;        /* of the newcomer [N] */
     int may_travel;
-    double quality, weakest[3]; /* of the base swarm */
-    Level *pool;
-    int count, room;
-    double least_cap;       /* relative to D, and the row that has it */
-    int capped;
-    Span *open, *closed;    /* a heap, greatest bound first; and what was bounded */
-    int opens, open_room, closes, closed_room;
+    Span *span;             /* (spans,) that cover all chosen pieces */
+    int spans, span_room;
     double *line;           /* (2, line_room) values at both ends of a span */
     int line_room;
-    int asks;               /* exact qualities left */
-    Work work;
 } SpanSearch;
 
 /* Prepare a search, for `units` of work in all: `rows` (..., ELEMENT) are the elements of the newcomer's
@@ -73,8 +58,7 @@ Status spans_begin(SpanSearch *search, const Sets *sets, const double *ends, int
 void spans_end(SpanSearch *search);
 
 /* Find the best robot, on all pieces or on those that are `chosen` (many,), until no bound exceeds the
- * best by more than `gap` of it, or by what rounding hides. All spans are in `closed` then. Returns
- * SOLVED, OUT_OF_BUDGET, or a fault. */
+ * best by more than `gap` of it, or by what rounding hides. Returns SOLVED, OUT_OF_BUDGET, or a fault. */
 Status spans_solve(SpanSearch *search, const char *chosen, double gap, int asks, Stand *best);
 
 /* Find the quality with the newcomer at a share of a piece, and the unit normal that attains it. */

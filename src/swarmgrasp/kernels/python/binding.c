@@ -76,3 +76,25 @@ int are_finite(const double *v) {
 int rows_of(const Py_buffer *view, int width) {
     return (int)(view->len / (width * (Py_ssize_t)sizeof(double)));
 }
+
+PyObject *each_row(PyObject *rows, int width, int out, int is_long,
+                   Status (*work_out)(void *of, const double *row, double *found), void *of) {
+    Py_buffer view;
+    if (get_doubles(rows, &view, width))
+        return NULL;
+    int count = rows_of(&view, width);
+    PyObject *result = PyBytes_FromStringAndSize(NULL, out * count * (Py_ssize_t)sizeof(double));
+    if (result) {
+        double *found = (double *)PyBytes_AsString(result);
+        const double *row = view.buf;
+        Status status = SOLVED;
+        leave(is_long);
+        for (int k = 0; k < count && !is_fault(status); k++)
+            status = work_out(of, row + (Py_ssize_t)width * k, found + (Py_ssize_t)out * k);
+        come_back();
+        if (is_raised(status))
+            Py_CLEAR(result);
+    }
+    PyBuffer_Release(&view);
+    return result;
+}

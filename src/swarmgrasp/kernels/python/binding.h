@@ -23,6 +23,10 @@ int interrupted(void);
 int get_doubles(PyObject *object, Py_buffer *view, Py_ssize_t width);
 int rows_of(const Py_buffer *view, int width);
 
+/* Work out a row of `out` numbers for each row of `width` given: bytes, or NULL with an exception. */
+PyObject *each_row(PyObject *rows, int width, int out, int is_long,
+                   Status (*work_out)(void *of, const double *row, double *found), void *of);
+
 /* Tell whether three numbers are finite; if not, set an exception. */
 int are_finite(const double *v);
 

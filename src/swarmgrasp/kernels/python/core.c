@@ -3,10 +3,9 @@
 #include "../place.h"
 #include "../quality.h"
 #include "../sector.h"
-#include "boxes_object.h"
 #include "criterion_object.h"
+#include "pool_object.h"
 #include "sets_object.h"
-#include "spans_object.h"
 #include "state.h"
 
 /* -- qualities --------------------------------------------------------------------------------- */
@@ -293,25 +292,19 @@ static PyObject *search_quality_method(PyObject *object, PyObject *args) {
     return Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
 }
 
+static Status find_quality(void *search, const double *robot, double *found) {
+    double normal[3];
+    return search_value(search, robot, found, normal);
+}
+
 /* qualities_with(robots) -> bytes */
 static PyObject *search_qualities_method(PyObject *object, PyObject *robots) {
-    Py_buffer view;
-    if (get_doubles(robots, &view, 3))
+    Search *s = take(object);
+    if (!s)
         return NULL;
-    int count = rows_of(&view, 3);
-    Status status = SOLVED;
-    PyObject *result = PyBytes_FromStringAndSize(NULL, count * (Py_ssize_t)sizeof(double));
-    double *values = result ? (double *)PyBytes_AsString(result) : NULL, normal[3];
-    Search *s = result ? take(object) : NULL;
-    if (s) {
-        for (int k = 0; k < count && status == SOLVED; k++)
-            status = search_value(s, (const double *)view.buf + 3 * (Py_ssize_t)k, values + k,
-                                  normal);
-        give_back(object);
-    }
-    PyBuffer_Release(&view);
-    if (!s || is_raised(status))
-        Py_CLEAR(result);
+    come_back(); /* until it is known what robots there are */
+    PyObject *result = each_row(robots, 3, 1, !s->is_small, find_quality, s);
+    give_back(object);
     return result;
 }
 

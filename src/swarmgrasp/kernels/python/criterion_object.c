@@ -81,25 +81,14 @@ static PyObject *criterion_least(PyObject *object, PyObject *args) {
                          status == SOLVED ? Py_True : Py_False, work.left);
 }
 
+static Status find_height(void *criterion, const double *normal, double *found) {
+    found[2] = criterion_extent(criterion, normal);
+    return criterion_height(criterion, normal, NULL, found, found + 1);
+}
+
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */
 static PyObject *criterion_heights(PyObject *object, PyObject *normals) {
-    const Criterion *criterion = &((CriterionObject *)object)->criterion;
-    Py_buffer view;
-    if (get_doubles(normals, &view, 3))
-        return NULL;
-    int count = rows_of(&view, 3);
-    PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
-    double *out = result ? (double *)PyBytes_AsString(result) : NULL;
-    Status status = out ? SOLVED : NO_MEMORY;
-    for (int k = 0; k < count && status == SOLVED; k++) {
-        const double *n = (const double *)view.buf + 3 * (Py_ssize_t)k;
-        status = criterion_height(criterion, n, NULL, out + 3 * k, out + 3 * k + 1);
-        out[3 * k + 2] = criterion_extent(criterion, n);
-    }
-    PyBuffer_Release(&view);
-    if (is_raised(status))
-        Py_CLEAR(result);
-    return result;
+    return each_row(normals, 3, 3, 0, find_height, &((CriterionObject *)object)->criterion);
 }
 
 static PyMethodDef methods[] = {

@@ -128,25 +128,14 @@ static PyObject *sets_least(PyObject *object, PyObject *args) {
     return Py_BuildValue("d(ddd)dd", value, n[0], n[1], n[2], bound, work.left);
 }
 
+static Status find_height(void *sets, const double *normal, double *found) {
+    found[2] = sets_extent(sets, normal);
+    return sets_height(sets, normal, NULL, found, found + 1);
+}
+
 /* heights(normals) -> bytes: H, the H before the last loss, and D at each */
 static PyObject *sets_heights(PyObject *object, PyObject *normals) {
-    const Sets *sets = &((SetsObject *)object)->sets;
-    Py_buffer view;
-    if (get_doubles(normals, &view, 3))
-        return NULL;
-    int count = rows_of(&view, 3);
-    PyObject *result = PyBytes_FromStringAndSize(NULL, 3 * count * (Py_ssize_t)sizeof(double));
-    double *out = result ? (double *)PyBytes_AsString(result) : NULL;
-    Status status = out ? SOLVED : NO_MEMORY;
-    for (int k = 0; k < count && status == SOLVED; k++) {
-        const double *n = (const double *)view.buf + 3 * (Py_ssize_t)k;
-        status = sets_height(sets, n, NULL, out + 3 * k, out + 3 * k + 1);
-        out[3 * k + 2] = sets_extent(sets, n);
-    }
-    PyBuffer_Release(&view);
-    if (is_raised(status))
-        Py_CLEAR(result);
-    return result;
+    return each_row(normals, 3, 3, 0, find_height, &((SetsObject *)object)->sets);
 }
 
 /* forces(normal) -> bytes: of each robot the worth of its best force, the force, and its arm */
