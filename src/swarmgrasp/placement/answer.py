@@ -10,12 +10,10 @@ from typing import Any, Self
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.frozen import Frozen
-from swarmgrasp.placement.boxes import BoxOptimum
 from swarmgrasp.placement.certificate import Certificate
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.reason import explain_placement, reason_of
 from swarmgrasp.placement.search import Optimum
-from swarmgrasp.placement.spans import SpanOptimum
 from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import items, kind_faults, shown
@@ -103,7 +101,7 @@ class Placement(Frozen, Answer):
     stopped_early: bool
     improves: bool
     runners_up: tuple[RunnerUp, ...]
-    _found: Optimum | BoxOptimum | SpanOptimum = field(repr=False)
+    _found: Optimum[Any] = field(repr=False)
 
     kind = "placements"
 

@@ -12,17 +12,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.frozen import Frozen
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.areas import Areas
 from swarmgrasp.placement.certificate import BoxProof, Certificate
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import WORK, Best
+from swarmgrasp.placement.search import WORK, Best, Optimum
+from swarmgrasp.placement.set_search import SetSearch
 from swarmgrasp.placement.ties import Spot, Tie
-from swarmgrasp.quality.aim import Aim, Work
-from swarmgrasp.quality.robot_sets import RobotSets
-from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm.robot import SAME_ANGLE
 
 Array = NDArray[np.float64]
@@ -39,28 +36,17 @@ TRAVELLING = KINDS.index("travelling")
 
 
 @dataclass(frozen=True, eq=False)
-class BoxOptimum(Frozen):
-    """The best robot over some pieces, and the boxes that bound them.
+class BoxOptimum(Optimum[Best]):
+    """The best robot of fixed direction over some pieces, and the boxes that bound them.
 
     Attributes
     ----------
-    solved : bool
-        Whether the search came as near as asked; the bounds hold in any case.
-    best : Best
-    upper_bound : float [N]
-        What no robot exceeds.
-    bounds : (k,) [N]
-        What no robot on each piece exceeds; 0 for those left out.
     boxes : (m, BOX)
         See `core.Boxes`.
     normals_met : (n, 3)
         Unit normals that the search has met.
     """
 
-    solved: bool
-    best: Best
-    upper_bound: float
-    bounds: Array
     boxes: Array
     normals_met: Array
     _rows: Array
@@ -98,51 +84,26 @@ class BoxOptimum(Frozen):
         return tuple(name for m in term[5:] if m >= 0.0 for name in self._machines[int(m)])
 
 
-class BoxSearch:
-    """The place of a newcomer, by the criterion of a problem.
+class BoxSearch(SetSearch[core.Boxes]):
+    """The place of a newcomer of fixed direction, by the criterion of a problem.
 
     Parameters
     ----------
     problem : Problem
     pieces : Pieces or Areas
-
-    Attributes
-    ----------
-    aim : Aim
-    base : Weakest
-        The base swarm's quality and weakest normal.
-    opposite : float [N]
-        Its support function at the opposite normal.
-    floor, zero : float [N]
-        A difference not worth closing, and a quality that counts as 0.
-    work : Work
-        What exact qualities by the aim may take besides: as much as the search.
     """
 
     def __init__(self, problem: Problem, pieces: Pieces | Areas) -> None:
-        self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
-        self._unit = self.aim.unit
-        self._rows, self._origin = pieces.rows, problem.swarm.outline.origin
+        limits = problem.certain_limit, problem.newcomer.reverse_limit
+        super().__init__(
+            problem, pieces.rows, lambda sets: core.Boxes(sets, pieces.rows, *limits, WORK)
+        )
+        self._limits, self._origin = limits, problem.swarm.outline.origin
         self._machines: dict[int, tuple[str, ...]] = {}
         if problem.criterion.losing:
             swarm = problem.swarm
             for i, machine in enumerate(swarm.machines.tolist()):
                 self._machines[machine] = (*self._machines.get(machine, ()), swarm.names[i])
-        self._limits = problem.certain_limit, problem.newcomer.reverse_limit
-        sets = self.aim.robots
-        assert isinstance(sets, RobotSets)
-        self._core = core.Boxes(sets.core, self._rows, *self._limits, WORK)
-        self.work = Work(WORK)
-        value, normal = self._core.base
-        self.base = Weakest(value / self._unit, normal)
-        self.opposite = float(self.aim.values(-np.array(normal))[0])
-        size = self._core.size / self._unit
-        self.floor, self.zero = core.FLOOR * size, core.MARGINAL * size
-
-    @property
-    def left(self) -> float:
-        """Units of work; below 0 when it was not enough."""
-        return self._core.left
 
     def solve(
         self, gap: float, chosen: Sequence[int] | None = None, asks: int = core.ASKS
@@ -157,16 +118,12 @@ class BoxSearch:
         asks : int
             Exact qualities after which it stops with the bound it has.
         """
-        wanted = np.zeros(len(self._rows), dtype=bool)
-        wanted[slice(None) if chosen is None else list(chosen)] = True
+        wanted = self._wanted(chosen)
         for one, other in self._twins():
             if wanted[one]:
                 wanted[other] = False
         solved, (value, piece, share, angle), found = self._core.solve(gap, wanted.tobytes(), asks)
-        boxes = np.frombuffer(found).reshape(-1, core.BOX).copy()
-        boxes[:, BOUND] /= self._unit
-        bounds = np.zeros(len(self._rows))
-        np.maximum.at(bounds, boxes[:, PIECE].astype(int), boxes[:, BOUND])
+        boxes, bounds = self._bounded(found, core.BOX, BOUND)
         for one, other in self._twins():
             if wanted[one]:
                 bounds[other] = bounds[one]
@@ -174,11 +131,10 @@ class BoxSearch:
         best = Best(self.base.quality, 0.0, 0.0, 0.0, -1)
         if piece >= 0:
             best = Best(value / self._unit, *self._wrench(self._spot), piece)
-        top = float(boxes[:, BOUND].max(initial=0.0))
         return BoxOptimum(
             solved,
             best,
-            top,
+            float(bounds.max()),
             bounds,
             boxes,
             self._normals(),

@@ -9,9 +9,9 @@ from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
-from swarmgrasp.placement.search import Best, Optimum, Search, search_for
+from swarmgrasp.placement.search import Best, Optimum, RayOptimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
-from swarmgrasp.placement.spans import SpanOptimum, SpanSearch, Stand, robot_on
+from swarmgrasp.placement.spans import SpanSearch, Stand, robot_on
 from swarmgrasp.placement.tolerant import Found as Aimed
 from swarmgrasp.placement.tolerant import TolerantSearch
 from swarmgrasp.quality.aim import Aim, Work
@@ -208,9 +208,6 @@ def place_sequence(
     return Placements(answers)
 
 
-Found = Optimum | BoxOptimum | SpanOptimum
-
-
 class Seeking(Protocol):
     """A search for the place of a newcomer, of any kind."""
 
@@ -228,7 +225,7 @@ class Seeking(Protocol):
     def left(self) -> float:
         """Units of work; below 0 when it was not enough."""
 
-    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Any:
+    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Optimum[Any]:
         """Find the best robot over all pieces, or over the chosen ones."""
 
     def break_tie(self, best: Any, target: float) -> Any:
@@ -310,7 +307,7 @@ class _Placing:
         (x, y), c, s = robot.contact, math.cos(robot.direction), math.sin(robot.direction)
         return c, s, (x - x0) * s - (y - y0) * c
 
-    def winner(self, found: Found, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Optimum[Any], name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search, best = self.search, found.best.quality
         target = min(best / (1.0 + self.half), best - 0.5 * search.floor)
@@ -358,7 +355,7 @@ class _Placing:
         )  # fmt: skip
 
     def others(
-        self, found: Found, winner: RunnerUp, name: str, fraction: float
+        self, found: Optimum[Any], winner: RunnerUp, name: str, fraction: float
     ) -> list[tuple[RunnerUp, Weakest]]:
         """Find the best robot in every other place that is nearly as good."""
         least, bounds, parts = fraction * winner.quality, found.bounds, parts_of(self.pieces)
@@ -381,10 +378,10 @@ class _Placing:
 class _Aiming(_Placing):
     """One problem whose newcomer cannot hit its place exactly."""
 
-    def winner(self, found: Found, name: str) -> tuple[RunnerUp, Weakest, float]:
+    def winner(self, found: Optimum[Any], name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search = self.search
-        assert not isinstance(found, SpanOptimum)  # see check_newcomer
+        assert isinstance(found, (RayOptimum, BoxOptimum))  # see check_newcomer
         search.work.left += search.left  # it is not asked again
         self.aiming = TolerantSearch(
             self.problem, self.problem.pieces(), found, search.zero, search.work

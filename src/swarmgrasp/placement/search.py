@@ -1,9 +1,10 @@
 """One placement in the kernels' terms: a swarm, the pieces, and the optimum over them."""
 
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,32 +41,43 @@ class Best(NamedTuple):
     piece: int
 
 
+Found = TypeVar("Found")
+
+
 @dataclass(frozen=True, eq=False)
-class Optimum(Frozen):
+class Optimum(Frozen, ABC, Generic[Found]):
     """The best robot over some pieces, and what bounds them.
 
     Attributes
     ----------
     solved : bool
         Whether the search came as near as asked; the bounds hold in any case.
-    best : Best
+    best
+        Where it is, with its quality.
     upper_bound : float [N]
         What no robot exceeds.
+    bounds : (k,) [N]
+        What no robot on each piece exceeds, of those looked at.
     """
 
     solved: bool
-    best: Best
+    best: Found
     upper_bound: float
-    _bounds: bytes
+    bounds: Array
+
+    @property
+    @abstractmethod
+    def certificate(self) -> Certificate:
+        """The proofs of all bounds."""
+
+
+@dataclass(frozen=True, eq=False)
+class RayOptimum(Optimum[Best]):
+    """The best ray beside rays."""
+
     _rows: bytes
     _shares: bytes
     _normals: bytes
-    _unit: float
-
-    @property
-    def bounds(self) -> Array:
-        """(k,) [N]: what no robot on each piece exceeds."""
-        return np.frombuffer(self._bounds) / self._unit
 
     @property
     def normals_met(self) -> Array:
@@ -149,7 +161,7 @@ class Search:
         """Units of work; below 0 when it was not enough."""
         return self._core.left
 
-    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> Optimum:
+    def solve(self, gap: float, chosen: Sequence[int] | None = None) -> RayOptimum:
         """Find the best robot over all pieces, or over the chosen ones.
 
         Parameters
@@ -167,7 +179,8 @@ class Search:
         normals = self._core.normals()  # kept: joining robots change them
         unit = self._unit
         found = Best(best[0] / unit, *best[1:])
-        return Optimum(solved, found, bound / unit, bounds, rows, shares, normals, unit)
+        each = np.frombuffer(bounds) / unit
+        return RayOptimum(solved, found, bound / unit, each, rows, shares, normals)
 
     def break_tie(self, best: Best, target: float) -> Best:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.

@@ -9,15 +9,13 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.frozen import Frozen
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, SpanProof
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import WORK
-from swarmgrasp.quality.aim import Aim, Work
-from swarmgrasp.quality.robot_sets import RobotSets
-from swarmgrasp.quality.weakest import Weakest
+from swarmgrasp.placement.search import WORK, Optimum
+from swarmgrasp.placement.set_search import SetSearch
+from swarmgrasp.placement.ties import SoftMinimum
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.columns import columns_of
 from swarmgrasp.swarm.force_set import force_sets_of
@@ -27,11 +25,6 @@ PIECE, FROM, TO, BOUND, KIND, TERMS = range(6)
 """Columns of the kernel's spans."""
 KINDS: tuple[Literal["chords"], Literal["travelling"]] = ("chords", "travelling")
 """What bounds a span, by the kernel's numbers."""
-FIELD, POWER, SOFTNESS = 64, 8, 0.5
-"""Of the soft minimum that breaks ties: normals, the power, and what is added to H relative to its
-mean."""
-LEAST = 0.05
-"""What H, relative to its mean, counts as where a load leaves less."""
 NEAR = 1e-3
 """Share of a piece within which two stands are one."""
 TRIED, CHECKED = 160, 12
@@ -47,26 +40,15 @@ class Stand(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class SpanOptimum(Frozen):
-    """The best robot over some pieces, and the spans that bound them.
+class SpanOptimum(Optimum[Stand]):
+    """The best robot that keeps its force set over some pieces, and the spans that bound them.
 
     Attributes
     ----------
-    solved : bool
-        Whether the search came as near as asked; the bounds hold in any case.
-    best : Stand
-    upper_bound : float [N]
-        What no robot exceeds.
-    bounds : (k,) [N]
-        What no robot on each piece exceeds; 0 for those left out.
-    spans : (m, 13)
+    spans : (m, SPAN)
         See `core.Spans`.
     """
 
-    solved: bool
-    best: Stand
-    upper_bound: float
-    bounds: Array
     spans: Array
     _pieces: Pieces
 
@@ -87,49 +69,26 @@ class SpanOptimum(Frozen):
             yield SpanProof(start, end, piece.lo, piece.hi, kind, terms[:, :3], terms[:, 3])
 
 
-class SpanSearch:
+class SpanSearch(SetSearch[core.Spans]):
     """The place of a newcomer that keeps its force set, by the criterion of a problem.
 
     Parameters
     ----------
     problem : Problem
     pieces : Pieces
-
-    Attributes
-    ----------
-    aim : Aim
-    base : Weakest
-        The base swarm's quality and weakest normal.
-    opposite : float [N]
-        Its support function at the opposite normal.
-    floor, zero : float [N]
-        A difference not worth closing, and a quality that counts as 0.
-    work : Work
-        What exact qualities by the aim may take besides: as much as the search.
     """
 
     def __init__(self, problem: Problem, pieces: Pieces) -> None:
-        self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
-        self._unit, self._pieces = self.aim.unit, pieces
         robots = [robot_on(problem, pieces, k, 0.5) for k in range(len(pieces.each))]
         limits = np.full(len(robots), problem.certain_limit)
         elements, counts = force_sets_of(columns_of(robots)._replace(limits=limits), {})
-        sets = self.aim.robots
-        assert isinstance(sets, RobotSets)
         ends = np.ascontiguousarray(pieces.rows[:, :4])
-        self._core = core.Spans(sets.core, ends, elements, counts.astype(float), WORK)
-        self._newcomer, self._limit = problem.newcomer, problem.certain_limit
-        self.work = Work(WORK)
-        value, normal = self._core.base
-        self.base = Weakest(value / self._unit, normal)
-        self.opposite = float(self.aim.values(-np.array(normal))[0])
-        size = self._core.size / self._unit
-        self.floor, self.zero = core.FLOOR * size, core.MARGINAL * size
-
-    @property
-    def left(self) -> float:
-        """Units of work; below 0 when it was not enough."""
-        return self._core.left
+        super().__init__(
+            problem,
+            pieces.rows,
+            lambda sets: core.Spans(sets, ends, elements, counts.astype(float), WORK),
+        )
+        self._pieces, self._newcomer, self._limit = pieces, problem.newcomer, problem.certain_limit
 
     def solve(self, gap: float, chosen: Sequence[int] | None = None) -> SpanOptimum:
         """Find the best robot over all pieces, or over the chosen ones.
@@ -140,18 +99,12 @@ class SpanSearch:
             Largest difference between bound and best, relative to the best.
         chosen : sequence of int, optional
         """
-        many = len(self._pieces.each)
-        wanted = np.zeros(many, dtype=bool)
-        wanted[slice(None) if chosen is None else list(chosen)] = True
+        wanted = self._wanted(chosen)
         solved, (value, piece, share), found = self._core.solve(gap, wanted.tobytes())
-        spans = np.frombuffer(found).reshape(-1, core.SPAN).copy()
-        spans[:, BOUND] /= self._unit
-        bounds = np.zeros(many)
-        np.maximum.at(bounds, spans[:, PIECE].astype(int), spans[:, BOUND])
-        self._spans = spans
+        self._spans, bounds = self._bounded(found, core.SPAN, BOUND)
         best = Stand(value / self._unit, piece, share)
-        top = float(spans[:, BOUND].max(initial=0.0))
-        return SpanOptimum(solved, best, top, bounds, spans, self._pieces)
+        top = float(bounds.max())
+        return SpanOptimum(solved, best, top, bounds, self._spans, self._pieces)
 
     def quality_at(self, piece: int, share: float) -> float:
         """Return the quality [N] with the newcomer at a share of the way along a row."""
@@ -186,21 +139,9 @@ class SpanSearch:
         return best if is_found else Stand(best.quality, 0, 0.5)
 
     def _scores(self, stands: Array) -> Array:
-        """Return sums over directions, the less the higher the soft minimum: (c,).
-
-        Parameters
-        ----------
-        stands : (c, 2)
-            Pieces and shares of the way along them.
-        """
-        k = np.arange(FIELD)
-        z = 1.0 - (2.0 * k + 1.0) / FIELD
-        across, turn = np.sqrt(1.0 - z * z), k * np.pi * (3.0 - np.sqrt(5.0))
-        field = np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
-        height = self.aim.levels(field)[:, 0]
-        mean = max(float(height.mean()), SOFTNESS * self._limit)
-        height = np.maximum(height / mean + SOFTNESS, LEAST)
-        return np.asarray(((height + self._gains(stands, field) / mean) ** -POWER).sum(axis=1))
+        """Return what the soft minimum makes of stands (c, 2): pieces and shares of the way."""
+        least = SoftMinimum(self.aim, self._limit)
+        return least.scores(self._gains(stands, least.normals))
 
     def _gains(self, stands: Array, normals: Array) -> Array:
         """Return what newcomers at stands (c, 2) add along normals (m, 3): (c, m) [N]."""

@@ -19,8 +19,9 @@ CHECKS = 12
 """Of them, those whose quality is computed."""
 ZOOMS, SIDE, FINER = 3, 5, 0.4
 """Finer grids, their sides, and their steps beside those of the one before."""
-DIRECTIONS, SOFTNESS, POWER = 64, 0.5, 8
-"""Of the soft minimum: normals, what is added to H relative to its mean, and the power."""
+DIRECTIONS, SOFTNESS, POWER, SCALE = 64, 0.5, 8, 0.25
+"""Of the soft minimum: normals, what is added to H relative to its mean, the power, and the least
+mean, as a share of the newcomer's generator where nothing turns."""
 LEAST = 0.05
 """What H, relative to its mean, counts as where a load leaves less."""
 
@@ -39,6 +40,38 @@ class Spot(NamedTuple):
     piece: int
     share: float
     direction: float
+
+
+class SoftMinimum:
+    """How far newcomers lift H over all directions (T17).
+
+    Parameters
+    ----------
+    aim : Aim
+        The base swarm's.
+    limit : float [N]
+        The newcomer's: of few robots, or none, it sets the scale.
+
+    Attributes
+    ----------
+    normals : (m, 3)
+        Spread evenly.
+    """
+
+    def __init__(self, aim: Aim, limit: float) -> None:
+        k = np.arange(DIRECTIONS)
+        z = 1.0 - (2.0 * k + 1.0) / DIRECTIONS
+        across, turn = np.sqrt(1.0 - z * z), k * np.pi * (3.0 - np.sqrt(5.0))
+        self.normals = np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
+        height = aim.levels(self.normals)[:, 0]
+        self._mean = max(
+            float(height.mean()), SCALE * limit * float(np.hypot(*aim.swarm.scale[:2]))
+        )
+        self._height = np.maximum(height / self._mean + SOFTNESS, LEAST)
+
+    def scores(self, gains: Array) -> Array:
+        """Return sums over directions (c,) for gains (c, m) [N]: less, the higher the minimum."""
+        return np.asarray(((self._height + gains / self._mean) ** -POWER).sum(axis=1))
 
 
 class Tie:
@@ -63,14 +96,7 @@ class Tie:
     ) -> None:
         self._limits, self._rows, self._scale = limits, rows, aim.swarm.scale
         self._normals, self._levels, self._target = normals, aim.levels(normals), target
-        k = np.arange(DIRECTIONS)
-        z = 1.0 - (2.0 * k + 1.0) / DIRECTIONS
-        across, turn = np.sqrt(1.0 - z * z), k * np.pi * (3.0 - np.sqrt(5.0))
-        self._field = np.column_stack([across * np.cos(turn), across * np.sin(turn), z])
-        height = aim.levels(self._field)[:, 0]
-        # few robots, or none: the newcomer's own size sets the scale
-        self._mean = max(float(height.mean()), 0.25 * limits[0] * float(np.hypot(*self._scale[:2])))
-        self._height = np.maximum(height / self._mean + SOFTNESS, LEAST)
+        self._least = SoftMinimum(aim, limits[0])
 
     def best(
         self, boxes: Array, start: Spot | None, qualities: Callable[[Array], Array]
@@ -120,10 +146,8 @@ class Tie:
         return np.asarray((reached >= self._target * extent).all(axis=1))
 
     def _scores(self, spots: Array) -> Array:
-        """Return sums over directions, the less the higher the soft minimum: (c,)."""
-        return np.asarray(
-            ((self._height + self._gains(spots, self._field) / self._mean) ** -POWER).sum(axis=1)
-        )
+        """Return what the soft minimum makes of spots: (c,)."""
+        return self._least.scores(self._gains(spots, self._least.normals))
 
     def _finer(self, at: Array) -> Array:
         """Return a finer grid around a spot, with its steps."""

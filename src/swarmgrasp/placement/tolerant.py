@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from swarmgrasp.placement.boxes import BoxOptimum
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.placement.search import Optimum
+from swarmgrasp.placement.search import RayOptimum
 from swarmgrasp.quality.aim import Aim, Work
 from swarmgrasp.quality.poses import poses_at
 from swarmgrasp.quality.weakest import Weakest
@@ -83,7 +83,7 @@ class TolerantSearch:
     problem : Problem
         With a tolerance and the criterion of the worst case.
     pieces : Pieces
-    found : Optimum or BoxOptimum
+    found : RayOptimum or BoxOptimum
         The place of a newcomer that would hit it exactly: no tolerant one does better.
     zero : float [N]
         A quality that counts as 0.
@@ -95,7 +95,7 @@ class TolerantSearch:
         self,
         problem: Problem,
         pieces: Pieces,
-        found: Optimum | BoxOptimum,
+        found: RayOptimum | BoxOptimum,
         zero: float,
         work: Work,
     ) -> None:
