@@ -102,6 +102,14 @@ class SummaryInvalid(SwarmGraspError):
     """A summary's bytes are damaged, or two summaries do not go together."""
 
 
+class MessageInvalid(SwarmGraspError):
+    """Bytes between robots hold no message, or one that no sound robot sends."""
+
+
+class AgentInvalid(SwarmGraspError):
+    """What an agent is told to be, how it is to behave, or what it is to remember is at fault."""
+
+
 class NotInThePaper(SwarmGraspError):
     """The source paper's algorithm is asked for something it does not know."""
 

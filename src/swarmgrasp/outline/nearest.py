@@ -84,6 +84,22 @@ class Edges(NamedTuple):
             inside[part] = np.logical_xor.reduce(spans & ahead, axis=0)  # crossed oddly
         return inside
 
+    def within(self, point: Array, distance: float) -> list[tuple[float, float]]:
+        """Return the part of each edge that is nearer to a point than a distance, (0, 0) if none.
+
+        From and to, as distances along the edge [m].
+        """
+        x, y = point
+        off_x, off_y = x - self.start_x[:, 0], y - self.start_y[:, 0]
+        unit_x, unit_y, length = self.unit_x[:, 0], self.unit_y[:, 0], self.length[:, 0]
+        middle, height = off_x * unit_x + off_y * unit_y, off_x * unit_y - off_y * unit_x
+        half = np.sqrt(np.maximum(distance**2 - height**2, 0.0))
+        first = np.clip(middle - half, 0.0, length)
+        last = np.clip(middle + half, 0.0, length)
+        is_near = last > first
+        ends = np.column_stack([np.where(is_near, first, 0.0), np.where(is_near, last, 0.0)])
+        return [(start, end) for start, end in ends.tolist()]
+
     def _parts(self, points: int) -> Iterator[slice]:
         """Yield the stretches of points to look at together."""
         step = max(1, PAIRS_AT_ONCE // len(self.length))

@@ -508,6 +508,53 @@ class Outline(Frozen, Plain):
         first, last = base + min(start, length), base + min(stop, length)
         return Stretch(first, last, self.edge_label(index) if is_empty else name)
 
+    def stretches_near(
+        self, point: ArrayLike, distance: float, name: str = ""
+    ) -> tuple[Stretch, ...]:
+        """Return the stretches of the boundary that are nearer to a point than a distance.
+
+        Parameters
+        ----------
+        point : (2,) [m, m]
+        distance : float [m]
+        name : str
+            What the stretches are called.
+
+        Raises
+        ------
+        ContactInvalid
+            If the point is not two finite numbers.
+        ZoneInvalid
+            If the distance is not a finite length >= 0.
+
+        Examples
+        --------
+        >>> square = Outline([(0, 0), (2, 0), (2, 2), (0, 2)])
+        >>> square.stretches_near((2, 0), 0.5)
+        (Stretch(start=1.5, end=2.5, name=''),)
+        """
+        near = as_point(point)
+        faults = length_faults(distance, "distance")
+        if not np.isfinite(near).all():
+            raise ContactInvalid(
+                f"the point is {shown(point)}; it should be two finite numbers [m]"
+            )
+        if faults:
+            raise ZoneInvalid(faults)
+        runs: list[tuple[float, float]] = []
+        for base, (first, last) in zip(
+            self.corner_arc_lengths.tolist(), self._edges.within(near, distance), strict=False
+        ):
+            start, end = base + first, min(base + last, self.perimeter)
+            if first < last and runs and start - runs[-1][1] <= self.tolerance:
+                runs[-1] = runs[-1][0], end
+            elif first < last:
+                runs.append((start, end))
+        is_round = len(runs) > 1 and runs[0][0] == 0.0 and runs[-1][1] == self.perimeter
+        if is_round:  # one stretch across the first vertex
+            runs = [*runs[1:-1], (runs[-1][0], runs[0][1])]
+        return tuple(Stretch(start, end, name) for start, end in runs)
+
     def contains(self, point: ArrayLike) -> bool:
         """Tell whether a point is inside the outline or on its boundary.
 

@@ -315,8 +315,8 @@ def _can_be_placed(robot: Robot) -> bool:
     return robot.steers <= RIGHT_ANGLE or robot.steers >= math.pi
 
 
-def _without(problem: Problem, robot: Robot) -> Problem:
-    """Return the question where a robot goes that has let go."""
+def newcomer_like(problem: Problem, robot: Robot) -> Newcomer:
+    """Return a robot that is in contact as a newcomer, attached as the problem's newcomer is."""
     outline, asked = problem.swarm.outline, problem.newcomer
     attachment, half_angle = asked.attachment, asked.half_angle
     if robot.friction:
@@ -328,8 +328,13 @@ def _without(problem: Problem, robot: Robot) -> Problem:
             inward = outline.inward_normal(outline.at_point(robot.contact).edge)
             attachment = "push" if math.cos(robot.direction - inward) > 0.0 else "pull"
         half_angle = robot.steers
-    newcomer = Newcomer(
+    return Newcomer(
         robot.limit, attachment, half_angle, robot.name, robot.tolerance,
         robot.steers > 0.0, robot.reverse_limit, robot.friction,
     )  # fmt: skip
-    return replace(problem, swarm=problem.swarm.without(robot.name), newcomer=newcomer)
+
+
+def _without(problem: Problem, robot: Robot) -> Problem:
+    """Return the question where a robot goes that has let go."""
+    swarm = problem.swarm.without(robot.name)
+    return replace(problem, swarm=swarm, newcomer=newcomer_like(problem, robot))
