@@ -107,8 +107,10 @@ class Agent:
         old = _old_record(name, state)
         if old is not None and old.incarnation >= incarnation:
             incarnation = (old.incarnation // LIVES + 1) * LIVES + incarnation % LIVES
-        kept = (r for r in state.records if r.id != name) if state else ()
+        kept = [r for r in state.records if r.id != name] if state else []
         self.memory = Memory(kept)
+        for record in kept:
+            self.hearing.hear(record.id)  # it may be there still
         self._old = old
         self._me = Record(name, incarnation, 0, Phase.LEFT, kind=kind)
         fault = planner.fault(self._me)
