@@ -158,8 +158,7 @@ def choices(
                 place = offer
                 break
         else:
-            best = planner.place(rows, obstacles, planner.who(record))
-            place = best.place if best else None
+            place = planner.place(rows, obstacles, planner.who(record))
         found[record.id] = Choice(place, basis, rows, obstacles, plan if is_planned else None)
         if record.id == until:
             break

@@ -40,13 +40,6 @@ class Who(NamedTuple):
     kind: Kind | None = None
 
 
-class Found(NamedTuple):
-    """A place, and the certified quality [N] with a robot there."""
-
-    place: Place
-    lower: float
-
-
 class Planner(Protocol):
     """The mathematics of a mission; the same answers for the same questions everywhere."""
 
@@ -62,7 +55,7 @@ class Planner(Protocol):
     def fewest(self) -> int:
         """Robots below which the quality is 0 wherever they are."""
 
-    def place(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Found | None:
+    def place(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Place | None:
         """Return the best place beside robots, clear of obstacles; None if there is no room."""
 
     def lower(self, rows: Rows) -> float:
@@ -138,7 +131,7 @@ class ProblemPlanner:
         """Robots below which the quality is 0 wherever they are."""
         return self.problem.fewest
 
-    def place(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Found | None:
+    def place(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Place | None:
         """Return the best place beside robots, clear of obstacles; None if there is no room."""
         return self._places(rows, obstacles, who)
 
@@ -263,16 +256,14 @@ class ProblemPlanner:
         failures = (tuple(n for n in each if n in there) for each in criterion.failures)
         return replace(criterion, failures=tuple(each for each in failures if each))
 
-    def _placed(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Found | None:
+    def _placed(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Place | None:
         """Find the best place."""
         try:
             found = place(self._asked(rows, obstacles, who))
         except (NowhereToAttach, ForceSetUnsupported):  # the latter of a robot of the mission
             return None
         robot = found.robot
-        there = Place(*robot.contact, robot.direction, robot.steers)
-        swarm = found.swarm_after
-        return Found(there, quality(swarm, **self._criterion(swarm).terms).bound)
+        return Place(*robot.contact, robot.direction, robot.steers)
 
     def _quality(self, rows: Rows) -> float:
         """Return the certified quality [N] of robots."""
