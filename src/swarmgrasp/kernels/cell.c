@@ -8,8 +8,8 @@
 
 #include "cell.h"
 
-#define TRIES 7        /* cuts made in a triangle before it is split */
-#define CLOSED 0.15    /* of what lacks: a cut that closes less is the last */
+#define CLOSED 0.15    /* of what lacks: a cut that closes less is the last;
+                          more than CUTS, where they would help, take longer than halves do */
 #define WIDE_CELL 0.02 /* squared reach of a triangle that is split at once if it looks easy, */
 #define EASY 2.0       /* because its middle exceeds so many times what is wanted */
 #define NEARLY 0.1     /* of the squared reach: what lacks at most for a closer look to help */
@@ -19,6 +19,7 @@
 /* A triangle seen from its middle: n = m + d_0 e_0 + d_1 e_1. */
 typedef struct {
     double m[3], e[2][3];
+    double scaled[3][3]; /* times the scale: p of m and of both e is (s_0 - s_2 c_1, s_1 + s_2 c_0) at an arm c */
     double corner[3][2]; /* d of the corners, */
     double depth[3];     /* and n . m of the unit vectors */
     double reach;        /* the largest d . d */
@@ -53,7 +54,7 @@ void offer(Hunt *h, const double *normal, double height, double extent) {
     }
 }
 
-static void frame_of(const Triangle *triangle, Frame *f) {
+static void frame_of(const Hunt *h, const Triangle *triangle, Frame *f) {
     double size, *m = f->m;
     for (int k = 0; k < 3; k++)
         m[k] = triangle->normal[k] + triangle->normal[3 + k] + triangle->normal[6 + k];
@@ -64,6 +65,11 @@ static void frame_of(const Triangle *triangle, Frame *f) {
     const double e[2][3] = {{1.0 + sign * m[0] * m[0] * a, sign * b, -sign * m[0]},
                             {b, sign + m[1] * m[1] * a, -m[1]}};
     memcpy(f->e, e, sizeof e);
+    for (int k = 0; k < 3; k++) {
+        const double *n = k ? e[k - 1] : m;
+        for (int i = 0; i < 3; i++)
+            f->scaled[k][i] = h->sets->scale[i] * n[i];
+    }
     f->reach = 0.0;
     for (int j = 0; j < 3; j++) {
         const double *v = triangle->normal + 3 * j;
@@ -72,6 +78,25 @@ static void frame_of(const Triangle *triangle, Frame *f) {
             f->corner[j][k] = dot(v, e[k]) / f->depth[j];
         f->reach = larger(f->reach, along(f->corner[j], f->corner[j]));
     }
+}
+
+/* p of m, or of an e, at an arm. */
+static inline void lever_of(const double *scaled, const double *arm, double *p) {
+    p[0] = scaled[0] - scaled[2] * arm[1];
+    p[1] = scaled[1] + scaled[2] * arm[0];
+}
+
+/* Add a force at an arm to (x, y, torque). */
+static inline void add_force(double *sum, const double *arm, const double *force) {
+    sum[0] += force[0];
+    sum[1] += force[1];
+    sum[2] += across(arm, force);
+}
+
+/* The wrench, in the metric's coordinates, of such a sum and a fixed part. */
+static void wrench_with(const Hunt *h, const double *fixed, const double *sum, double *wrench) {
+    for (int k = 0; k < 3; k++)
+        wrench[k] = fixed[k] + h->sets->scale[k] * sum[k];
 }
 
 static void normal_at(const Frame *f, const double *d, double *n) {
@@ -138,76 +163,115 @@ static void add_loose(const Hunt *h, const Triangle *triangle, const Frame *f, i
     loose->b[1] += slope[1];
 }
 
-/* Tell whether a robot's best force turns smoothly on a triangle: an arc is the farthest on all of it. */
-static int is_turning(const Active *robot, const ForceSet *set, int which, const double *p,
-                      double point[3][2]) {
-    const Element *e = set->element + which;
-    if (e->shape == POINT || along(p, p) == 0.0)
-        return 0;
-    for (int j = 0; j < 3; j++)
-        if (robot->which[j] != which || along(p, point[j]) <= 0.0)
-            return 0;
-    if (e->shape == WIDE && along(e->middle, p) < 0.0) { /* nor does the triangle reach over the gap */
-        int left = 0, right = 0;
-        for (int j = 0; j < 3; j++) {
-            left |= across(e->middle, point[j]) > 0.0;
-            right |= across(e->middle, point[j]) < 0.0;
-        }
-        return !(left && right);
+/* Find what a robot exerts at the middle of a triangle, of the element that does at all corners if there
+ * is one: a cone of a half turn at most that holds these holds the middle. */
+static double push_at(const Active *robot, const Frame *f, Push *push) {
+    const ForceSet *set = push->set;
+    const Element *e = set->element + robot->which[0];
+    double p[2];
+    lever_of(f->scaled[0], set->arm, p);
+    push->which = robot->which[0];
+    if (push->which != robot->which[1] || push->which != robot->which[2] || e->shape == WIDE) {
+        double value = support(set, p, push->force, &push->which);
+        e = set->element + push->which;
+        if (e->shape == POINT)
+            return value;
+    } else if (e->shape == POINT) {
+        memcpy(push->force, e->at, sizeof push->force);
+        return along(e->at, p);
     }
-    return 1;
+    push->size = sqrt(along(p, p));
+    double inverse = push->size > 0.0 ? 1.0 / push->size : 0.0;
+    for (int k = 0; k < 2; k++) {
+        push->way[k] = push->size > 0.0 ? p[k] * inverse : e->middle[k];
+        push->force[k] = e->radius * push->way[k];
+    }
+    return e->radius * push->size;
 }
 
 /* Take all robots' forces at the middle. */
 static void take_all(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin, size_t end,
                      Taken *taken) {
-    const double *scale = h->sets->scale;
+    double sum[3] = {0.0};
     memset(taken, 0, sizeof *taken);
-    memcpy(taken->smooth, triangle->fixed, sizeof taken->smooth);
     taken->height = dot(triangle->fixed, f->m);
     for (size_t a = begin; a < end; a++) {
         const Active *robot = h->active + a;
-        const ForceSet *set = set_of(h, robot->robot);
-        double p[2], force[2], wrench[3], step[2][2], point[3][2];
-        int which;
+        Push *push = h->push + (a - begin);
         if (h->is_lost && h->is_lost[machine_of(h, robot->robot)])
             continue;
+        push->set = set_of(h, robot->robot);
+        push->which = -1;
         if (robot->which[0] < 0) {
-            taken->height += exert(scale, set, f->m, NULL, NULL, NULL);
+            taken->height += exert(h->sets->scale, push->set, f->m, NULL, NULL, NULL);
             add_loose(h, triangle, f, robot->robot, f->m, &taken->loose);
-            h->kinky[taken->kinky++] = (int)(a - begin);
             continue;
         }
-        lever(scale, set->arm, f->m, p);
-        taken->height += support(set, p, force, &which);
-        wrench_of(scale, set->arm, force, wrench);
-        lever(scale, set->arm, f->e[0], step[0]);
-        lever(scale, set->arm, f->e[1], step[1]);
-        double most = 0.0;
-        for (int j = 0; j < 3; j++) {
-            for (int k = 0; k < 2; k++)
-                point[j][k] = p[k] + f->corner[j][0] * step[0][k] + f->corner[j][1] * step[1][k];
-            most = larger(most, along(point[j], point[j]));
+        taken->height += push_at(robot, f, push);
+        add_force(sum, push->set->arm, push->force);
+    }
+    wrench_with(h, triangle->fixed, sum, taken->smooth);
+}
+
+/* Tell whether a robot's best force turns smoothly on a triangle, an arc being the farthest on all of it;
+ * if so, write how, and the largest |p| there, squared. */
+static int is_turning(const Active *robot, const Frame *f, const Push *push, Bend *bend, double *most) {
+    const double *arm = push->set->arm;
+    const Element *e = push->set->element + push->which;
+    double step[2][2];
+    if (push->which != robot->which[0] || push->which != robot->which[1]
+        || push->which != robot->which[2] || e->shape == POINT)
+        return 0;
+    bend->radius = e->radius;
+    bend->size = push->size;
+    for (int k = 0; k < 2; k++) {
+        lever_of(f->scaled[k + 1], arm, step[k]);
+        bend->ahead[k] = along(push->way, step[k]);
+        bend->side[k] = across(push->way, step[k]);
+    }
+    *most = 0.0;
+    int left = 0, right = 0;
+    for (int j = 0; j < 3; j++) {
+        const double *d = f->corner[j];
+        double ahead = push->size + along(bend->ahead, d), side = along(bend->side, d);
+        if (ahead <= 0.0)
+            return 0;
+        *most = larger(*most, ahead * ahead + side * side);
+        if (e->shape == WIDE) {
+            double aside = across(e->middle, push->way) * ahead + along(e->middle, push->way) * side;
+            left |= aside > 0.0;
+            right |= aside < 0.0;
         }
-        if (!is_turning(robot, set, which, p, point)) {
-            add(taken->jagged, wrench);
+    }
+    /* nor does the triangle reach over the gap of an arc */
+    return !(e->shape == WIDE && along(e->middle, push->way) < 0.0 && left && right);
+}
+
+/* Of the robots taken part those that turn smoothly from those that may jump. */
+static void part_all(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin, size_t end,
+                     Taken *taken) {
+    double smooth[3] = {0.0}, jagged[3] = {0.0}, most;
+    for (size_t a = begin; a < end; a++) {
+        const Active *robot = h->active + a;
+        const Push *push = h->push + (a - begin);
+        Bend *bend = h->bend + taken->turning;
+        if (h->is_lost && h->is_lost[machine_of(h, robot->robot)])
+            continue;
+        if (push->which < 0 || !is_turning(robot, f, push, bend, &most)) {
             h->kinky[taken->kinky++] = (int)(a - begin);
+            if (push->which >= 0)
+                add_force(jagged, push->set->arm, push->force);
             continue;
         }
-        Bend *bend = h->bend + taken->turning++;
-        double way[2] = {force[0] / set->element[which].radius, force[1] / set->element[which].radius};
-        add(taken->smooth, wrench);
-        bend->radius = set->element[which].radius;
-        bend->size = sqrt(along(p, p));
-        for (int k = 0; k < 2; k++) {
-            bend->ahead[k] = along(way, step[k]);
-            bend->side[k] = across(way, step[k]);
-        }
+        taken->turning++;
+        add_force(smooth, push->set->arm, push->force);
         double share = bend->radius / sqrt(most);
         taken->curve[0] += share * bend->side[0] * bend->side[0];
         taken->curve[1] += share * bend->side[0] * bend->side[1];
         taken->curve[2] += share * bend->side[1] * bend->side[1];
     }
+    wrench_with(h, triangle->fixed, smooth, taken->smooth);
+    wrench_with(h, (const double[3]){0.0}, jagged, taken->jagged);
 }
 
 /* Take the forces of the robots that jump at another place on the plane; returns H there. */
@@ -303,9 +367,9 @@ static void cut_of(const Hunt *h, const Frame *f, const Taken *taken, double tar
  *     P + alpha + beta^2 (1/P - B^2 / (4 p^3)) / 2 - alpha beta^2 / (2 P^2),   alpha = ahead . d, beta =
  * side . d, B the largest |beta|, p the least P + alpha; the last is linear in d times a quadratic,
  * so that on the triangle it is a mixture of what it is with d at the corners. */
-static int is_held_closely(const Hunt *h, Frame *f, const Taken *taken, const Cut *cut, int cuts,
+static int is_held_closely(const Hunt *h, const Frame *f, const Taken *taken, const Roof *roof,
                            const double *less) {
-    double curve[3][3], where[2];
+    double curve[3][3], where[2], least = roof_least(roof, where);
     for (int j = 0; j < 3; j++)
         for (int k = 0; k < 3; k++)
             curve[j][k] = -less[k];
@@ -328,60 +392,69 @@ static int is_held_closely(const Hunt *h, Frame *f, const Taken *taken, const Cu
         }
     }
     for (int j = 0; j < 3; j++)
-        if (least_on_triangle(f->corner, cut, cuts, curve[j], where) < 0.0)
+        if (least + bend_at(curve[j], where) < bend_at(roof->bend, where))
+            return 0; /* mostly */
+    for (int j = 0; j < 3; j++)
+        if (roof_least_with(roof, curve[j]) < 0.0)
             return 0;
     return 1;
+}
+
+/* Tell whether the plain bound, a linear function, is enough; writes it as a value. */
+static int is_held_plainly_at(const Triangle *triangle, const Frame *f, double target, const Cut *asked,
+                              const Cut *cut, double *reach) {
+    *reach = target;
+    for (int j = 0; j < 3; j++) {
+        double extent = triangle->extent[j] / f->depth[j];
+        double over = cut_at(cut, f->corner[j]) + target * (cut_at(asked, f->corner[j]) - extent);
+        if (extent > 0.0)
+            *reach = smaller(*reach, target + over / extent);
+        else if (over < 0.0)
+            *reach = 0.0;
+    }
+    return *reach >= target;
 }
 
 int is_held(Hunt *h, Triangle *triangle, size_t begin, size_t end) {
     Frame f;
     Taken taken;
-    Cut asked, cut[CUTS];
-    double less[3], bend[3], where[2], target = wanted(h), reach = target;
-    frame_of(triangle, &f);
+    Roof roof;
+    Cut asked, cut;
+    double less[3], bend[3], where[2], target = wanted(h), reach;
+    frame_of(h, triangle, &f);
     take_all(h, triangle, &f, begin, end, &taken);
     charge(h->work, EACH * (double)(end - begin));
     offer(h, f.m, taken.height, sets_extent(h->sets, f.m));
     asked_of(h, triangle, &f, &asked, less);
-    cut_of(h, &f, &taken, target, &asked, cut);
-    for (int j = 0; j < 3; j++) { /* the plain bound */
-        double extent = triangle->extent[j] / f.depth[j];
-        double over = cut_at(cut, f.corner[j]) + target * (cut_at(&asked, f.corner[j]) - extent);
-        if (extent > 0.0)
-            reach = smaller(reach, target + over / extent);
-        else if (over < 0.0)
-            reach = 0.0;
-    }
+    cut_of(h, &f, &taken, target, &asked, &cut);
+    int is_plain = is_held_plainly_at(triangle, &f, target, &asked, &cut, &reach);
     triangle->bound = larger(triangle->bound, reach);
-    if (reach >= target)
+    if (is_plain)
         return 1;
     if (f.reach > WIDE_CELL && taken.height > EASY * target * sets_extent(h->sets, f.m))
         return 0;
+    part_all(h, triangle, &f, begin, end, &taken);
     for (int k = 0; k < 3; k++) {
         less[k] *= target;
         bend[k] = taken.curve[k] - less[k];
     }
-    int cuts = 1;
-    double least = least_on_triangle(f.corner, cut, cuts, bend, where);
-    for (int t = 1; t < TRIES && least < 0.0; t++) {
+    roof_begin(&roof, f.corner, bend);
+    roof_add(&roof, &cut);
+    double least = roof_least(&roof, where);
+    for (int t = 1; t < CUTS && least < 0.0; t++) {
         double normal[3], at[2] = {where[0], where[1]}, before = least;
         normal_at(&f, at, normal);
         double height = take_again(h, triangle, &f, begin, at, normal, &taken);
         charge(h->work, 1.0 * taken.turning + EACH * taken.kinky);
         offer(h, normal, height, sets_extent(h->sets, normal));
-        Cut fresh;
-        cut_of(h, &f, &taken, target, &asked, &fresh);
-        if (cut_at(&fresh, at) + bend_at(bend, at) - before < -CLOSED * before)
+        cut_of(h, &f, &taken, target, &asked, &cut);
+        if (cut_at(&cut, at) + bend_at(bend, at) - before < -CLOSED * before)
             break;
-        int lowest = 0;
-        for (int k = 1; k < cuts; k++)
-            if (cut_at(cut + k, at) < cut_at(cut + lowest, at))
-                lowest = k;
-        cut[cuts < CUTS ? cuts++ : lowest] = fresh;
-        least = least_on_triangle(f.corner, cut, cuts, bend, where);
+        roof_add(&roof, &cut);
+        least = roof_least(&roof, where);
     }
     if (least >= 0.0)
         return 1;
     return least > -NEARLY * target * f.reach && f.reach < WIDE_CELL && taken.turning
-           && is_held_closely(h, &f, &taken, cut, cuts, less);
+           && is_held_closely(h, &f, &taken, &roof, less);
 }

@@ -20,6 +20,14 @@ typedef struct {
     double next_at;
 } Active;
 
+/* What a robot exerts in a triangle's middle. */
+typedef struct {
+    const ForceSet *set;
+    int which;           /* of its elements; -1 if its pose is uncertain */
+    double force[2];
+    double size, way[2]; /* |p| and the unit vector along it, if that is an arc */
+} Push;
+
 /* A robot whose best force turns on a triangle: r |p|, with p = |p(m)| f + J d on the plane. */
 typedef struct {
     double radius, size;      /* r, |p(m)| */
@@ -36,6 +44,7 @@ typedef struct {
     double cells;
     Active *active;         /* those of all triangles on the way to the one at hand */
     size_t room;
+    Push *push;             /* (robots,) of those of a triangle */
     int *kinky;             /* (robots,) those of a triangle whose best force jumps, */
     Bend *bend;             /* (robots,) and those whose force turns */
     double *sum;            /* (SUMS, machines), if machines may be lost; so are these: */

@@ -6,31 +6,24 @@
 
 #include "plane.h"
 
-#define CORNERS (3 + CUTS)
-
-typedef struct {
-    int count;
-    double at[CORNERS][2];
-} Polygon;
-
-/* Keep the part of a polygon in which a linear function is not negative. */
-static void clip(Polygon *polygon, const Cut *side) {
+/* Keep the part of a polygon in which a linear function is not negative. Returns whether any is lost. */
+static int clip(Polygon *polygon, const Cut *side) {
     Polygon left;
-    double at[CORNERS];
+    double at[3 + CUTS];
     int below = 0;
     for (int i = 0; i < polygon->count; i++) {
         at[i] = cut_at(side, polygon->at[i]);
         below += at[i] < 0.0;
     }
     if (below == 0)
-        return;
+        return 0;
     left.count = 0;
     for (int i = 0; i < polygon->count && below < polygon->count; i++) {
         int j = i + 1 < polygon->count ? i + 1 : 0;
         const double *p = polygon->at[i], *q = polygon->at[j];
-        if (at[i] >= 0.0 && left.count < CORNERS)
+        if (at[i] >= 0.0 && left.count < 3 + CUTS)
             memcpy(left.at[left.count++], p, sizeof left.at[0]);
-        if ((at[i] < 0.0) != (at[j] < 0.0) && at[i] != 0.0 && at[j] != 0.0 && left.count < CORNERS) {
+        if ((at[i] < 0.0) != (at[j] < 0.0) && at[i] != 0.0 && at[j] != 0.0 && left.count < 3 + CUTS) {
             double share = at[i] / (at[i] - at[j]);
             for (int k = 0; k < 2; k++)
                 left.at[left.count][k] = p[k] + share * (q[k] - p[k]);
@@ -39,6 +32,7 @@ static void clip(Polygon *polygon, const Cut *side) {
     }
     polygon->count = left.count;
     memcpy(polygon->at, left.at, (size_t)left.count * sizeof left.at[0]);
+    return 1;
 }
 
 static void note(double value, const double *d, double *least, double *where) {
@@ -53,7 +47,7 @@ static void note(double value, const double *d, double *least, double *where) {
 static int is_within(const Polygon *polygon, const double *d) {
     int left = 0, right = 0, above[2] = {0, 0}, below[2] = {0, 0};
     for (int i = 0; i < polygon->count; i++) {
-        const double *p = polygon->at[i], *q = polygon->at[(i + 1) % polygon->count];
+        const double *p = polygon->at[i], *q = polygon->at[i + 1 < polygon->count ? i + 1 : 0];
         double turn = (q[0] - p[0]) * (d[1] - p[1]) - (q[1] - p[1]) * (d[0] - p[0]);
         left |= turn > 0.0;
         right |= turn < 0.0;
@@ -78,7 +72,7 @@ static void least_on_polygon(const Polygon *polygon, const Cut *cut, const doubl
         }
     }
     for (int i = 0; i < polygon->count; i++) {
-        const double *p = polygon->at[i], *q = polygon->at[(i + 1) % polygon->count];
+        const double *p = polygon->at[i], *q = polygon->at[i + 1 < polygon->count ? i + 1 : 0];
         double e[2] = {q[0] - p[0], q[1] - p[1]};
         double ne[2] = {bend[0] * e[0] + bend[1] * e[1], bend[1] * e[0] + bend[2] * e[1]};
         double slope = cut->b[0] * e[0] + cut->b[1] * e[1] + p[0] * ne[0] + p[1] * ne[1];
@@ -91,19 +85,46 @@ static void least_on_polygon(const Polygon *polygon, const Cut *cut, const doubl
     }
 }
 
-double least_on_triangle(double corner[3][2], const Cut *cut, int cuts, const double *bend,
-                         double *where) {
-    double least = INFINITY;
-    for (int k = 0; k < cuts; k++) {
-        Polygon polygon;
-        polygon.count = 3;
-        memcpy(polygon.at, corner, 3 * sizeof polygon.at[0]);
-        for (int i = 0; i < cuts && polygon.count; i++)
-            if (i != k) {
-                Cut over = {cut[k].a - cut[i].a, {cut[k].b[0] - cut[i].b[0], cut[k].b[1] - cut[i].b[1]}};
-                clip(&polygon, &over);
-            }
-        least_on_polygon(&polygon, cut + k, bend, &least, where);
+/* Look at one part anew. */
+static void look_at(Roof *roof, int k) {
+    roof->least[k] = INFINITY;
+    least_on_polygon(roof->part + k, roof->cut + k, roof->bend, roof->least + k, roof->where[k]);
+}
+
+void roof_begin(Roof *roof, double corner[3][2], const double *bend) {
+    roof->cuts = 0;
+    memcpy(roof->corner, corner, sizeof roof->corner);
+    memcpy(roof->bend, bend, sizeof roof->bend);
+}
+
+void roof_add(Roof *roof, const Cut *cut) {
+    int last = roof->cuts++;
+    Polygon *own = roof->part + last;
+    roof->cut[last] = *cut;
+    own->count = 3;
+    memcpy(own->at, roof->corner, sizeof roof->corner);
+    for (int k = 0; k < last; k++) {
+        const Cut *other = roof->cut + k;
+        Cut over = {cut->a - other->a, {cut->b[0] - other->b[0], cut->b[1] - other->b[1]}};
+        Cut under = {-over.a, {-over.b[0], -over.b[1]}};
+        if (own->count)
+            clip(own, &over);
+        if (roof->part[k].count && clip(roof->part + k, &under))
+            look_at(roof, k);
     }
+    look_at(roof, last);
+}
+
+double roof_least(const Roof *roof, double *where) {
+    double least = INFINITY;
+    for (int k = 0; k < roof->cuts; k++)
+        note(roof->least[k], roof->where[k], &least, where);
+    return least;
+}
+
+double roof_least_with(const Roof *roof, const double *bend) {
+    double least = INFINITY, where[2];
+    for (int k = 0; k < roof->cuts; k++)
+        least_on_polygon(roof->part + k, roof->cut + k, bend, &least, where);
     return least;
 }

@@ -1,5 +1,5 @@
-/* The least of a curved function over a triangle in the plane: the greatest of some linear functions,
- * and a quadratic one. Nothing is checked. */
+/* The least of a curved function over a triangle in the plane: the greatest of some linear functions, and
+ * a quadratic one. Nothing is checked. */
 #ifndef SWARMGRASP_PLANE_H
 #define SWARMGRASP_PLANE_H
 
@@ -19,8 +19,32 @@ static inline double bend_at(const double *bend, const double *d) {
     return 0.5 * (bend[0] * d[0] * d[0] + 2.0 * bend[1] * d[0] * d[1] + bend[2] * d[1] * d[1]);
 }
 
-/* Find the least of max_k cut_k(d) + d' N d / 2 over a triangle of corners (3, 2), and where. */
-double least_on_triangle(double corner[3][2], const Cut *cut, int cuts, const double *bend,
-                         double *where);
+/* A convex polygon. */
+typedef struct {
+    int count;
+    double at[3 + CUTS][2];
+} Polygon;
+
+/* The greatest of some cuts over a triangle: each is the highest on a part of it. */
+typedef struct {
+    double corner[3][2];
+    int cuts;
+    Cut cut[CUTS];
+    Polygon part[CUTS];
+    double bend[3];                        /* N, and with it */
+    double least[CUTS], where[CUTS][2];    /* the least on each part, INFINITY on one that is empty */
+} Roof;
+
+/* Begin without cuts. */
+void roof_begin(Roof *roof, double corner[3][2], const double *bend);
+
+/* Add a cut, of CUTS at most: of the parts of the others it takes where it is higher. */
+void roof_add(Roof *roof, const Cut *cut);
+
+/* Find the least of max_k cut_k(d) + d' N d / 2, and where. */
+double roof_least(const Roof *roof, double *where);
+
+/* Find the same for another N. */
+double roof_least_with(const Roof *roof, const double *bend);
 
 #endif

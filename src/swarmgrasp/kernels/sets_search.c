@@ -49,7 +49,8 @@ static size_t sift(Hunt *h, Triangle *triangle, size_t begin, size_t end, const 
             add(triangle->fixed, wrench);
             continue;
         }
-        h->active[kept++] = *robot;
+        if (kept++ < a)
+            h->active[kept - 1] = *robot;
     }
     return kept;
 }
@@ -269,9 +270,10 @@ static Status begin_hunt(Hunt *h) {
     size_t robots = (size_t)robots_of(h), machines = (size_t)machines_of(h);
     h->room = 3 * robots + 64;
     h->active = malloc(h->room * sizeof *h->active);
+    h->push = malloc((robots + 1) * sizeof *h->push);
     h->kinky = malloc((robots + 1) * sizeof *h->kinky);
     h->bend = malloc((robots + 1) * sizeof *h->bend);
-    if (!h->active || !h->kinky || !h->bend)
+    if (!h->active || !h->push || !h->kinky || !h->bend)
         return NO_MEMORY;
     for (size_t i = 0; i < robots; i++)
         h->may_take |= leaves_out_zero(set_of(h, (int)i));
@@ -286,6 +288,7 @@ static Status begin_hunt(Hunt *h) {
 
 static void end_hunt(Hunt *h) {
     free(h->active);
+    free(h->push);
     free(h->kinky);
     free(h->bend);
     free(h->sum);
