@@ -277,23 +277,29 @@ static void part_all(Hunt *h, const Triangle *triangle, const Frame *f, size_t b
 /* Take the forces of the robots that jump at another place on the plane; returns H there. */
 static double take_again(Hunt *h, const Triangle *triangle, const Frame *f, size_t begin,
                          const double *d, const double *normal, Taken *taken) {
-    double height = dot(triangle->fixed, normal);
-    memset(taken->jagged, 0, sizeof taken->jagged);
+    double height = dot(triangle->fixed, normal), scaled[3], sum[3] = {0.0};
     memset(&taken->loose, 0, sizeof taken->loose);
     for (int i = 0; i < taken->turning; i++) {
         const Bend *bend = h->bend + i;
         double ahead = bend->size + along(bend->ahead, d), side = along(bend->side, d);
         height += bend->radius * sqrt(ahead * ahead + side * side);
     }
+    for (int k = 0; k < 3; k++)
+        scaled[k] = h->sets->scale[k] * normal[k];
     for (int i = 0; i < taken->kinky; i++) {
-        const Active *robot = h->active + begin + h->kinky[i];
-        double wrench[3];
-        height += exert(h->sets->scale, set_of(h, robot->robot), normal, wrench, NULL, NULL);
-        if (robot->which[0] < 0)
-            add_loose(h, triangle, f, robot->robot, normal, &taken->loose);
-        else
-            add(taken->jagged, wrench);
+        const ForceSet *set = h->push[h->kinky[i]].set;
+        double p[2], force[2];
+        if (h->push[h->kinky[i]].which < 0) {
+            int robot = h->active[begin + (size_t)h->kinky[i]].robot;
+            height += exert(h->sets->scale, set, normal, NULL, NULL, NULL);
+            add_loose(h, triangle, f, robot, normal, &taken->loose);
+            continue;
+        }
+        lever_of(scaled, set->arm, p);
+        height += support(set, p, force, NULL);
+        add_force(sum, set->arm, force);
     }
+    wrench_with(h, (const double[3]){0.0}, sum, taken->jagged);
     return height;
 }
 

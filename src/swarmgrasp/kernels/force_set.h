@@ -26,7 +26,7 @@ typedef enum {
 
 typedef struct {
     Shape shape;
-    double radius, at[2];           /* [N] */
+    double radius, at[2];           /* [N]; an arc is at (0, 0) */
     double start[2], end[2];        /* the ends of its normal cone, as unit vectors, and */
     double middle[2];               /* the middle between them */
 } Element;
@@ -52,20 +52,23 @@ static inline double along(const double *a, const double *b) { return a[0] * b[0
 /* Read a row (radius, x, y, start, end). */
 static inline Element element_of(const double *row) {
     double width = row[4] - row[3], middle = row[3] + 0.5 * width;
-    Element e = {.radius = row[0], .at = {row[1], row[2]},
+    Element e = {.radius = row[0],
                  .start = {cos(row[3]), sin(row[3])}, .end = {cos(row[4]), sin(row[4])},
                  .middle = {cos(middle), sin(middle)}};
+    for (int k = 0; k < 2 && row[0] == 0.0; k++)
+        e.at[k] = row[1 + k];
     e.shape = row[0] == 0.0 ? POINT : width <= PI ? NARROW : width < WHOLE ? WIDE : ROUND;
     return e;
 }
 
-/* Tell whether a vector lies in an element's normal cone; on its ends, too. */
+/* Tell whether a vector lies in an element's normal cone; on its ends, too. Nobody can foresee which side
+ * a vector is on: `&` and `|` spare the branches. */
 static inline int is_in_cone(const Element *e, const double *p) {
+    int after = across(e->start, p) >= 0.0, before = across(p, e->end) >= 0.0;
+    int ahead = along(e->middle, p) >= 0.0;
     if (e->shape == ROUND)
         return 1;
-    if (e->shape == WIDE)
-        return across(e->start, p) >= 0.0 || across(p, e->end) >= 0.0 || along(e->middle, p) >= 0.0;
-    return across(e->start, p) >= 0.0 && across(p, e->end) >= 0.0 && along(e->middle, p) >= 0.0;
+    return e->shape == WIDE ? after | before | ahead : after & before & ahead;
 }
 
 /* p of a normal, in the metric's coordinates, at a moment arm. */
@@ -77,36 +80,23 @@ static inline void lever(const double *scale, const double *arm, const double *n
 /* The support function: the greatest F . p over the set, in the unit of p times N. Writes the force
  * that attains it, and returns in `which` the element, unless these are NULL. */
 static inline double support(const ForceSet *set, const double *p, double *force, int *which) {
-    double most = -INFINITY;
+    double most = -INFINITY, size = sqrt(along(p, p));
     int best = 0;
     for (int k = 0; k < set->elements; k++) {
         const Element *e = set->element + k;
-        double value;
-        if (e->shape == POINT)
-            value = along(e->at, p);
-        else if (is_in_cone(e, p))
-            value = e->radius * sqrt(along(p, p));
-        else
-            continue;
-        if (value > most) {
-            most = value;
-            best = k;
-        }
+        double value = along(e->at, p);
+        if (e->shape != POINT)
+            value = is_in_cone(e, p) ? e->radius * size : -INFINITY;
+        best = value > most ? k : best;
+        most = value > most ? value : most;
     }
     if (which)
         *which = best;
     if (force) {
         const Element *e = set->element + best;
-        double size = sqrt(along(p, p));
-        if (e->shape == POINT) {
-            force[0] = e->at[0];
-            force[1] = e->at[1];
-        } else {
-            const double *way = size > 0.0 ? p : e->middle;
-            double unit = size > 0.0 ? size : 1.0;
-            force[0] = e->radius * way[0] / unit;
-            force[1] = e->radius * way[1] / unit;
-        }
+        double turned = size > 0.0 ? e->radius / size : 0.0, still = size > 0.0 ? 0.0 : e->radius;
+        for (int k = 0; k < 2; k++)
+            force[k] = e->at[k] + turned * p[k] + still * e->middle[k];
     }
     return most;
 }
