@@ -75,7 +75,7 @@ static void holds(int n, int kinds, int machines, int losing, int tasks, int is_
     double value, bound, normal[3], height, cap;
     Work work = work_of(WORK, look);
     CHECK(sets_begin(&sets, &robots) == SOLVED);
-    CHECK(sets_search(&sets, NULL, 1e-9, INFINITY, NULL, 0, &work, &value, &bound, normal) == SOLVED);
+    CHECK(sets_search(&sets, NULL, 1e-9, INFINITY, 0.0, NULL, 0, &work, &value, &bound, normal) == SOLVED);
     CHECK(bound <= value);
     CHECK(bound >= value * (1.0 - 2e-7) - 2e-13 * sets.weight);
     CHECK(sets_height(&sets, normal, NULL, &height, &cap) == SOLVED);
@@ -98,13 +98,17 @@ static void joins(int n, int losing) {
     CHECK(sets_begin(&all, &robots) == SOLVED);
     robots.count--;
     CHECK(sets_begin(&fewer, &robots) == SOLVED);
-    CHECK(sets_search(&all, NULL, 1e-9, INFINITY, NULL, 0, &work, &value, &bound, start) == SOLVED);
-    CHECK(sets_search(&fewer, all.set + n - 1, 1e-9, INFINITY, start, 1, &work, &other, &bound, normal)
+    CHECK(sets_search(&all, NULL, 1e-9, INFINITY, 0.0, NULL, 0, &work, &value, &bound, start) == SOLVED);
+    CHECK(sets_search(&fewer, all.set + n - 1, 1e-9, INFINITY, 0.0, start, 1, &work, &other, &bound, normal)
           == SOLVED);
     CHECK_NEAR(value, other, 2e-9 * value);
     if (value > 0.0) { /* what is not less than wanted is not looked for */
-        CHECK(sets_search(&all, NULL, 1e-9, 0.5 * value, NULL, 0, &work, &other, &bound, normal) == SOLVED);
+        CHECK(sets_search(&all, NULL, 1e-9, 0.5 * value, 0.0, NULL, 0, &work, &other, &bound, normal) == SOLVED);
         CHECK(other == 0.5 * value && length(normal) == 0.0);
+        /* and less than enough will do */
+        CHECK(sets_search(&all, NULL, 1e-9, INFINITY, 2.0 * value, NULL, 0, &work, &other, &bound, normal)
+              == SOLVED);
+        CHECK(value * (1.0 - 2e-9) <= other && other < 2.0 * value && bound == 0.0);
     }
     sets_end(&all);
     sets_end(&fewer);
@@ -119,7 +123,7 @@ static Status job(void) {
     Work work = work_of(WORK, look);
     Status status = sets_begin(&sets, &asked);
     if (status == SOLVED)
-        status = sets_search(&sets, NULL, 1e-9, INFINITY, NULL, 0, &work, &value, &bound, normal);
+        status = sets_search(&sets, NULL, 1e-9, INFINITY, 0.0, NULL, 0, &work, &value, &bound, normal);
     sets_end(&sets);
     return status;
 }
@@ -147,7 +151,7 @@ static void drifts(int n) {
     CHECK(sets_begin(&sets, &robots) == SOLVED);
     double value, bound, normal[3], height, cap, most, wrench[3];
     Work work = work_of(WORK, look);
-    CHECK(sets_search(&sets, NULL, 1e-7, INFINITY, NULL, 0, &work, &value, &bound, normal) == SOLVED);
+    CHECK(sets_search(&sets, NULL, 1e-7, INFINITY, 0.0, NULL, 0, &work, &value, &bound, normal) == SOLVED);
     CHECK(bound <= value && bound >= value * (1.0 - 2e-7) - 2e-13 * sets.weight);
     for (int k = 0; k < TRIALS; k++) {
         fill_uniform(normal, 3);

@@ -148,7 +148,7 @@ Status boxes_quality(BoxSearch *s, const double *arm, double direction, double g
     }
     for (int k = 0; k < starts; k++)
         memcpy(start[k], kept[k] < 0 ? normal : s->pool.row[kept[k]].normal, sizeof start[k]);
-    return sets_search(s->pool.sets, &set, gap, INFINITY, start[0], starts, &s->pool.work, quality,
+    return sets_search(s->pool.sets, &set, gap, INFINITY, 0.0, start[0], starts, &s->pool.work, quality,
                        &bound, normal);
 }
 

@@ -381,15 +381,15 @@ static int is_held_closely(const Hunt *h, const Frame *f, const Taken *taken, co
             curve[j][k] = -less[k];
     for (int i = 0; i < taken->turning; i++) {
         const Bend *bend = h->bend + i;
-        double ahead[3], widest = 0.0, least = INFINITY, P = bend->size;
+        double ahead[3], widest = 0.0, nearest = INFINITY, P = bend->size;
         for (int j = 0; j < 3; j++) {
             ahead[j] = along(bend->ahead, f->corner[j]);
             widest = larger(widest, fabs(along(bend->side, f->corner[j])));
-            least = smaller(least, P + ahead[j]);
+            nearest = smaller(nearest, P + ahead[j]);
         }
-        if (least <= 0.0)
+        if (nearest <= 0.0)
             return 0;
-        double even = 1.0 / P - widest * widest / (4.0 * least * least * least);
+        double even = 1.0 / P - widest * widest / (4.0 * nearest * nearest * nearest);
         for (int j = 0; j < 3; j++) {
             double share = bend->radius * (even - ahead[j] / (P * P));
             curve[j][0] += share * bend->side[0] * bend->side[0];

@@ -39,6 +39,7 @@ typedef struct {
     const Sets *sets;
     const ForceSet *extra;
     double gap, zero, floor, rounding;
+    double enough;          /* below which the best is looked for no further */
     double best, normal[3]; /* the least (H + rounding) / D, and its normal */
     double bound;           /* what no triangle that was given up falls below */
     double cells;

@@ -245,8 +245,11 @@ class Spans:
         of bound, and two terms of normal (3,) and weight, 0 where there is none.
         """
 
-    def quality_at(self, piece: int, share: float, /) -> tuple[float, Normal]:
-        """Return the quality with the newcomer there, and the unit normal that attains it."""
+    def quality_at(self, piece: int, share: float, enough: float = ..., /) -> tuple[float, Normal]:
+        """Return the quality with the newcomer there, and the unit normal that attains it.
+
+        Below `enough` any upper bound will do.
+        """
 
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).

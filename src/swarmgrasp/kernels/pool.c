@@ -40,7 +40,7 @@ Status pool_begin(Pool *pool, const Sets *sets, double strength, double units,
     *pool = (Pool){.sets = sets, .size = sets->weight + strength, .least_cap = INFINITY,
                    .work = work_of(units, interrupted)};
     double bound, opposite[3];
-    Status status = sets_search(sets, NULL, EXACT, INFINITY, NULL, 0, &pool->work, &pool->quality,
+    Status status = sets_search(sets, NULL, EXACT, INFINITY, 0.0, NULL, 0, &pool->work, &pool->quality,
                                 &bound, pool->weakest);
     if (is_fault(status))
         return status;

@@ -112,11 +112,12 @@ double sets_extent(const Sets *sets, const double *normal);
 void sets_farthest(const Sets *sets, const double *normal, double *wrench);
 
 /* Find the least H / D, with one more robot or NULL, to a relative `gap`. A value of `below` or more
- * is not wanted: it is then `below`, and the normal is zero. `start` (starts, 3) are normals to look at
+ * is not wanted: it is then `below`, and the normal is zero. Less than `enough` will do, even if it is not
+ * the least; the bound is 0 then. `start` (starts, 3) are normals to look at
  * first. What is 0 but for rounding is 0, and the first to be found; so is what a load leaves that is
  * not held. Writes a unit normal that attains the value, and what no direction falls below. Returns a
  * status; OUT_OF_BUDGET means that the bound may be far below. */
-Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below,
+Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below, double enough,
                    const double *start, int starts, Work *work, double *value, double *bound,
                    double *normal);
 

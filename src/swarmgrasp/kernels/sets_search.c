@@ -21,6 +21,9 @@ static const struct {
     double cells, gap;
 } ladder[] = {{3000.0, 1e-8}, {6000.0, 1e-7}};
 
+/* Tell whether the best will do. */
+static int is_enough(const Hunt *h) { return h->best <= 0.0 || h->best < h->enough; }
+
 /* Find what a robot exerts at a corner, and by which element. */
 static double value_at(const Hunt *h, int robot, const double *normal, int *which) {
     const ForceSet *set = set_of(h, robot);
@@ -121,7 +124,7 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
             h->gap = larger(h->gap, ladder[k].gap);
     int is_so;
     status = is_done(h, triangle, begin, &end, &is_so);
-    if (status != SOLVED || is_so || h->best <= 0.0)
+    if (status != SOLVED || is_so || is_enough(h))
         return status;
     double edge, normal[3], size;
     int from = longest_edge(triangle->normal, &edge), to = (from + 1) % 3;
@@ -137,7 +140,7 @@ static Status explore(Hunt *h, Triangle *triangle, size_t begin, size_t end, int
     status = explore_half(h, triangle, begin, end, from, normal, depth);
     if (status == OUT_OF_BUDGET)
         h->bound = smaller(h->bound, triangle->bound);
-    if (status == SOLVED && h->best > 0.0)
+    if (status == SOLVED && !is_enough(h))
         status = explore_half(h, triangle, begin, end, to, normal, depth);
     return status;
 }
@@ -181,7 +184,7 @@ static Status descend(Hunt *h) {
     double step = STEP, slope[3], rise[3], normal[3], at[3];
     memcpy(at, h->normal, sizeof at);
     double height = slope_at(h, at, slope), extent = sets_extent(h->sets, at);
-    for (int t = 0; t < STEPS && step > SHORT && h->best > 0.0; t++) {
+    for (int t = 0; t < STEPS && step > SHORT && !is_enough(h); t++) {
         double value = extent > 0.0 ? height / extent : 0.0, inward, size;
         sets_farthest(h->sets, at, rise);
         for (int k = 0; k < 3; k++)
@@ -217,7 +220,7 @@ static Status descend(Hunt *h) {
 
 /* Look at directions: those given, or some spread evenly. */
 static Status look_around(Hunt *h, const double *start, int starts) {
-    for (int k = 0; k < (starts ? starts : AROUND) && h->best > 0.0; k++) {
+    for (int k = 0; k < (starts ? starts : AROUND) && !is_enough(h); k++) {
         double normal[3], slope[3];
         if (starts)
             memcpy(normal, start + 3 * k, sizeof normal);
@@ -298,24 +301,26 @@ static void end_hunt(Hunt *h) {
 }
 
 /* Search sets without failures. */
-static Status search(const Sets *sets, const ForceSet *extra, double gap, double below,
+static Status search(const Sets *sets, const ForceSet *extra, double gap, double below, double enough,
                      const double *start, int starts, Work *work, double *value, double *bound,
                      double *normal) {
     double weight = sets->weight + (extra ? largest_wrench(sets->scale, extra) : 0.0), cap;
     Hunt h = {.sets = sets, .extra = extra, .gap = gap, .zero = ZERO * weight, .work = work,
-              .floor = SETS_FLOOR * weight, .rounding = SETS_ROUNDING * weight, .best = below,
+              .floor = SETS_FLOOR * weight, .rounding = SETS_ROUNDING * weight, .best = below, .enough = enough,
               .bound = INFINITY};
     Status status = begin_hunt(&h);
     if (status == SOLVED)
         status = look_around(&h, start, starts);
     if (status == OUT_OF_BUDGET)
         h.bound = 0.0;
-    for (int octant = 0; octant < 8 && !is_fault(status) && h.best > 0.0; octant++)
+    for (int octant = 0; octant < 8 && !is_fault(status) && !is_enough(&h); octant++)
         if (status == SOLVED)
             status = explore_octant(&h, octant);
         else
             h.bound = 0.0; /* not looked at */
     end_hunt(&h);
+    if (h.best < enough)
+        h.bound = 0.0;
     double size = length(h.normal);
     *value = h.best;
     *bound = larger(0.0, smaller(h.bound, wanted(&h)));
@@ -332,21 +337,22 @@ static Status search(const Sets *sets, const ForceSet *extra, double gap, double
     return status;
 }
 
-Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below,
+Status sets_search(const Sets *sets, const ForceSet *extra, double gap, double below, double enough,
                    const double *start, int starts, Work *work, double *value, double *bound,
                    double *normal) {
     Status status = SOLVED;
     if (!sets->failures)
-        return search(sets, extra, gap, below, start, starts, work, value, bound, normal);
+        return search(sets, extra, gap, below, enough, start, starts, work, value, bound, normal);
     *value = below;
     *bound = INFINITY;
     memset(normal, 0, 3 * sizeof *normal);
-    for (int f = 0; f < sets->failures && !is_fault(status) && (f == 0 || *value > 0.0); f++) {
+    for (int f = 0; f < sets->failures && !is_fault(status) && (f == 0 || *value > enough); f++) {
         Sets left;
         double least, reach, weakest[3];
         Status found = sets_after(sets, f, &left);
         if (found == SOLVED)
-            found = search(&left, extra, gap, *value, start, starts, work, &least, &reach, weakest);
+            found = search(&left, extra, gap, *value, enough, start, starts, work, &least, &reach,
+                           weakest);
         free(left.set);
         free(left.machine);
         if (is_fault(found))

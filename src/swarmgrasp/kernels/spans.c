@@ -78,7 +78,8 @@ static double reach_of(const SpanSearch *s, const Known *at, const ForceSet *set
     return allowed(at, at->height + support(set, p, NULL, NULL));
 }
 
-Status spans_quality(SpanSearch *s, int piece, double share, double *quality, double *normal) {
+Status spans_quality(SpanSearch *s, int piece, double share, double enough, double *quality,
+                     double *normal) {
     ForceSet set = at_share(s, piece, share);
     double start[STARTS][3], low[STARTS], bound;
     int kept[STARTS], starts = 0;
@@ -90,7 +91,12 @@ Status spans_quality(SpanSearch *s, int piece, double share, double *quality, do
     for (int k = 0; k < starts; k++)
         memcpy(start[k], s->pool.row[kept[k]].normal, sizeof start[k]);
     charge(&s->pool.work, PASS * s->pool.count);
-    return sets_search(s->pool.sets, &set, EXACT, INFINITY, start[0], starts, &s->pool.work, quality, &bound,
+    if (starts && low[0] < enough) {
+        *quality = larger(0.0, low[0]);
+        memcpy(normal, start[0], sizeof start[0]);
+        return SOLVED;
+    }
+    return sets_search(s->pool.sets, &set, EXACT, INFINITY, enough, start[0], starts, &s->pool.work, quality, &bound,
                        normal);
 }
 
@@ -263,7 +269,7 @@ static Status add_span(SpanSearch *s, const Span *span, double enough) {
 /* Ask the quality where a span looks best. */
 static Status ask(SpanSearch *s, const Span *span, Stand *best) {
     double quality, normal[3];
-    Status status = spans_quality(s, span->piece, span->ask, &quality, normal);
+    Status status = spans_quality(s, span->piece, span->ask, best->quality, &quality, normal);
     s->pool.asks--;
     if (status != SOLVED)
         return status;

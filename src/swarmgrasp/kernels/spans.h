@@ -61,7 +61,9 @@ void spans_end(SpanSearch *search);
  * best by more than `gap` of it, or by what rounding hides. Returns SOLVED, OUT_OF_BUDGET, or a fault. */
 Status spans_solve(SpanSearch *search, const char *chosen, double gap, int asks, Stand *best);
 
-/* Find the quality with the newcomer at a share of a piece, and the unit normal that attains it. */
-Status spans_quality(SpanSearch *search, int piece, double share, double *quality, double *normal);
+/* Find the quality with the newcomer at a share of a piece, and the unit normal that attains it. Below
+ * `enough` any upper bound will do. */
+Status spans_quality(SpanSearch *search, int piece, double share, double enough, double *quality,
+                     double *normal);
 
 #endif

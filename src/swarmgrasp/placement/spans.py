@@ -106,9 +106,12 @@ class SpanSearch(SetSearch[core.Spans]):
         top = float(bounds.max())
         return SpanOptimum(solved, best, top, bounds, self._spans, self._pieces)
 
-    def quality_at(self, piece: int, share: float) -> float:
-        """Return the quality [N] with the newcomer at a share of the way along a row."""
-        value, _ = self._core.quality_at(piece, share)
+    def quality_at(self, piece: int, share: float, enough: float = 0.0) -> float:
+        """Return the quality [N] with the newcomer at a share of the way along a row.
+
+        Below `enough` [N] any upper bound will do.
+        """
+        value, _ = self._core.quality_at(piece, share, enough * self._unit)
         return value / self._unit
 
     def break_tie(self, best: Stand, target: float) -> Stand:
@@ -133,7 +136,7 @@ class SpanSearch(SetSearch[core.Spans]):
             if is_found and k == 0:
                 return best
             piece, share = int(stands[k, 0]), float(stands[k, 1])
-            value = self.quality_at(piece, share)
+            value = self.quality_at(piece, share, target)
             if value >= target:
                 return Stand(value, piece, share)
         return best if is_found else Stand(best.quality, 0, 0.5)

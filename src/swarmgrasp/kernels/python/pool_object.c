@@ -319,11 +319,11 @@ static PyObject *spans_solve_method(PyObject *object, PyObject *args) {
                          best.piece, best.share, spans);
 }
 
-/* quality_at(piece, share) -> (quality, normal) */
+/* quality_at(piece, share, enough) -> (quality, normal) */
 static PyObject *spans_quality_method(PyObject *object, PyObject *args) {
     int piece;
-    double share, quality, n[3];
-    if (!PyArg_ParseTuple(args, "id:quality_at", &piece, &share))
+    double share, enough = 0.0, quality, n[3];
+    if (!PyArg_ParseTuple(args, "id|d:quality_at", &piece, &share, &enough))
         return NULL;
     SpanSearch *s = &((PoolObject *)object)->spans;
     if (piece < 0 || piece >= s->many || !(share >= 0.0 && share <= 1.0)) {
@@ -334,7 +334,7 @@ static PyObject *spans_quality_method(PyObject *object, PyObject *args) {
     if (!self)
         return NULL;
     leave(1);
-    Status status = spans_quality(s, piece, share, &quality, n);
+    Status status = spans_quality(s, piece, share, enough, &quality, n);
     come_back();
     self->is_busy = 0;
     return is_raised(status) ? NULL : Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);

@@ -121,7 +121,7 @@ static PyObject *sets_least(PyObject *object, PyObject *args) {
         return NULL;
     Work work = work_of(units < 0.0 ? WORK + SETS_PER_ROBOT * sets->count : units, interrupted);
     leave(1);
-    Status status = sets_search(sets, NULL, gap, below, NULL, 0, &work, &value, &bound, n);
+    Status status = sets_search(sets, NULL, gap, below, 0.0, NULL, 0, &work, &value, &bound, n);
     come_back();
     if (is_raised(status))
         return NULL;
