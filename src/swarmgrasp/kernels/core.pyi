@@ -251,6 +251,12 @@ class Spans:
         Below `enough` any upper bound will do.
         """
 
+    def gains(self, stands: Array, normals: Array, /) -> bytes:
+        """Return what newcomers add along normals (m, 3): (c, m) [N].
+
+        They stand at (c, 2): pieces, and shares of the way along them.
+        """
+
 class Search:
     """A swarm and what a newcomer can do: where it should attach (T9).
 

@@ -44,6 +44,8 @@ Status pool_begin(Pool *pool, const Sets *sets, double strength, double units,
                                 &bound, pool->weakest);
     if (is_fault(status))
         return status;
+    if (!(bound > 0.0))
+        pool->quality = 0.0; /* nothing more is known */
     for (int c = 0; c < 3; c++)
         opposite[c] = -pool->weakest[c];
     status = pool_meet(pool, pool->weakest);

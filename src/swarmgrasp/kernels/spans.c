@@ -100,6 +100,13 @@ Status spans_quality(SpanSearch *s, int piece, double share, double enough, doub
                        normal);
 }
 
+void spans_gains(const SpanSearch *s, int piece, double share, const double *normals, int many,
+                 double *gains) {
+    ForceSet set = at_share(s, piece, share);
+    for (int k = 0; k < many; k++)
+        gains[k] = exert(s->pool.sets->scale, &set, normals + 3 * (ptrdiff_t)k, NULL, NULL, NULL);
+}
+
 /* -- bounds --------------------------------------------------------------------------------------- */
 
 /* Bound a span by chords: find the share at which the least of them is greatest, and the two that meet

@@ -66,4 +66,8 @@ Status spans_solve(SpanSearch *search, const char *chosen, double gap, int asks,
 Status spans_quality(SpanSearch *search, int piece, double share, double enough, double *quality,
                      double *normal);
 
+/* Find what the newcomer at a share of a piece adds along normals (many, 3). */
+void spans_gains(const SpanSearch *search, int piece, double share, const double *normals, int many,
+                 double *gains);
+
 #endif

@@ -253,7 +253,7 @@ class _Placing:
     def placement(self, fraction: float | None, name: str) -> Placement:
         """Answer the problem, with a name for the robot."""
         search, before = self.search, self.search.base
-        if search.aim is not None:
+        if isinstance(search, Search) and search.aim is not None:
             before = search.work.quality(search.aim)
         found = search.solve(self.half)
         winner, after, upper_bound = self.winner(found, name)

@@ -17,7 +17,7 @@ from swarmgrasp.placement.search import WORK, Optimum
 from swarmgrasp.placement.set_search import SetSearch
 from swarmgrasp.placement.ties import SoftMinimum
 from swarmgrasp.swarm import Robot
-from swarmgrasp.swarm.columns import columns_of
+from swarmgrasp.swarm.columns import Columns
 from swarmgrasp.swarm.force_set import force_sets_of
 
 Array = NDArray[np.float64]
@@ -79,16 +79,14 @@ class SpanSearch(SetSearch[core.Spans]):
     """
 
     def __init__(self, problem: Problem, pieces: Pieces) -> None:
-        robots = [robot_on(problem, pieces, k, 0.5) for k in range(len(pieces.each))]
-        limits = np.full(len(robots), problem.certain_limit)
-        elements, counts = force_sets_of(columns_of(robots)._replace(limits=limits), {})
+        elements, counts = force_sets_of(_columns_on(problem, pieces), {})
         ends = np.ascontiguousarray(pieces.rows[:, :4])
         super().__init__(
             problem,
             pieces.rows,
             lambda sets: core.Spans(sets, ends, elements, counts.astype(float), WORK),
         )
-        self._pieces, self._newcomer, self._limit = pieces, problem.newcomer, problem.certain_limit
+        self._pieces, self._limit = pieces, problem.certain_limit
 
     def solve(self, gap: float, chosen: Sequence[int] | None = None) -> SpanOptimum:
         """Find the best robot over all pieces, or over the chosen ones.
@@ -144,27 +142,25 @@ class SpanSearch(SetSearch[core.Spans]):
     def _scores(self, stands: Array) -> Array:
         """Return what the soft minimum makes of stands (c, 2): pieces and shares of the way."""
         least = SoftMinimum(self.aim, self._limit)
-        return least.scores(self._gains(stands, least.normals))
+        gains = np.frombuffer(self._core.gains(stands, least.normals))
+        return least.scores(gains.reshape(len(stands), -1))
 
-    def _gains(self, stands: Array, normals: Array) -> Array:
-        """Return what newcomers at stands (c, 2) add along normals (m, 3): (c, m) [N]."""
-        which, share = stands[:, 0].astype(int), stands[:, 1:]
-        rows = self._pieces.rows[which]
-        arms = rows[:, :2] + share * (rows[:, 2:4] - rows[:, :2])
-        u, v, turn = (normals * self.aim.swarm.scale).T
-        px, py = u - turn * arms[:, 1:], v + turn * arms[:, :1]
-        middle, half = 0.5 * (rows[:, 4:5] + rows[:, 5:6]), 0.5 * (rows[:, 5:6] - rows[:, 4:5])
-        c, s = np.cos(middle), np.sin(middle)
-        ahead, side = px * c + py * s, np.abs(px * s - py * c)
-        limit, friction = self._limit, self._newcomer.friction
-        if friction:
-            return np.asarray(limit * np.maximum(ahead + friction * side, 0.0))
-        turn = np.arctan2(side, ahead)
-        worths = [
-            most * np.maximum(np.cos(np.maximum(off - half, 0.0)), 0.0)
-            for most, off in ((limit, turn), (self._newcomer.reverse_limit, np.pi - turn))
-        ]
-        return np.asarray(np.hypot(px, py) * np.maximum(*worths))
+
+def _columns_on(problem: Problem, pieces: Pieces) -> Columns:
+    """Return newcomers that keep their force sets, one in the middle of each piece."""
+    newcomer, (lo, hi) = problem.newcomer, pieces.rows[:, 4:6].T
+    count, friction = len(lo), newcomer.friction or 0.0
+    half = np.minimum(0.5 * (hi - lo), math.pi)
+    return Columns(
+        0.5 * (pieces.rows[:, :2] + pieces.rows[:, 2:4]) + problem.swarm.outline.origin,
+        0.5 * (lo + hi),
+        np.full(count, problem.certain_limit),
+        np.zeros(count, dtype=bool),
+        np.full(count, newcomer.reverse_limit),
+        half * (friction == 0.0),
+        np.full(count, friction),
+        np.zeros(count),
+    )
 
 
 def robot_on(problem: Problem, pieces: Pieces, index: int, share: float, name: str = "") -> Robot:

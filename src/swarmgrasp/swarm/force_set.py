@@ -18,6 +18,7 @@ from swarmgrasp.swarm.robot import Envelope, Robot
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
+RIGHT = math.pi / 2
 NO_CONE = 1e-12
 """Width of a normal cone [rad] that is none."""
 SAME_DISTANCE = 1e-12
@@ -213,65 +214,82 @@ def lines_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[
     return np.asarray(lines)
 
 
+def _lines(turns: Array, most: Array, least: Array, _: Array) -> Array:
+    """Return the elements (m, 2, 5) of robots that push along a line: its ends."""
+    found = np.empty((len(turns), 2, 5))
+    found[..., 0] = 0.0
+    for k, size in enumerate((most, least)):
+        found[:, k, 1], found[:, k, 2] = size * np.cos(turns), size * np.sin(turns)
+    found[..., 3:] = turns[:, None, None] + np.array([[-RIGHT, RIGHT], [RIGHT, 3.0 * RIGHT]])
+    return found
+
+
+def _rounds(turns: Array, most: Array, _: Array, __: Array) -> Array:
+    """Return the elements (m, 1, 5) of azimuths: a circle."""
+    zero = np.zeros(len(turns))
+    return np.column_stack([most, zero, zero, turns, turns + math.tau])[:, None]
+
+
+def _sectors(turns: Array, most: Array, _: Array, half: Array) -> Array:
+    """Return the elements (m, 3, 5) of robots that steer: an arc, and its ends."""
+    found = np.zeros((len(turns), 3, 5))
+    found[:, 0, 0] = most
+    reach = np.minimum(half + RIGHT, math.pi)
+    cones = ((-half, half), (half, reach), (math.tau - reach, math.tau - half))
+    for k, (start, end) in enumerate(cones):
+        found[:, k, 3], found[:, k, 4] = turns + start, turns + end
+    for k, angle in ((1, turns + half), (2, turns - half)):
+        found[:, k, 1], found[:, k, 2] = most * np.cos(angle), most * np.sin(angle)
+    return found
+
+
+def _backs(turns: Array, _: Array, __: Array, half: Array) -> Array:
+    """Return the last element (m, 1, 5) of robots that steer less than a half turn: nothing."""
+    zero = np.zeros(len(turns))
+    ends = turns + half + RIGHT, turns + 3.0 * RIGHT - half
+    return np.column_stack([zero, zero, zero, *ends])[:, None]
+
+
+def _turned(shape: Sequence[Element], turn: float) -> Array:
+    """Return the elements (m, 5) of a shape, turned."""
+    table = np.array(shape)
+    c, s = math.cos(turn), math.sin(turn)
+    table[:, 1:3] = table[:, 1:3] @ np.array([[c, s], [-s, c]])
+    table[:, 3:] += turn
+    return table
+
+
 def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceSets:
     """Return the force sets of robots, in the object's frame."""
-    n = len(columns.limits)
     steers, reverse = columns.steers, columns.reverse_limits
     odd = (columns.frictions > 0.0) | ((steers > 0.0) & ((reverse > 0.0) | (columns.leasts > 0.0)))
     odd[list(envelopes)] = True
+    lines, rounds = ~odd & (steers == 0.0), ~odd & (steers >= math.pi)
+    sectors = ~(odd | lines | rounds)
+    kinds = (
+        (lines, _lines), (rounds, _rounds), (sectors, _sectors),
+        (sectors & (steers < RIGHT - NO_CONE), _backs),
+    )  # fmt: skip
+    given = columns.directions, columns.limits, least_along(columns), steers
     owner, rows = [], []
-
-    def note(chosen: NDArray[np.bool_], radius: Array, along: Array, lo: Array, hi: Array) -> None:
-        """Note one element for each chosen robot, its point at `along` from the direction."""
-        if not chosen.any():
-            return
-        at = columns.directions[chosen]
-        table = np.zeros((len(at), 5))
-        table[:, 0] = radius
-        table[:, 1], table[:, 2] = along.T
-        table[:, 3], table[:, 4] = at + lo, at + hi
-        owner.append(np.flatnonzero(chosen))
-        rows.append(table)
-
-    def at(chosen: NDArray[np.bool_], turn: Array, size: Array) -> Array:
-        """Return points at a turn from the chosen robots' directions: (m, 2) [N]."""
-        angle = columns.directions[chosen] + turn
-        return np.column_stack([size * np.cos(angle), size * np.sin(angle)])
-
-    zero = np.zeros(1)
-    right = math.pi / 2
-    lines = ~odd & (steers == 0.0)
-    low = least_along(columns)
-    note(lines, zero, at(lines, zero, columns.limits[lines]), -right + zero, right + zero)
-    note(lines, zero, at(lines, zero, low[lines]), right + zero, 3.0 * right + zero)
-    rounds = ~odd & (steers >= math.pi)
-    note(rounds, columns.limits[rounds], np.zeros((1, 2)), zero, math.tau + zero)
-    sectors = ~odd & (steers > 0.0) & ~rounds
-    half, size = steers[sectors], columns.limits[sectors]
-    note(sectors, size, np.zeros((1, 2)), -half, half)
-    reach = np.minimum(half + right, math.pi)
-    note(sectors, zero, at(sectors, half, size), half, reach)
-    note(sectors, zero, at(sectors, -half, size), math.tau - reach, math.tau - half)
-    tips = sectors & (steers < right - NO_CONE)
-    half = steers[tips]
-    note(tips, zero, np.zeros((1, 2)), half + right, 3.0 * right - half)
+    for is_so, elements in kinds:
+        chosen = np.flatnonzero(is_so)
+        if len(chosen):
+            table = elements(*(column[chosen] for column in given))
+            owner.append(np.repeat(chosen, table.shape[1]))
+            rows.append(table.reshape(-1, 5))
     for i in np.flatnonzero(odd).tolist():
         shape = hull_of(envelopes[i]) if i in envelopes else shape_of(
             float(columns.limits[i]), float(reverse[i]), float(steers[i]),
             float(columns.frictions[i]), float(columns.leasts[i]),
         )  # fmt: skip
-        table = np.array(shape)
-        turn = float(columns.directions[i])
-        c, s = math.cos(turn), math.sin(turn)
-        table[:, 1:3] = table[:, 1:3] @ np.array([[c, s], [-s, c]])
-        table[:, 3:] += turn
-        owner.append(np.full(len(table), i))
-        rows.append(table)
+        rows.append(_turned(shape, float(columns.directions[i])))
+        owner.append(np.full(len(rows[-1]), i))
     if not rows:
-        return ForceSets(np.zeros((0, 5)), np.zeros(n, dtype=np.intp))
+        return ForceSets(np.zeros((0, 5)), np.zeros(len(steers), dtype=np.intp))
     owners = np.concatenate(owner)
     order = np.argsort(owners, kind="stable")
-    return ForceSets(np.concatenate(rows)[order], np.bincount(owners, minlength=n))
+    return ForceSets(np.concatenate(rows)[order], np.bincount(owners, minlength=len(steers)))
 
 
 def best_forces(sets: ForceSets, ways: Array) -> Array:

@@ -340,9 +340,46 @@ static PyObject *spans_quality_method(PyObject *object, PyObject *args) {
     return is_raised(status) ? NULL : Py_BuildValue("d(ddd)", quality, n[0], n[1], n[2]);
 }
 
+/* Write what newcomers add along normals, if they stand on pieces; if not, set an exception. */
+static int find_gains(const SpanSearch *s, const Py_buffer *stands, const Py_buffer *normals,
+                      double *gains) {
+    int many = rows_of(normals, 3), count = rows_of(stands, 2);
+    const double *stand = stands->buf;
+    for (int k = 0; k < count; k++, stand += 2, gains += many) {
+        if (!(stand[0] >= 0.0 && stand[0] < s->many && stand[1] >= 0.0 && stand[1] <= 1.0)) {
+            PyErr_SetString(PyExc_ValueError, "pieces and shares of the way are wanted");
+            return 0;
+        }
+        spans_gains(s, (int)stand[0], stand[1], normals->buf, many, gains);
+    }
+    return 1;
+}
+
+/* gains(stands, normals) -> bytes: what newcomers add along normals */
+static PyObject *spans_gains_method(PyObject *object, PyObject *args) {
+    PyObject *array[2], *result = NULL;
+    Py_buffer stands = {0}, normals = {0};
+    if (!PyArg_ParseTuple(args, "OO:gains", array, array + 1))
+        return NULL;
+    if (get_doubles(array[0], &stands, 2) == 0 && get_doubles(array[1], &normals, 3) == 0) {
+        Py_ssize_t size = (Py_ssize_t)rows_of(&stands, 2) * rows_of(&normals, 3);
+        result = PyBytes_FromStringAndSize(NULL, size * (Py_ssize_t)sizeof(double));
+        if (result
+            && !find_gains(&((PoolObject *)object)->spans, &stands, &normals,
+                           (double *)PyBytes_AsString(result)))
+            Py_CLEAR(result);
+    }
+    if (stands.obj)
+        PyBuffer_Release(&stands);
+    if (normals.obj)
+        PyBuffer_Release(&normals);
+    return result;
+}
+
 static PyMethodDef spans_methods[] = {
     {"solve", spans_solve_method, METH_VARARGS, NULL},
     {"quality_at", spans_quality_method, METH_VARARGS, NULL},
+    {"gains", spans_gains_method, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };
 
