@@ -368,7 +368,7 @@ def test_what_is_hostile_is_dropped_and_counted():
     crew.tell("R1", ev.Received("R3", Put(sound)))  # in the name of another
     assert agent.memory.get("R2") == known["R2"]
     crew.tell("R1", ev.Received("R2", Beat("R2", 1 << 50, b"12345678")))
-    assert agent._clock < 1 << 20
+    assert agent.state.clock < 1 << 20
     crew.tell("R1", ev.Received("R2", Put(sound)))
     assert agent.memory.get("R2") == sound
 
