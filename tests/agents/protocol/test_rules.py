@@ -294,7 +294,7 @@ def test_the_robot_whose_move_is_best_asks_by_itself():
                 crew.wait(0.5)
                 crew.attach(name)
     view = crew.agents["R1"].view
-    assert crew.planner.lower(view.rows) > low
+    assert crew.planner.lower(view.holding) > low
     assert place is not None
 
 
@@ -433,7 +433,7 @@ def test_different_newcomers_are_placed_as_what_they_are():
     crew.deliver()
     crew.join("R3", "R1")
     assert crew["R3"].place.steers == pytest.approx(0.2)
-    rows = crew.agents["R1"].view.rows
+    rows = crew.agents["R1"].view.holding
     assert [row.id for row in rows] == ["A1", "A2", "A3", "A4"]
     choice = crew["R1"]
     assert choice.lower > 0.0
@@ -473,7 +473,7 @@ def test_too_few_to_close_the_grasp_are_planned_together():
     for name in asked.names:
         crew.attach(name)
     crew.wait(2.0)
-    rows = crew.agents["R1"].view.rows
+    rows = crew.agents["R1"].view.holding
     assert crew.planner.lower(rows) == pytest.approx(plan.quality, rel=1e-9)
     assert all(crew[name].plan is None for name in crew.agents)
 

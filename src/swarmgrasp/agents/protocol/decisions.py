@@ -120,7 +120,7 @@ class Decisions:
         self.may_loosen = False
         self._blocked.clear()
         self._word.change(phase=Phase.ATTACHED, place=there)
-        lower = self._planner.lower(in_order(self.view.rows, self._planner))
+        lower = self._planner.lower(in_order(self.view.holding, self._planner))
         self._word.change(lower=lower)
         words = f"{self.name} is attached: quality {lower:.4g} N certified"
         self._reports.tell("attached", words)
@@ -152,7 +152,7 @@ class Decisions:
         for record in view.settled:
             if record.phase is Phase.ASKING and record.order < self._word.now.order:
                 return f"{record.id} asked before it"
-        rows = tuple(row for row in in_order(view.rows, self._planner) if row.id != self.name)
+        rows = tuple(row for row in in_order(view.holding, self._planner) if row.id != self.name)
         left = self._planner.lower(rows)
         if left < self._settings.floor:
             return f"quality without it is {left:.4g} N, below {self._settings.floor:.4g} N"
@@ -175,7 +175,7 @@ class Decisions:
             return
         view = self.view
         names = [record.id for record in view.settled]
-        rows = in_order(view.rows, self._planner)
+        rows = in_order(view.holding, self._planner)
         if self._planner.mover(rows, names, self._settings.floor, improve) == self.name:
             self.ask_to_move()
 

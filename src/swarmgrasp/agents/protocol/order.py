@@ -52,9 +52,10 @@ class View:
         )
 
     @property
-    def rows(self) -> Rows:
-        """All robots at their place."""
-        return (*self.fixed, *map(row_of, self.settled))
+    def holding(self) -> Rows:
+        """All robots that hold the object and are counted."""
+        holding = (r for r in self.settled if r.phase >= Phase.ATTACHED)
+        return (*self.fixed, *(row_of(r) for r in holding if r.id not in self.doubted))
 
 
 def view_of(
