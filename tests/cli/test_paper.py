@@ -2,10 +2,10 @@ import sys
 
 import pytest
 
+from swarmgrasp.pages.statements import Statement
+from swarmgrasp.pages.writing import Report
 from swarmgrasp.paper import report
-from swarmgrasp.paper.report import Report
 from swarmgrasp.paper.sizes import FULL, QUICK
-from swarmgrasp.paper.statements import Statement
 
 
 @pytest.fixture

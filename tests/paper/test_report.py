@@ -6,12 +6,13 @@ from html.parser import HTMLParser
 import pytest
 from matplotlib.figure import Figure
 
+from swarmgrasp.pages import writing
+from swarmgrasp.pages.page import Picture
+from swarmgrasp.pages.runner import THREADS, Runner, workers
+from swarmgrasp.pages.statements import Statement
 from swarmgrasp.paper import report, sections
 from swarmgrasp.paper.measured import measure
-from swarmgrasp.paper.page import Picture
-from swarmgrasp.paper.runner import THREADS, Runner, workers
 from swarmgrasp.paper.sizes import FULL, QUICK, Size
-from swarmgrasp.paper.statements import Statement
 from swarmgrasp.paper.studies.gains import gain_of
 
 SMALL = Size("small", 400, 10, (5, 15, 25), (50,), 1, 10, 12, 1000)
@@ -57,13 +58,13 @@ def test_a_report_is_whole_and_refers_to_nothing_else(tmp_path, monkeypatch):
     assert seen[-1] == report.report_steps(TINY)
     assert {path.name for path in written.paths} == {path.name for path in folder.iterdir()}
     assert false in written.failed
-    page = (folder / report.HTML).read_text("utf-8")
+    page = (folder / "paper.html").read_text("utf-8")
     parser = Page()
     parser.feed(page)
     assert parser.open == []
     assert all(source.startswith("data:image/png;base64,") for source in parser.sources)
     assert "not so in this run:</b> Two and two are five &amp; &lt;more&gt;." in page
-    text = (folder / report.MARKDOWN).read_text("utf-8")
+    text = (folder / "paper.md").read_text("utf-8")
     pictures = re.findall(r"\]\(([^)]+)\)", text)
     assert set(pictures) == {path.name for path in written.paths if path.suffix == ".png"}
     assert "✗ not so in this run: Two and two are five & &lt;more>." in text
@@ -71,17 +72,17 @@ def test_a_report_is_whole_and_refers_to_nothing_else(tmp_path, monkeypatch):
 
 def test_nothing_is_left_behind_when_it_fails(tmp_path, monkeypatch):
     """An earlier report stays as it was."""
-    (tmp_path / report.HTML).write_text("an earlier one")
+    (tmp_path / "paper.html").write_text("an earlier one")
 
     def fail(*_):
         raise OSError("the disk is full")
 
     monkeypatch.setattr(report, "sections", lambda _: [Picture("a.png", Figure(), "A")])
-    monkeypatch.setattr(report, "save", fail)
+    monkeypatch.setattr(writing, "save", fail)
     with pytest.raises(OSError, match="the disk is full"):
         report.write_report(tmp_path, TINY, 1, in_processes=False)
-    assert [path.name for path in tmp_path.iterdir()] == [report.HTML]
-    assert (tmp_path / report.HTML).read_text() == "an earlier one"
+    assert [path.name for path in tmp_path.iterdir()] == ["paper.html"]
+    assert (tmp_path / "paper.html").read_text() == "an earlier one"
 
 
 def test_processes_find_the_same(monkeypatch):

@@ -9,6 +9,7 @@ from typing import NoReturn
 from cyclopts import App, CycloptsError
 from cyclopts.help import DefaultFormatter, PanelSpec
 
+from swarmgrasp.cli import agents
 from swarmgrasp.cli.capability import capability
 from swarmgrasp.cli.count import count
 from swarmgrasp.cli.dash import hidden, shown
@@ -70,6 +71,7 @@ def build() -> App:
         # cyclopts would call an argument that may be left out [ARGS]
         usage = "Usage: swarmgrasp examples [OPTIONS] [NAME]" if command is examples else None
         app.command(command, help_epilogue="", usage=usage)
+    app.command(agents.build())
     return app
 
 
@@ -95,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status = build()(given)
         sys.stdout.flush()
     except CycloptsError as error:
-        known = {command.__name__ for command in COMMANDS}
+        known = {"agents", *(command.__name__ for command in COMMANDS)}
         command = next((word for word in given[:1] if word in known), "")
         complain(
             [shown(str(error)), f"For help: swarmgrasp {command + ' ' if command else ''}--help"]

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from functools import cached_property
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement
 from swarmgrasp.paper.published import EXAMPLES, Example
-from swarmgrasp.paper.runner import Runner
 from swarmgrasp.paper.sizes import Size
-from swarmgrasp.paper.statements import Statement
 from swarmgrasp.paper.studies import (
     construction,
     cross_section,

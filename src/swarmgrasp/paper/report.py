@@ -1,43 +1,20 @@
 """The paper made again: a report with its pictures, in a folder."""
 
-import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import nullcontext
-from dataclasses import dataclass
 from pathlib import Path
 
+from swarmgrasp.pages.runner import Runner, workers
+from swarmgrasp.pages.writing import Report, write
 from swarmgrasp.paper.algorithm_1 import local_solver
-from swarmgrasp.paper.measured import Measured, measure
-from swarmgrasp.paper.page import Block, Picture, html_page, markdown
-from swarmgrasp.paper.runner import Runner, workers
+from swarmgrasp.paper.measured import measure
 from swarmgrasp.paper.sections import PICTURES, TITLE, sections
 from swarmgrasp.paper.sizes import FULL, Size
-from swarmgrasp.paper.statements import Statement
-from swarmgrasp.plot import save
 
-MARKDOWN, HTML = "paper.md", "paper.html"
+NAME = "paper"
+"""Of the page's files."""
 PICTURE = 15
 """A picture takes about as long as so many draws."""
-
-
-@dataclass(frozen=True)
-class Report:
-    """What was written, and what it says.
-
-    Attributes
-    ----------
-    paths : tuple of Path
-        The page as HTML, the same as Markdown, and its pictures.
-    statements : tuple of Statement
-    """
-
-    paths: tuple[Path, ...]
-    statements: tuple[Statement, ...]
-
-    @property
-    def failed(self) -> tuple[Statement, ...]:
-        """The statements that do not hold in this run."""
-        return tuple(one for one in self.statements if not one.holds)
 
 
 def report_steps(size: Size) -> int:
@@ -85,27 +62,5 @@ def write_report(
     with workers() if in_processes else nullcontext() as executor:
         runner = Runner(executor, progress)
         found = measure(runner, size, seed)
-    return _write(Path(folder), found, runner)
-
-
-def _write(folder: Path, found: Measured, runner: Runner) -> Report:
-    """Write the report, whole."""
     blocks = sections(found)
-    folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".paper-", dir=folder) as scratch:
-        names = _draft(Path(scratch), blocks, runner)
-        for name in names:
-            (Path(scratch) / name).replace(folder / name)
-    return Report(tuple(folder / name for name in names), tuple(found.every))
-
-
-def _draft(scratch: Path, blocks: Sequence[Block], runner: Runner) -> list[str]:
-    """Write all files to a scratch folder; return their names."""
-    contents = {}
-    for block in blocks:
-        if isinstance(block, Picture):
-            contents[block.name] = save(block.figure, scratch / block.name).read_bytes()
-            runner.advance(PICTURE)
-    (scratch / HTML).write_text(html_page(TITLE, blocks, contents), encoding="utf-8")
-    (scratch / MARKDOWN).write_text(markdown(blocks), encoding="utf-8")
-    return [HTML, MARKDOWN, *contents]
+    return write(Path(folder), NAME, TITLE, blocks, found.every, lambda: runner.advance(PICTURE))

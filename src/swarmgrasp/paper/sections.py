@@ -6,13 +6,13 @@ from datetime import date
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.page import Block, Findings, Heading, Paragraph, Picture, Table
+from swarmgrasp.pages.statements import largest, median, newtons, percent, seconds
 from swarmgrasp.paper import pictures
 from swarmgrasp.paper.draws import BREADTH, FREE, LENGTH, NEWCOMERS, NORMAL, pulling, rectangle
 from swarmgrasp.paper.machine import machine
 from swarmgrasp.paper.measured import Measured
-from swarmgrasp.paper.page import Block, Findings, Heading, Paragraph, Picture, Table
 from swarmgrasp.paper.published import EXAMPLES, MACHINE, ROBOTS_TIMED, TIME_FITS, Example
-from swarmgrasp.paper.statements import largest, median, newtons, percent, seconds
 from swarmgrasp.paper.studies.misprints import ERRATA
 from swarmgrasp.paper.studies.misprints import ROBOTS as MISPRINTED
 from swarmgrasp.paper.studies.misprints import statements as misprint_statements

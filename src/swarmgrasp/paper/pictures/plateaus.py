@@ -5,9 +5,9 @@ from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
+from swarmgrasp.pages.statements import newtons, percent
 from swarmgrasp.paper.draws import FREE, NEWCOMERS, Task, pulling
 from swarmgrasp.paper.pictures.axes import chart
-from swarmgrasp.paper.statements import newtons, percent
 from swarmgrasp.paper.studies.plateaus import EQUAL, landscape
 from swarmgrasp.placement import place
 from swarmgrasp.plot import style

@@ -3,9 +3,9 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from swarmgrasp.pages.statements import seconds, spaced
 from swarmgrasp.paper.pictures.axes import below, chart
 from swarmgrasp.paper.published import MACHINE, ROBOTS_TIMED, TIME_FITS
-from swarmgrasp.paper.statements import seconds, spaced
 from swarmgrasp.paper.studies.speed import Speeds
 from swarmgrasp.plot import style
 

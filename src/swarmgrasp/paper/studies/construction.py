@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from swarmgrasp.pages.statements import Statement, newtons
 from swarmgrasp.paper.draws import NORMAL, Task, problem
-from swarmgrasp.paper.statements import Statement, newtons
 from swarmgrasp.placement import place
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm

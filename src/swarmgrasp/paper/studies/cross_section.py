@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.statements import Statement
 from swarmgrasp.paper.cylinder import Cylinder
 from swarmgrasp.paper.draws import Task, generator, problem
 from swarmgrasp.paper.relaxed import relaxed_optimum
-from swarmgrasp.paper.statements import Statement
 from swarmgrasp.quality import qualities
 from swarmgrasp.quality.weakest import weakest_of
 

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement, median, newtons, percent
 from swarmgrasp.paper.draws import FREE, NEWCOMERS, NORMAL, Task, pulling, tasks
 from swarmgrasp.paper.published import Example
-from swarmgrasp.paper.runner import Runner
 from swarmgrasp.paper.sizes import ROBOTS
-from swarmgrasp.paper.statements import Statement, median, newtons, percent
 from swarmgrasp.placement import place
 
 Array = NDArray[np.float64]

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from swarmgrasp.outline import Outline
+from swarmgrasp.pages.statements import Statement, listed, newtons, percent
 from swarmgrasp.paper.draws import FREE, NEWCOMERS, NORMAL, generator, pulling, rectangle
-from swarmgrasp.paper.statements import Statement, listed, newtons, percent
 from swarmgrasp.paper.studies.gains import Gains
 from swarmgrasp.placement import Problem, place, place_sequence
 from swarmgrasp.swarm import Newcomer, Robot, Swarm

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement, largest, newtons, percent
 from swarmgrasp.paper.algorithm_1 import MOST_QUERIES, Printed, algorithm_1
 from swarmgrasp.paper.draws import FREE, Task, problem, tasks
 from swarmgrasp.paper.relaxed import relaxed_optimum
-from swarmgrasp.paper.runner import Runner
-from swarmgrasp.paper.statements import Statement, largest, newtons, percent
 from swarmgrasp.placement import place
 from swarmgrasp.quality import quality
 from swarmgrasp.quality.weakest import weakest_of

@@ -7,10 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement, largest, median, percent
 from swarmgrasp.paper.draws import FREE, NEWCOMERS, NORMAL, Task, pulling, tasks
-from swarmgrasp.paper.runner import Runner
 from swarmgrasp.paper.sizes import ROBOTS
-from swarmgrasp.paper.statements import Statement, largest, median, percent
 from swarmgrasp.placement import place, qualities_with
 from swarmgrasp.swarm import Swarm
 

@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement, largest, listed, median, newtons, percent
 from swarmgrasp.paper.algorithm_1 import algorithm_1
 from swarmgrasp.paper.draws import FREE, NEWCOMERS, NORMAL, Task, pulling, tasks
 from swarmgrasp.paper.relaxed import relaxed_optimum
-from swarmgrasp.paper.runner import Runner
 from swarmgrasp.paper.sizes import ROBOTS
-from swarmgrasp.paper.statements import Statement, largest, listed, median, newtons, percent
 from swarmgrasp.placement import Problem, place
 from swarmgrasp.quality import quality
 

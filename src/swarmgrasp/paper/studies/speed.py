@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.pages.runner import Runner
+from swarmgrasp.pages.statements import Statement, seconds, spaced
 from swarmgrasp.paper.algorithm_1 import algorithm_1
 from swarmgrasp.paper.all_pairs import facets
 from swarmgrasp.paper.draws import FREE, Task, problem, tasks
 from swarmgrasp.paper.published import EXAMPLES, TIME_FITS
-from swarmgrasp.paper.runner import Runner
-from swarmgrasp.paper.statements import Statement, seconds, spaced
 from swarmgrasp.placement import place
 
 Array = NDArray[np.float64]

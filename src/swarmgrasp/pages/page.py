@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from matplotlib.figure import Figure
 
-from swarmgrasp.paper.statements import Statement
+from swarmgrasp.pages.statements import Statement
 
 HOLDS, FAILS = "✓", "✗ not so in this run:"
 STYLE = """

@@ -1,0 +1,16 @@
+"""`swarmgrasp agents`: what is done with many robots that decide for themselves."""
+
+from cyclopts import App
+
+from swarmgrasp.cli.agents.curve import curve
+
+COMMANDS = (curve,)
+HELP = "Study swarms of robots that decide for themselves."
+
+
+def build() -> App:
+    """Return the commands about many robots, as one."""
+    app = App(name="agents", help=HELP, help_epilogue="")
+    for command in COMMANDS:
+        app.command(command, help_epilogue="")
+    return app
