@@ -46,15 +46,14 @@ def test_the_outcome_stands_below_the_title(barge):
     assert "Load on the object" in said((50e3, 0.0, 0.0), load=(0.0, 1e3, 0.0))
 
 
-def test_halves_of_a_thruster_share_a_label():
-    """That which does more is told."""
+def test_every_robot_has_a_label_of_its_own():
+    """Also two at one contact, whatever they are called; a thruster that reverses is one robot."""
     hull = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
-    halves = [("bow +", (1, 0), 0.5), ("bow -", (1, 0), -0.5), ("aft +", (-1, 0), 0.5)]
-    halves += [("aft -", (-1, 0), -0.5)]
-    crew = [Robot(c, math.pi * a, name=n, mounted=True) for n, c, a in halves]
-    figure = forces_plan(forces(Swarm(hull, crew), (0.0, 1.0, 0.0)))
+    crew = [Robot((1, 0), math.pi * a, name=n, mounted=True) for n, a in (("x +", 0), ("x -", 1))]
+    crew += [Robot((-1, 0), math.pi / 2, name="aft", mounted=True, reverse_limit=1.0)]
+    figure = forces_plan(forces(Swarm(hull, crew), (0.5, 0.0, 0.0)))
     texts = {text.get_text() for text in by_gid(figure, "robot-label")}
-    assert texts == {"bow: 50 %", "aft: 50 %"}
+    assert texts == {"x +: 50 %", "x -: 0 %", "aft: 0 %"}
 
 
 def test_all_forces_of_a_tug_are_an_area():

@@ -149,31 +149,18 @@ def _draw_wrench(page: Page, found: Forces) -> None:
 
 
 def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
-    """Write the name and the share of every robot, unless there are too many.
-
-    Of the two halves of a thruster that pushes either way, "bow +" and "bow -" at one contact,
-    that which does more is told, as "bow".
-    """
+    """Write the name and the share of every robot, unless there are too many."""
     robots = arrows.robots
     if len(robots) > MOST_LABELS:
         return
     size = 8.0 if len(robots) <= FEW else 7.0
     hardest, pushing = _hardest(found), _is_pushing(found)
-    names = {(robot.name, robot.contact) for robot in robots}
-    done = set()
     for index in np.argsort(-found.shares, kind="stable").tolist():
         robot, share = robots[index], float(found.shares[index])
-        name = robot.name
-        stem = name.removesuffix(" +").removesuffix(" -")
-        if all((f"{stem} {sign}", robot.contact) in names for sign in "+-"):
-            name = stem
-            if (stem, robot.contact) in done:
-                continue
-            done.add((stem, robot.contact))
         spots, bearing = outer_spots(arrows, robot)
         colour = style.VERMILION if hardest[index] else style.BLUE
         colour = colour if pushing[index] else style.GREY
-        text = f"{name}: {_percent(share)}"
+        text = f"{robot.name}: {_percent(share)}"
         page.label(text, spots, bearing, fontsize=size, color=colour, gid="robot-label")
 
 
