@@ -417,3 +417,19 @@ def test_many_newcomers_beside_robots_that_steer():
         assert found[k] == pytest.approx(
             quality(swarm.with_robot(robot)).value, rel=1e-7, abs=1e-11
         )
+
+
+def test_no_normal_travels_from_one_failure_to_another():
+    """After the worse of two failures H is not convex: a bound by turning normals is too low."""
+    crew = [
+        Robot((-2.0, -0.67), 1.42, 1.05, "N0"),
+        Robot((2.0, -0.87), 2.85, 1.06, "N1", steers=math.pi),
+        Robot((0.41, 1.0), -2.7, 0.83, "N2", reverse_limit=0.83),
+        Robot((2.0, 0.16), 1.69, 1.39, "N3", steers=0.98),
+    ]
+    answer = place(
+        Swarm(RECTANGLE, crew), Newcomer(2.0, steers=True), failures=[("N0",), ("N2",)]
+    )
+    assert answer.quality == pytest.approx(1.649131, abs=1e-5)  # 1.584808 was said to be the most
+    verdict = answer.verify()
+    assert verdict, verdict.faults

@@ -352,7 +352,8 @@ def test_a_forgery_is_refused_by_more_than_its_digest(document, spoil):
 )
 def test_no_giant_lends_a_claim_its_rounding(document, giant, claimed):
     """Beside a robot that is much stronger a claim is refused, or said not to be checked."""
-    asked(document)["swarm"]["robots"].append({**asked(document)["swarm"]["robots"][0], **giant})
+    robots = asked(document)["swarm"]["robots"]
+    robots.append({**robots[0], "name": "Goliath", **giant})
     claim = first(document)
     claim.update(runners_up=[], improves=False)
     claim.update(quality_before=claimed, quality=claimed, upper_bound=claimed)

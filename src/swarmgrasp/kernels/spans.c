@@ -41,7 +41,8 @@ static Status meet_poles(SpanSearch *s, int piece, double share) {
 Status spans_begin(SpanSearch *s, const Sets *sets, const double *ends, int many,
                    const double *rows, const double *counts, double units,
                    int (*interrupted)(void)) {
-    *s = (SpanSearch){.ends = ends, .many = many, .may_travel = sets->losing == 0};
+    *s = (SpanSearch){.ends = ends, .many = many,
+                      .may_travel = sets->losing == 0 && sets->failures <= 1};
     int elements = 0;
     for (int k = 0; k < many; k++)
         elements += (int)counts[k];

@@ -83,15 +83,15 @@ class Boundary:
         Returns
         -------
         (m, 2) [m, m]
-            The two ends of the stretch, and the corners on it.
+            The two ends of the stretch, and the corners on it between them, in order.
         """
         k = int(np.argmin(self._distances(point)))
         here = self.arcs[k] + self.lengths[k] * share_along(point, *self.edge(k))
-        if last - first >= self.perimeter:
-            return np.vstack([self._at(here), self.corners])
+        width = min(last - first, self.perimeter)
         past = (self.arcs[:-1] - here - first) % self.perimeter
-        ends = [self._at(here + first), self._at(here + last)]
-        return np.vstack([*ends, self.corners[past <= last - first]])
+        order = np.argsort(past, kind="stable")
+        between = self.corners[order[past[order] <= width]]
+        return np.vstack([self._at(here + first), between, self._at(here + first + width)])
 
     def _at(self, arc: float) -> Array:
         """Return the point (2,) [m, m] at an arc length, on any lap."""

@@ -13,7 +13,8 @@ gives
 
     (t - L) c <= (t - L) d . n <= sum mu_i (h(N_i) - L d . N_i),   c = min d . N_i > 0.
 
-After losses h is what robots exert without some that may be lost: H is no more, and h is convex.
+After failures and losses h is what robots exert without those that one failure takes, and some that
+may be lost beside: H is no more, and h is convex.
 
 So any convex combination of these bounds t: by its greatest right side over the six, if that is
 above L.
@@ -177,14 +178,18 @@ class Boxes:
     def _without(self, gone: tuple[str, ...]) -> Team | None:
         """Return the robots without the machines of some; None if that bounds nothing.
 
-        For some machine is not known, or they are more than may be lost, or H is not convex.
+        For some robot is not known, or they are more than may fail and be lost, or poses are not
+        known.
         """
-        known = {robot.name for robot in self._robots}
-        machines = {robot.group or f" {robot.name}" for robot in self._robots if robot.name in gone}
-        if self._team.spread or not known.issuperset(gone) or len(machines) > self._judge.losing:
+        machines = {r.name: r.group or (r.name,) for r in self._robots}
+        if not self._team.is_sure or not machines.keys() >= set(gone):
             return None
-        kept = [r for r in self._robots if (r.group or f" {r.name}") not in machines]
-        return self._judge.team(kept)
+        for failing in self._judge.failures or (frozenset[str](),):
+            lost = {machines[name] for name in gone if name not in failing}
+            away = failing.union(name for name, machine in machines.items() if machine in lost)
+            if len(lost) <= self._judge.losing and away.issuperset(failing.union(gone)):
+                return self._judge.team(r for r in self._robots if r.name not in away)
+        return None
 
     def cover(self, piece: Piece, sliver: float) -> bool:
         """Tell whether the boxes cover a piece, but for what is no more than rounding.

@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections import Counter
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
@@ -73,6 +74,11 @@ class RobotClaim(_Form):
     least: Size
     envelope: list[Point] | None
     group: str
+
+    @property
+    def is_line(self) -> bool:
+        """Whether it pushes along one line, one way or both."""
+        return not (self.steers or self.friction or self.least or self.envelope)
 
     @model_validator(mode="after")
     def check_mounted(self) -> Self:
@@ -148,8 +154,7 @@ class CriterionClaim(_Form):
     worst_case: bool
     load: Wrench
     task: TaskClaim | None
-    failures: list[list[str]] = Field(max_length=0)
-    """Named failures are not checked: an answer with any is refused."""
+    failures: list[Annotated[list[str], Field(min_length=1)]]
 
 
 class RunnerUpClaim(_Form):
@@ -250,6 +255,20 @@ class SwarmClaim(_Form):
             raise ValueError(f"weights and length should be at least {SMALLEST:g}")
         return self
 
+    @model_validator(mode="after")
+    def check_names(self) -> Self:
+        """Refuse a name that several robots have: losses and failures are told by names."""
+        names = Counter(robot.name for robot in self.robots)
+        for name, uses in names.items():
+            if uses > 1:
+                raise ValueError(f"{uses} robots are called {name!r}")
+        return self
+
+    def called(self, name: str) -> frozenset[str]:
+        """Return the names of the robots of a group, or else that of a robot; none of no name."""
+        group = frozenset(robot.name for robot in self.robots if name and robot.group == name)
+        return group or frozenset(robot.name for robot in self.robots if robot.name == name)
+
 
 class ProblemClaim(_Form):
     """The question: where a newcomer goes."""
@@ -260,6 +279,17 @@ class ProblemClaim(_Form):
     no_go: list[StretchClaim]
     spacing: Size
     criterion: CriterionClaim
+
+    @model_validator(mode="after")
+    def check_failures(self) -> Self:
+        """Refuse a failure that takes somebody unknown."""
+        for k, failure in enumerate(self.criterion.failures):
+            for name in failure:
+                if not self.swarm.called(name):
+                    raise ValueError(
+                        f"criterion.failures.{k} takes {name!r}, which is no robot and no group"
+                    )
+        return self
 
     @model_validator(mode="after")
     def check_stretches(self) -> Self:

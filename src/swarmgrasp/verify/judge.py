@@ -1,8 +1,8 @@
 """What a criterion makes of robots, written anew and apart from the search (T14, T15, T16).
 
-H(n) adds up what each robot certainly contributes along a normal n, without the largest
-contributions that may be lost, and the load's part. D(n) is what the task asks there. The value
-is the least H / D, and 0 if the load is not held.
+H(n) adds up what each robot certainly contributes along a normal n, after the worst of the
+failures, without the largest contributions that may be lost, and the load's part. D(n) is what the
+task asks there. The value is the least H / D, and 0 if the load is not held.
 """
 
 from collections.abc import Iterable, Iterator
@@ -67,12 +67,17 @@ class Judge:
     load : (3,) [N]
     unit : float
         The task's size [N], or 1: qualities are forces divided by it.
+    failures : tuple of frozenset of str
+        The robots that each takes, by name.
     """
 
     def __init__(
         self, boundary: Boundary, swarm: "SwarmClaim", criterion: "CriterionClaim"
     ) -> None:
         self._boundary, self._criterion = boundary, criterion
+        self.failures = tuple(
+            frozenset[str]().union(*map(swarm.called, failure)) for failure in criterion.failures
+        )
         a1, a2 = swarm.force_weights
         self.scale = np.array([a1**0.5, a2**0.5, 1.0 / swarm.characteristic_length])
         self.load = np.array(criterion.load) * self.scale
@@ -87,11 +92,13 @@ class Judge:
     def is_plain(self) -> bool:
         """Whether H is the support function itself and D is 1."""
         asked = self._criterion
-        return asked.losing == 0 and asked.task is None and not self.load.any()
+        is_whole = asked.losing == 0 and not self.failures
+        return is_whole and asked.task is None and not self.load.any()
 
     def team(self, robots: "Iterable[RobotClaim]") -> Team:
         """Return robots by what they contribute."""
-        return team_of(robots, self._boundary, self.scale, self._criterion.worst_case)
+        worst_case = self._criterion.worst_case
+        return team_of(robots, self._boundary, self.scale, worst_case, self.failures)
 
     def extents(self, normals: Array, more: float = 0.0) -> Array:
         """Return D (m,) at unit normals (m, 3), with so much more of the terms it adds up."""
@@ -121,8 +128,8 @@ class Judge:
         return np.asarray(np.nan_to_num(found, posinf=0.0, neginf=0.0))
 
     def is_convex(self, team: Team) -> bool:
-        """Tell whether H is known to be convex: without losses and uncertain poses."""
-        return self._criterion.losing == 0 and not team.spread
+        """Tell whether H is known to be convex: of known poses, of one way that robots are lost."""
+        return self._criterion.losing == 0 and len(self.failures) < 2 and team.is_sure
 
     @property
     def losing(self) -> int:
@@ -142,12 +149,19 @@ class Judge:
 
     def _summed(self, team: Team, normals: Array) -> tuple[Array, Array]:
         """Return H and what no newcomer lifts it beyond, at unit normals."""
-        terms, lost = team.exerted(normals), self._criterion.losing
+        exerted = team.exerted(normals)
+        parts = [self._after(team.by_machine(exerted * left)) for left in team.left]
+        height, cap = (np.min(part, axis=0) for part in zip(*parts, strict=True))
         held = normals @ self.load
+        return held + height, held + cap
+
+    def _after(self, terms: Array) -> tuple[Array, Array]:
+        """Return the same without the load, of what each machine exerts (m, k) [N]."""
+        lost = self._criterion.losing
         if lost == 0:
-            return held + terms.sum(axis=1), np.full(len(normals), np.inf)
+            return terms.sum(axis=1), np.full(len(terms), np.inf)
         kept = terms.shape[1] - lost
-        held = held + np.minimum(terms, 0.0).sum(axis=1)  # what robots always exert is not lost
+        held = np.minimum(terms, 0.0).sum(axis=1)  # what robots always exert is not lost
         terms = np.maximum(terms, 0.0)
         if kept < 0:
             return held, held
@@ -172,7 +186,7 @@ class Judge:
                 return low, most
         known = np.concatenate([normals, -normals, spiral(AROUND)])
         most, at = self.weakest(self.held(team, known), known, self.size(team))
-        falls = bool(team.spread) and not team.round and len(team) <= MOST_DESCENDED
+        falls = not (team.is_sure or team.round) and len(team) <= MOST_DESCENDED
         while falls and most > 0.0:
             _, least, place = self.listed(team.worst(at))
             falls = least < most * (1.0 - PARALLEL)
@@ -182,7 +196,7 @@ class Judge:
             near /= np.linalg.norm(near, axis=1)[:, None]
             least, place = self.weakest(self.held(team, near), near, self.size(team))
             most, at = (least, place) if least < most else (most, at)
-        if team.round and not team.spread:
+        if team.round and team.is_sure:
             return self._proven(team, most)
         return 0.0, max(most, 0.0)
 
@@ -191,33 +205,38 @@ class Judge:
 
         On a triangle with corners v_j and n = sum l_j v_j, l_j >= 0, H(n) is at least W . n, W the
         best wrenches in its middle, less what is lost, a convex function as D is: so H >= t D
-        holds on the triangle if this does at the corners. Otherwise the longest edge is cut.
+        holds on the triangle if this does at the corners, after each failure. Otherwise the longest
+        edge is cut.
         """
         signs = np.array(np.meshgrid(*[(1.0, -1.0)] * 3)).reshape(3, -1).T
         cells, seen, size = signs[:, :, None] * np.eye(3), 0, self.size(team)
         while len(cells) and most > ABSOLUTE * size:
             seen += len(cells)
-            if seen * (len(team) + BESIDES) > MOST_TERMS:
+            if seen * (len(team) + BESIDES) * len(team.left) > MOST_TERMS:
                 return 0.0, most
             middles = cells.sum(axis=1)
             middles /= np.linalg.norm(middles, axis=1)[:, None]
             corners = cells.reshape(-1, 3)
-            least = np.einsum("ck,cjk->cj", self.load + team.best(middles), cells)
-            least -= self._lost(team, corners).reshape(-1, 3) + ROUNDED * size
-            wanted = (1.0 - PROVEN) * most * self.extents(corners).reshape(-1, 3)
-            is_short = (least < wanted).any(axis=1)
+            wanted = (1.0 - PROVEN) * most * self.extents(corners).reshape(-1, 3) + ROUNDED * size
+            is_short = np.zeros(len(cells), dtype=bool)
+            for left in team.left:
+                made = self.load + team.best(middles, left)
+                least = np.einsum("ck,cjk->cj", made, cells)
+                least -= self._lost(team, corners, left).reshape(-1, 3)
+                is_short |= (least < wanted).any(axis=1)
             cells, middles = cells[is_short], middles[is_short]
             if len(cells):
                 most = min(most, self.weakest(self.held(team, middles), middles, size)[0])
                 cells = _halves(cells)
         return 0.0 if len(cells) else (1.0 - PROVEN) * most, max(most, 0.0)
 
-    def _lost(self, team: Team, normals: Array) -> Array:
-        """Return what may be lost at most along unit normals (m, 3): (m,) [N]."""
+    def _lost(self, team: Team, normals: Array, left: NDArray[np.bool_]) -> Array:
+        """Return what those left may lose at most along unit normals (m, 3): (m,) [N]."""
         lost = self._criterion.losing
         if lost == 0:
             return np.zeros(len(normals))
-        terms = np.sort(np.maximum(team.exerted(normals), 0.0), axis=1)
+        terms = team.by_machine(team.exerted(normals) * left)
+        terms = np.sort(np.maximum(terms, 0.0), axis=1)
         return np.asarray(terms[:, -lost:].sum(axis=1))
 
     def listed(self, team: Team) -> tuple[float, float, Array]:
@@ -248,8 +267,8 @@ class Judge:
         """Tell at which unit normals (m, 3) H / D may be below a value: a quick first look."""
         products = normals @ team.known.T
         np.abs(products, out=products)
-        held = normals @ (self.load + 0.5 * team.known.sum(axis=0))
-        least = held + 0.5 * products.sum(axis=1)
+        pushing = 0.5 * (normals @ (team.left @ team.known).T + products @ team.left.T)
+        least = normals @ self.load + pushing.min(axis=1)
         if self._criterion.losing:
             most = team.by_machine(products).max(axis=1, initial=0.0)
             least -= float(self._criterion.losing) * most

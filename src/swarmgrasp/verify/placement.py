@@ -225,7 +225,7 @@ class _Check:
         most, count = (MOST_SWEPT if plain else MOST_LISTED), len(self.base) + 1
         if self.is_open:
             yield "the qualities of robots that are no rays are bounded from above only"
-        elif self.base.spread or self.is_tolerant:
+        elif not self.base.is_sure or self.is_tolerant:
             yield "the worst of the uncertain poses is bounded from above, not recomputed"
         elif count > most:
             how = "" if plain else ", by this criterion,"
@@ -236,14 +236,16 @@ class _Check:
     def slack(self, value: float) -> float:
         """Return the difference that counts as rounding at a value."""
         is_round = bool(self.base.round) or self.keeps
-        if self.base.spread or self.is_tolerant or is_round:
+        if not self.base.is_sure or self.is_tolerant or is_round:
             return CERTIFIED * value + self.rounding + (SETTLED * self.size if is_round else 0.0)
         return RELATIVE * value + self.rounding
 
     def differs(self, what: str, claimed: float, team: Team) -> Iterator[str]:
         """Yield a fault if a claimed quality is not the one found."""
         least, most = self.judge.value(team, self.normals)
-        self.is_open |= bool(team.round) and least == 0.0 and most > 2.0 * self.zero
+        self.is_open |= (
+            bool(team.round) and team.is_sure and least == 0.0 and most > 2.0 * self.zero
+        )
         if claimed == 0.0 and least <= 2.0 * self.zero:
             return
         if not least - self.slack(least) <= claimed <= most + self.slack(most):
@@ -256,6 +258,8 @@ class _Check:
     def robot_faults(self, what: str, claim: "PlacementClaim | RunnerUpClaim") -> Iterator[str]:
         """Yield what is wrong with a robot said to be allowed and to reach a quality."""
         robot, newcomer = claim.robot, self.asked.newcomer
+        if any(robot.name == other.name for other in self.present):
+            yield f"{what} is called {robot.name!r}, as another is"
         if robot.limit != newcomer.limit:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
         if robot.reverse_limit != newcomer.reverse_limit:

@@ -88,7 +88,9 @@ class Spans:
             return math.inf, math.inf
         height, cap, extent = self._judge.held(self._team, normals)
         arcs = kept_arcs(self._newcomer, self._limit, lo, hi)
-        gains = np.array([Forces(arm, arcs).along(normals * self._judge.scale) for arm in arms])
+        gains = np.array(
+            [Forces(arm[None], arcs).along(normals * self._judge.scale) for arm in arms]
+        )
         least = float(extent.min())
         if least == 0.0:  # it bounds nothing, unless a load is not held
             unheld = (height + gains).max(axis=0) < -self._rounding
