@@ -1,7 +1,8 @@
 """Capability: the largest wind a swarm can hold the object against, at every bearing."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from swarmgrasp.quality import Criterion, Polytope, quality
 from swarmgrasp.ranges import WEAKEST, array_of, kind_faults, shown
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import swarm_faults
+from swarmgrasp.words import machine_words
 
 HELD = 1e-9
 """Share of a current by which it may fail to be held, for rounding."""
@@ -35,16 +37,18 @@ class Capability(Frozen, Answer):
     bearings : (m,) [rad]
         Where the wind comes from, clockwise from the bow.
     losing : int
-        How many robots are lost.
+        How many robots, or groups, are lost.
     worst_case : bool
         Whether the robots are in the worst poses that their tolerances allow.
+    failures : tuple of tuple of str
+        The worst of them happens before any loss, as in a `Criterion`.
     intact, after_loss : (m,) [m/s]
-        Largest wind speeds that all robots, and those left after the worst loss, can hold
+        Largest wind speeds that all robots, and those left after the worst failure and loss, hold
         beside the current; 0 where they hold none, or not even the current.
     holds_current, holds_current_after_loss : (m,) of bool
         Whether they hold the current alone.
     worst_losses : tuple of tuple of str
-        For each bearing, names of the robots whose loss leaves the least.
+        For each bearing, names of the robots and groups whose failure and loss leave the least.
     directions : (m, 3)
         For each bearing, the unit wrench in the metric's coordinates along which all robots
         together can give no more: what the largest wind needs.
@@ -55,6 +59,7 @@ class Capability(Frozen, Answer):
     bearings: NDArray[np.float64]
     losing: int
     worst_case: bool
+    failures: tuple[tuple[str, ...], ...]
     intact: NDArray[np.float64]
     after_loss: NDArray[np.float64]
     holds_current: NDArray[np.bool_]
@@ -67,7 +72,7 @@ class Capability(Frozen, Answer):
     def to_data(self) -> dict[str, Any]:
         """Return question and answer as plain data; losses by the names of robots and groups."""
         told = picked(
-            self, "swarm", "environment", "losing", "worst_case", "bearings", "intact",
+            self, "swarm", "environment", "losing", "worst_case", "failures", "bearings", "intact",
             "after_loss", "holds_current", "holds_current_after_loss", "directions",
         )  # fmt: skip
         return {**told, "worst_losses": list(map(list, self.worst_losses))}
@@ -75,12 +80,16 @@ class Capability(Frozen, Answer):
     @property
     def loss_words(self) -> str:
         """What is lost, such as "one robot"; a group counts as one."""
-        kind = "robot or group" if self.swarm.rare.groups else "robot"
-        plural = kind.replace("robot", "robots").replace("group", "groups")
-        return f"one {kind}" if self.losing == 1 else f"{self.losing} {plural}"
+        kind = machine_words(self.losing, bool(self.swarm.rare.groups))
+        return f"{'one' if self.losing == 1 else self.losing} {kind}"
+
+    @property
+    def less_by(self) -> str:
+        """By what the robots are fewer: "failure", which robots may be lost beside, or "loss"."""
+        return "failure" if self.failures else "loss"
 
     def lost_words(self, index: int, most: int = 2) -> str:
-        """Return the names of robots and groups whose loss is worst at a bearing, in a sentence.
+        """Return the names of robots and groups that are gone at worst at a bearing, in a sentence.
 
         Parameters
         ----------
@@ -116,13 +125,14 @@ def capability(
     bearings: ArrayLike | None = None,
     losing: int = 1,
     worst_case: bool = False,
+    failures: Sequence[Sequence[str]] = (),
 ) -> Capability:
     """Find the largest wind a swarm can hold the object against, at every bearing.
 
     A wind of speed V from a bearing exerts w_c + V^2 w_w with the current; the robots hold it
     when the opposite wrench is in their wrench set. The largest V^2 is their exact quality for
     the task of the one wrench -w_w beside the load w_c (T16), and after the worst loss of k
-    robots (T15).
+    robots (T15), and of named failures (T25).
 
     Parameters
     ----------
@@ -135,6 +145,8 @@ def capability(
         How many robots, or groups of robots, are lost, the worst ones at each bearing.
     worst_case : bool
         In the worst poses that the robots' tolerances allow (T14).
+    failures : sequence of sequence of str
+        The worst of them happens before any loss: each takes robots and groups, by name.
 
     Returns
     -------
@@ -145,7 +157,7 @@ def capability(
     EnvironmentInvalid
         If the environment is none, or a bearing is no finite number.
     CriterionInvalid
-        If the number of robots lost is negative.
+        If the number of robots lost is negative, or a failure takes nobody.
     SwarmInvalid
         If the swarm is no `Swarm`.
 
@@ -171,17 +183,19 @@ def capability(
     else:
         faults += [fault for b in wanted.tolist() for fault in BEARING.faults("bearing", b)]
     refuse((SwarmInvalid, swarm_faults(swarm)), (EnvironmentInvalid, faults))
-    Criterion(losing=losing, worst_case=worst_case)
+    whole = Criterion(worst_case=worst_case)
+    less = Criterion(losing=losing, worst_case=worst_case, failures=failures)  # type: ignore[arg-type]
     currents = environment.current_load(swarm.outline, wanted)
     winds = environment.wind_load(swarm.outline, wanted, 1.0)
-    held = _largest(swarm, currents, winds, 0, worst_case)
-    left = _largest(swarm, currents, winds, losing, worst_case)
+    held = _largest(swarm, currents, winds, whole)
+    left = _largest(swarm, currents, winds, less)
     return Capability(
         swarm=swarm,
         environment=environment,
         bearings=wanted,
-        losing=losing,
-        worst_case=worst_case,
+        losing=less.losing,
+        worst_case=less.worst_case,
+        failures=less.failures,
         intact=np.array([at.speed for at in held]),
         after_loss=np.array([at.speed for at in left]),
         holds_current=np.array([at.holds_current for at in held]) > 0.0,
@@ -207,30 +221,23 @@ def _largest(
     swarm: Swarm,
     currents: NDArray[np.float64],
     winds: NDArray[np.float64],
-    losing: int,
-    worst_case: bool,
+    asked: Criterion,
 ) -> list[_Held]:
     """Find the largest winds held beside currents (m, 3), given the loads (m, 3) of 1 m/s."""
     held = []
     for current, wind in zip(currents, winds, strict=True):
         x, y, turn = current.tolist()
-        found = quality(
-            swarm,
-            losing=losing,
-            worst_case=worst_case,
-            load=(x, y, turn),
-            task=Polytope([-wind]),
-        )
+        terms = replace(asked, load=(x, y, turn), task=Polytope([-wind])).terms
+        found = quality(swarm, **terms)
         speed = math.sqrt(max(0.0, found.value))
-        holds = speed > 0.0 or _holds(swarm, current, losing, worst_case)
-        held.append(_Held(speed, holds, found.direction, found.lost))
+        holds = speed > 0.0 or _holds(swarm, current, asked)
+        held.append(_Held(speed, holds, found.direction, (*found.failure, *found.lost)))
     return held
 
 
-def _holds(swarm: Swarm, current: NDArray[np.float64], losing: int, worst_case: bool) -> bool:
+def _holds(swarm: Swarm, current: NDArray[np.float64], asked: Criterion) -> bool:
     """Tell whether a current (3,) alone is held."""
     if np.abs(current).max() <= WEAKEST:
         return True
-    all_of_it = Polytope([-current])
-    found = quality(swarm, losing=losing, worst_case=worst_case, task=all_of_it)
+    found = quality(swarm, **replace(asked, task=Polytope([-current])).terms)
     return found.value >= 1.0 - HELD

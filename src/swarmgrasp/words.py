@@ -72,6 +72,18 @@ def wrench_words(direction: ArrayLike) -> str:
     return " while ".join(said)
 
 
+def machine_words(count: int, has_groups: bool) -> str:
+    """Return what so many of that which fails at once are called: groups, too, if there are any.
+
+    Examples
+    --------
+    >>> machine_words(1, False), machine_words(2, True)
+    ('robot', 'robots or groups')
+    """
+    kinds = ("robot", "group")[: 1 + has_groups]
+    return " or ".join(kind + "s" * (count != 1) for kind in kinds)
+
+
 def list_words(names: Sequence[str]) -> str:
     """Join names as in a sentence.
 

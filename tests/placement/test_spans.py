@@ -427,9 +427,7 @@ def test_no_normal_travels_from_one_failure_to_another():
         Robot((0.41, 1.0), -2.7, 0.83, "N2", reverse_limit=0.83),
         Robot((2.0, 0.16), 1.69, 1.39, "N3", steers=0.98),
     ]
-    answer = place(
-        Swarm(RECTANGLE, crew), Newcomer(2.0, steers=True), failures=[("N0",), ("N2",)]
-    )
+    answer = place(Swarm(RECTANGLE, crew), Newcomer(2.0, steers=True), failures=[("N0",), ("N2",)])
     assert answer.quality == pytest.approx(1.649131, abs=1e-5)  # 1.584808 was said to be the most
     verdict = answer.verify()
     assert verdict, verdict.faults

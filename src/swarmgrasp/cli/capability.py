@@ -28,6 +28,7 @@ def capability(
     /,
     *,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     step: float | None = None,
     current: Annotated[float | None, Parameter(metavar="KNOTS")] = None,
@@ -49,7 +50,12 @@ def capability(
         supply-vessel. Its newcomer is left out. Or an answer of this command, whose options hold
         unless given anew.
     losing
-        How many robots are lost, the worst ones at each bearing; at least 1, the default.
+        How many robots, or groups, are lost, the worst ones at each bearing; at least 1, the
+        default without failures.
+    failures
+        After the worst of these failures, before any loss: a robot or a group by name, or several
+        that fail together, with commas. Give it once for each: --failures "bus A" --failures
+        Ajax,Boreas. Instead of those in the file. No robot is lost besides unless --losing says so.
     worst_case
         In the worst poses that the robots' tolerances allow.
     step
@@ -66,7 +72,7 @@ def capability(
     faults = _number_faults(losing, step, current) + json_faults(json)
     scenario = read_scenario(file, faults + output_faults(plot, PICTURES))
     environment = _environment(scenario, file, current)
-    criterion = criterion_of(scenario, file, losing, worst_case)
+    criterion = criterion_of(scenario, file, losing, worst_case, failures)
     import numpy as np
 
     from swarmgrasp.answer_file import document_of
@@ -77,8 +83,9 @@ def capability(
     if bearings is None:
         bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
     found = capability_of(
-        scenario.swarm, environment, bearings, criterion.losing or 1, criterion.worst_case
-    )
+        scenario.swarm, environment, bearings, criterion.losing or int(not criterion.failures),
+        criterion.worst_case, criterion.failures,
+    )  # fmt: skip
 
     def draw() -> list[Path]:
         """Draw the diagram if it is wanted."""

@@ -29,6 +29,7 @@ def count(
     most: Annotated[str | None, Parameter(metavar="INT")] = None,
     effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
 ) -> None:
@@ -53,6 +54,10 @@ def count(
         steps give the same answer on every machine.
     losing
         Require it after the worst loss of so many robots.
+    failures
+        Require it after the worst of these failures, before any loss: a robot or a group by
+        name, or several that fail together, with commas. Give it once for each:
+        --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         Require it in the worst poses that the tolerances allow.
     json
@@ -66,7 +71,7 @@ def count(
     if quality is None and not before:
         raise UsageFault("--quality is missing; give the quality required, such as 600e3")
     tried = before.get("most", MOST) if most is None else int(most)
-    criterion = criterion_of(scenario, file, losing, worst_case, tried)
+    criterion = criterion_of(scenario, file, losing, worst_case, failures, tried)
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 

@@ -16,6 +16,7 @@ def move(
     /,
     *,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
 ) -> None:
@@ -34,6 +35,10 @@ def move(
         its own limit; without a newcomer, anywhere and in any direction.
     losing
         Look at the quality after the worst loss of so many robots.
+    failures
+        Look at the quality after the worst of these failures, before any loss: a robot or a group
+        by name, or several that fail together, with commas. Give it once for each:
+        --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         Look at the quality in the worst poses that the robots' tolerances allow.
     json
@@ -41,10 +46,11 @@ def move(
         units and radians.
     """
     scenario = read_scenario(file, losing_faults(losing) + json_faults(json))
-    criterion = criterion_of(scenario, file, losing, worst_case)
+    criterion = criterion_of(scenario, file, losing, worst_case, failures)
     tell_omitted(
         scenario, file, "move",
-        newcomer=None, losing=losing, worst_case=worst_case, load=None, task=None,
+        newcomer=None, losing=losing, failures=failures, worst_case=worst_case, load=None,
+        task=None,
     )  # fmt: skip
     from swarmgrasp.placement import best_move
 

@@ -39,6 +39,7 @@ def place(
     together: Annotated[bool, Parameter(negative="")] = False,
     effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     gap: float | None = None,
     runners_up: float | None = None,
@@ -69,6 +70,10 @@ def place(
     losing
         Make the quality after the worst loss of so many robots best, the newcomer perhaps
         among them.
+    failures
+        Make the quality after the worst of these failures best, before any loss: a robot or a
+        group by name, or several that fail together, with commas. Give it once for each:
+        --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         Make the quality best in the worst poses that the tolerances of the robots, and of the
         newcomer, allow.
@@ -94,7 +99,7 @@ def place(
     before = asked_before(scenario, "placements", "together")
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
-    criterion = criterion_of(scenario, file, losing, worst_case, count)
+    criterion = criterion_of(scenario, file, losing, worst_case, failures, count)
     if together:
         steps = None if effort is None else int(effort)
         _tell_together(scenario, file, count, gap, steps, criterion, plot, json)

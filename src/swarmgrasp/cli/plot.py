@@ -28,8 +28,9 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
     if what == "landscape":
         check_newcomer(scenario, file, "plot --what landscape")
     tell_omitted(
-        scenario, file, "plot", newcomer=None, losing=None, worst_case=None, load=None, task=None
-    )
+        scenario, file, "plot",
+        newcomer=None, losing=None, failures=None, worst_case=None, load=None, task=None,
+    )  # fmt: skip
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.place import solve
     from swarmgrasp.cli.show.report import told_written

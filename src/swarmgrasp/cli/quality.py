@@ -17,6 +17,7 @@ def quality(
     /,
     *,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
+    failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     sensitivities: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
@@ -36,6 +37,10 @@ def quality(
     losing
         The quality after the worst loss of so many robots, and what the loss of each robot
         leaves.
+    failures
+        The quality after the worst of these failures, before any loss: a robot or a group by
+        name, or several that fail together, with commas. Give it once for each:
+        --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         The quality in the worst poses that the robots' tolerances allow, and these poses.
     sensitivities
@@ -49,7 +54,7 @@ def quality(
     if worst_case and sensitivities:
         faults.append("--sensitivities are of known poses: leave out --worst-case")
     scenario = read_scenario(file, faults)
-    criterion = criterion_of(scenario, file, losing, worst_case)
+    criterion = criterion_of(scenario, file, losing, worst_case, failures)
     sensitivities |= asked_before(scenario, "quality").get("sensitivities") is not None
     if sensitivities and criterion.worst_case:
         raise UsageFault(
@@ -57,8 +62,9 @@ def quality(
             "poses"
         )
     tell_omitted(
-        scenario, file, "quality", losing=losing, worst_case=worst_case, load=None, task=None
-    )
+        scenario, file, "quality",
+        losing=losing, failures=failures, worst_case=worst_case, load=None, task=None,
+    )  # fmt: skip
     from swarmgrasp.answer_file import sealed
     from swarmgrasp.plain import plain
     from swarmgrasp.quality import losses

@@ -27,6 +27,7 @@ ABOUT = {
 CALLED = {
     "newcomer": "newcomer",
     "losing": "loss",
+    "failures": "failure",
     "worst_case": "worst case",
     "load": "load",
     "task": "task",

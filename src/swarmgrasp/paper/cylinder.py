@@ -37,8 +37,8 @@ class Cylinder:
         """Check that the paper knows such a problem."""
         if not self.problem.criterion.is_nominal:
             raise NotInThePaper(
-                f"the paper knows no quality {self.problem.criterion.words}; leave the criterion "
-                "out, or use `place`"
+                f"the paper knows no quality {self.problem.criterion.words(self.problem.swarm)}; "
+                "leave the criterion out, or use `place`"
             )
         if not len(self.normals):
             raise NotInThePaper(

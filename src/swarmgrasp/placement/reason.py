@@ -142,7 +142,7 @@ def _before(answer: "Placement") -> str:
     swarm, criterion = answer.problem.swarm, answer.problem.criterion
     if not len(swarm):
         return "There are no robots yet."
-    words = criterion.words
+    words = criterion.words(swarm)
     without = f"Without {_name(answer)}{f', {words},' if words else ''} the quality is"
     way = _weakest(answer, answer.before)
     if answer.quality_before == 0.0:

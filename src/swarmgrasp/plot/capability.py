@@ -246,9 +246,10 @@ def _draw_envelopes(page: Page, found: Capability, top: float) -> None:
 
 def _label_envelopes(page: Page, found: Capability, top: float) -> None:
     """Name both envelopes beside their lines."""
+    less = found.less_by if found.failures else f"loss of {found.loss_words}"
     for text, speeds, look, side in (
         ("all robots", found.intact, INTACT, 0.0),
-        (f"after the worst\nloss of {found.loss_words}", found.after_loss, AFTER_LOSS, math.pi),
+        (f"after the worst\n{less}", found.after_loss, AFTER_LOSS, math.pi),
     ):
         text = text if speeds.any() else f"no wind held\n{text}"
         line = _envelope(found, speeds, top)[:-1]
@@ -285,7 +286,7 @@ def _write_table(figure: Figure, found: Capability, y: float) -> float:
     for look, *cells in (
         (INTACT, "all robots", *_least(found, found.intact, found.worst), ""),
         (
-            AFTER_LOSS, f"worst loss of {found.losing}",
+            AFTER_LOSS, "worst failure" if found.failures else f"worst loss of {found.losing}",
             *_least(found, found.after_loss, found.worst_after_loss), _cut(lost, LONGEST_NAME),
         ),
     ):  # fmt: skip

@@ -82,7 +82,8 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
         low, high = min(low, placement.quality_before), max(high, placement.quality)
     factor, unit = style.quality_unit(high, problem.criterion)
     with style.settings():
-        ax = _new_axes(_title(subject), problem.criterion.words, _small_print(subject))
+        words = problem.criterion.words(problem.swarm)
+        ax = _new_axes(_title(subject), words, _small_print(subject))
         _draw_values(ax, grid * factor, (low * factor, high * factor), outline.perimeter, unit)
         _draw_normals(ax, outline)
         _name_boundary(ax, outline)

@@ -406,9 +406,9 @@ def _caption(
     small_print = [f"Quality with {swarm.metric_sentence}."]
     if criterion.has_load:
         small_print.append(style.load_sentence(criterion.load))
-    if placements and (criterion.losing or criterion.worst_case):
+    if placements and criterion.is_of_worst:
         small_print.append("The worst case is that with every newcomer there.")
-    return Caption(title, criterion.words, tuple(entries), tuple(small_print))
+    return Caption(title, criterion.words(swarm), tuple(entries), tuple(small_print))
 
 
 def _robot_entry(arrows: Arrows, kind: str, robots: Sequence[Robot]) -> Any:

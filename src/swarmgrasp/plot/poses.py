@@ -88,13 +88,12 @@ def worst_case(swarm: Swarm, found: Quality | None, placements: Sequence[Placeme
     Returns
     -------
     WorstCase
-        Empty where the criterion loses no robots and takes their poses as known.
+        Empty where the criterion loses no robots, none fail, and poses are taken as known.
     """
     if placements:
         swarm, criterion = placements[-1].swarm_after, placements[-1].problem.criterion
-        asked = criterion.losing > 0 or criterion.worst_case
-        found = quality(swarm, **criterion.terms) if asked else None
-    if found is None or not (found.criterion.losing or found.criterion.worst_case):
+        found = quality(swarm, **criterion.terms) if criterion.is_of_worst else None
+    if found is None or not found.criterion.is_of_worst:
         return WorstCase()
     gone = frozenset(map(swarm.index, found.gone))
     if not found.criterion.worst_case:

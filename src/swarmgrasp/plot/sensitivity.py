@@ -309,7 +309,7 @@ def _caption(found: Sensitivities, arrows: Arrows, weakest: bool) -> Caption:
     small_print = [*longest, f"Quality with {swarm.metric_sentence}."]
     if criterion.has_load:
         small_print.append(style.load_sentence(criterion.load))
-    return Caption(title, criterion.words, tuple(entries), tuple(small_print))
+    return Caption(title, criterion.words(swarm), tuple(entries), tuple(small_print))
 
 
 def _rate(slopes: Vectors, found: Sensitivities) -> str:

@@ -92,14 +92,16 @@ def wrench_sets(
     if after is not None:
         metric = before.characteristic_length, before.force_weights
         wires = last = body(Swarm(after.outline, after.robots, *metric), criterion)
-    elif criterion.losing or criterion.worst_case or criterion.failures:
+    elif criterion.is_of_worst:
         wires = body(before, replace(criterion, losing=0, worst_case=False, failures=()))
     shapes = (first, last) if wires is None else (first, last, wires)
     factor, unit = style.force_unit(float(max(np.abs(s.vertices).max() for s in shapes)))
     load = factor * np.array(criterion.load) * before.scale
     with style.settings():
         entries = _legend_entries(first, last, wires, criterion)
-        figure, room = _new_figure(entries, criterion, _small_print(before, criterion))
+        figure, room = _new_figure(
+            entries, criterion.words(before), _small_print(before, criterion)
+        )
         ax = cast(
             Axes3D,
             figure.add_axes(
@@ -315,7 +317,7 @@ def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
     lines = [f"Metric: {swarm.metric_sentence}."]
     if criterion.has_load:
         lines.append(style.load_sentence(criterion.load))
-    if criterion.losing or criterion.worst_case or criterion.failures:
+    if criterion.is_of_worst:
         drawn = "robots left" if criterion.losing or criterion.failures else "robots"
         where = " in their worst poses" if criterion.worst_case else ""
         lines.append(f"The quality is that of the {drawn}{where}, whose wrench set is drawn.")
@@ -323,22 +325,22 @@ def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
 
 
 def _new_figure(
-    entries: Sequence[Any], criterion: Criterion, small_print: Sequence[str]
+    entries: Sequence[Any], words: str, small_print: Sequence[str]
 ) -> tuple[Figure, tuple[float, float, float, float]]:
     """Return a figure with all that is written round the 3-D box, and the room that is left."""
-    above = LEGEND[0] + LEGEND[1] * math.ceil(len(entries) / 2)
+    head = WORDS if words else 0.0
+    above = head + LEGEND[0] + LEGEND[1] * math.ceil(len(entries) / 2)
     below = PRINT[0] + PRINT[1] * len(small_print)
-    words = WORDS if criterion.words else 0.0
-    height = below + BOX + above + words
+    height = below + BOX + above
     figure = Figure(figsize=(style.WIDTH, height))
-    title = f"Quality {criterion.words}" if words else ""
+    title = f"Quality {words}" if words else ""
     figure.text(SIDES[0], 1.0 - 0.18 / height, title, fontsize=8.0, gid="criterion")
     figure.legend(
         handles=list(entries), loc="upper center", ncols=2, columnspacing=2.0, handlelength=1.6,
-        handletextpad=0.6, labelspacing=0.4, bbox_to_anchor=(0.5, 1.0 - words / height),
+        handletextpad=0.6, labelspacing=0.4, bbox_to_anchor=(0.5, 1.0 - head / height),
     )  # fmt: skip
     figure.text(
         SIDES[0], 0.086 / height, "\n".join(small_print), fontsize=7.0, color=style.GREY,
         linespacing=1.2,
     )  # fmt: skip
-    return figure, (SIDES[0], below / height, SIDES[1], 1.0 - (above + words) / height)
+    return figure, (SIDES[0], below / height, SIDES[1], 1.0 - above / height)

@@ -11,7 +11,7 @@ from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
 from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, items, numbers, shown
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.words import TIMES, Unit, list_words, wrench_words
+from swarmgrasp.words import TIMES, Unit, list_words, machine_words, wrench_words
 
 MOST_LOST = 10**9
 """Robots that may be lost; all there are, if that is more."""
@@ -54,11 +54,6 @@ class Criterion(Plain):
     ------
     CriterionInvalid
         If a value is outside its range; all faults at once.
-
-    Examples
-    --------
-    >>> Criterion(losing=1, load=(0.0, -20e3, 0.0)).words
-    'after the worst loss of 1 robot, beside the load'
     """
 
     losing: int = 0
@@ -114,6 +109,11 @@ class Criterion(Plain):
     def is_nominal(self) -> bool:
         """Whether this is the quality of the swarm as it stands."""
         return self is NOMINAL or self == NOMINAL
+
+    @property
+    def is_of_worst(self) -> bool:
+        """Whether robots are lost or fail, or their poses are the worst."""
+        return bool(self.losing or self.failures or self.worst_case)
 
     @property
     def has_load(self) -> bool:
@@ -183,11 +183,25 @@ class Criterion(Plain):
             way = self.task.farthest(way * swarm.scale) * swarm.scale
         return wrench_words(way)
 
-    @property
-    def words(self) -> str:
-        """Beside what and after what, as part of a sentence; empty for a swarm as it stands.
+    def words(self, swarm: Swarm) -> str:
+        """Say beside what and after what, as part of a sentence; nothing as things stand.
 
         A task goes unmentioned: it is in the unit of the quality.
+
+        Parameters
+        ----------
+        swarm : Swarm
+            Whose robots are lost, or groups, if it has any.
+
+        Examples
+        --------
+        >>> from swarmgrasp import Outline, Robot, Swarm
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> asked = Criterion(losing=1, load=(0.0, -20e3, 0.0))
+        >>> asked.words(Swarm(square, [Robot((1, 0), 3.0)]))
+        'after the worst loss of 1 robot, beside the load'
+        >>> asked.words(Swarm(square, [Robot((1, 0), 3.0, group="bus A")]))
+        'after the worst loss of 1 robot or group, beside the load'
         """
         parts = []
         if self.worst_case:
@@ -199,9 +213,8 @@ class Criterion(Plain):
                 else f"after the worst of {len(self.failures)} failures"
             )
         if self.losing:
-            parts.append(
-                f"after the worst loss of {self.losing} robot{'s' if self.losing > 1 else ''}"
-            )
+            lost = machine_words(self.losing, bool(swarm.rare.groups))
+            parts.append(f"after the worst loss of {self.losing} {lost}")
         if self.has_load:
             parts.append("beside the load")
         return ", ".join(parts)

@@ -52,7 +52,7 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
     unit = found.criterion.unit(found.value or found.noise, figures=FIGURES)
     return "\n".join(
         [
-            _headline(found, unit),
+            _headline(found, swarm, unit),
             *limit_sentences(found, swarm, unit),
             *_work_sentences(found, swarm),
             *loss_sentences(found),
@@ -111,9 +111,9 @@ def loss_sentences(found: "Quality") -> list[str]:
     return said
 
 
-def _headline(found: "Quality", unit: Unit) -> str:
+def _headline(found: "Quality", swarm: "Swarm", unit: Unit) -> str:
     """Say what the swarm can do in every direction."""
-    words = found.criterion.words
+    words = found.criterion.words(swarm)
     given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
     if 0.0 < found.value <= found.noise:
         return (

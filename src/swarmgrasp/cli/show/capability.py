@@ -6,6 +6,7 @@ from typing import Any
 from swarmgrasp.capability import Capability
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.environment import KNOT, beaufort, vessel_type
+from swarmgrasp.quality import Criterion
 from swarmgrasp.words import wrench_words
 
 MOST_SHOWN = 100.0
@@ -40,9 +41,13 @@ def _facts(found: Capability) -> list[tuple[str, str]]:
     if found.intact[i] > 0.0:
         facts.append(("", f"there the robots are weakest at {wrench_words(found.directions[i])}"))
     least = _least(found, found.after_loss, j, found.holds_current_after_loss)
-    facts.append((f"Without {found.loss_words}", least))
+    if found.failures:
+        asked = Criterion(losing=found.losing, failures=found.failures)
+        facts += [("After a failure", least), ("", asked.words(found.swarm))]
+    else:
+        facts.append((f"Without {found.loss_words}", least))
     if lost:
-        said = f"the worst loss there: {lost}"
+        said = f"the worst {found.less_by} there: {lost}"
         facts.append(("", said if found.after_loss[j] > 0.0 else f"losing {lost} is enough"))
     return [*facts, *_surroundings(found)]
 
@@ -110,8 +115,8 @@ def _show_bearings(report: Report, found: Capability) -> None:
     columns = [
         *(Column(text, is_number=True) for text in ("from [deg]", "intact [kn]", "[m/s]")),
         Column("Beaufort", is_number=True),
-        *(Column(text, is_number=True) for text in ("after a loss [kn]", "[m/s]")),
-        Column("Beaufort", is_number=True), Column("worst loss", is_spare=True),
+        *(Column(text, is_number=True) for text in (f"after a {found.less_by} [kn]", "[m/s]")),
+        Column("Beaufort", is_number=True), Column(f"worst {found.less_by}", is_spare=True),
     ]  # fmt: skip
     rows = [
         [

@@ -23,8 +23,8 @@ def show(name: str, found: HowMany) -> None:
         report.headline(f"{name}: {told}", "good")
     report.blank()
     facts = [("Quality", quality)]
-    if criterion.words:
-        facts.append(("", criterion.words))
+    if words := criterion.words(found.problem.swarm):
+        facts.append(("", words))
     facts.append(("Proven" if found.is_proven else "Open", found.reason))
     if found.answer is not None:
         facts.append(("Limit then", found.answer.reason))

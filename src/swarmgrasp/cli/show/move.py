@@ -23,8 +23,8 @@ def show(name: str, found: Move) -> None:
         report.headline(f"{name}: no robot had better be elsewhere", "caution")
     after = max(found.quality, before)
     facts.append(("Quality", change(before, after, unit)))
-    if criterion.words:
-        facts.append(("", criterion.words))
+    if words := criterion.words(swarm):
+        facts.append(("", words))
     if found.improves:
         facts.append(("Meanwhile", f"{unit.text(best.quality_without)} without {label}"))
     facts.append(("Proven", proven("move of one robot", found.upper_bound, after, unit)))

@@ -189,8 +189,9 @@ def _gain(before: float, after: float, unit: Unit) -> str:
 def _beside(first: Placement, last: Placement, unit: Unit) -> list[tuple[str, str]]:
     """Say by what criterion the quality is meant, and how it changes as things stand."""
     criterion = first.problem.criterion
-    facts = [("", criterion.words)] if criterion.words else []
-    if criterion.losing or criterion.worst_case:
+    words = criterion.words(first.problem.swarm)
+    facts = [("", words)] if words else []
+    if criterion.is_of_worst:
         before, after = (
             quality(swarm, load=criterion.load, task=criterion.task).value
             for swarm in (first.problem.swarm, last.swarm_after)

@@ -12,7 +12,7 @@ from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import stance
-from swarmgrasp.words import Unit, percent
+from swarmgrasp.words import Unit, list_words, machine_words, percent
 
 EQUAL = 1e-9
 """Relative difference of two qualities that is none."""
@@ -24,9 +24,9 @@ def show(
     """Write a quality for people."""
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
     unit = criterion.unit(found.value or max((r.limit for r in swarm.robots), default=0.0))
-    asked = f" {criterion.words}" if criterion.words else ""
+    words = criterion.words(swarm)
     report.headline(
-        f"{scenario.name}: quality {unit.text(found.value)}{asked}",
+        f"{scenario.name}: quality {unit.text(found.value)} {words}".rstrip(),
         "good" if found.value > found.noise else "bad",
     )
     report.blank()
@@ -40,7 +40,7 @@ def show(
         facts.append(_efficiency(swarm, found, unit))
     report.facts(facts)
     if lost:
-        _show_losses(report, lost, unit)
+        _show_losses(report, swarm, lost, unit)
     if criterion.worst_case:
         _show_robots(report, found.worst_swarm, "The worst poses")
     _show_robots(report, swarm, _title(criterion))
@@ -68,7 +68,7 @@ def _title(criterion: Criterion) -> str:
     """Return the title of the robots' table, which other tables may stand before."""
     if criterion.worst_case:
         return "The robots as they are meant to be"
-    return "The robots" if criterion.losing else ""
+    return "The robots" if criterion.losing or criterion.failures else ""
 
 
 def _efficiency(swarm: Swarm, found: Quality, unit: Unit) -> tuple[str, str]:
@@ -105,10 +105,12 @@ def _beside(
         return []
     plain = quality_of(swarm, load=criterion.load, task=criterion.task).value
     facts = []
-    if criterion.losing or criterion.worst_case:
+    if criterion.is_of_worst:
         facts.append(("As it stands", unit.text(plain)))
     if unit.text(found.bound) != unit.text(found.value):
         facts.append(("Certified", f"no less than {unit.text(found.bound)}"))
+    if criterion.failures:
+        facts.append(("Worst failure", list_words(found.failure)))
     if found.lost:
         facts.append(("Worst loss", _worst_loss(found, lost)))
     absent = [swarm.names[i] for i, t in swarm.tolerances.items() if t.may_be_absent]
@@ -119,8 +121,8 @@ def _beside(
     return facts
 
 
-def _show_losses(report: Report, lost: Sequence[Loss], unit: Unit) -> None:
-    """Write the table of what the loss of each robot leaves."""
+def _show_losses(report: Report, swarm: Swarm, lost: Sequence[Loss], unit: Unit) -> None:
+    """Write the table of what the loss of each robot, or group, leaves."""
     columns = [
         Column("without"),
         Column(f"quality [{unit.name}]", is_number=True),
@@ -137,7 +139,7 @@ def _show_losses(report: Report, lost: Sequence[Loss], unit: Unit) -> None:
         for loss in lost
     ]
     report.blank()
-    report.headline("What the loss of each robot leaves")
+    report.headline(f"What the loss of each {machine_words(1, bool(swarm.rare.groups))} leaves")
     report.table(columns, rows)
 
 

@@ -17,8 +17,8 @@ def show(name: str, found: Together) -> None:
     report.headline(f"{name}: {best} for {many} like {called}, all at once", mood)
     report.blank()
     facts = [("Quality", change(found.quality_before, found.quality, unit))]
-    if criterion.words:
-        facts.append(("", criterion.words))
+    if words := criterion.words(found.problem.swarm):
+        facts.append(("", words))
     if found.sequential >= 0.0:
         facts.append(("One by one", f"{unit.text(found.sequential)}, each best given those before"))
     early = "; the effort was spent before the gap asked for" if found.stopped_early else ""

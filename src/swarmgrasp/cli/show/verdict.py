@@ -7,7 +7,7 @@ from swarmgrasp.cli.show.report import Report
 from swarmgrasp.swarm import Newcomer, Robot
 from swarmgrasp.swarm.force_words import force_words, newcomer_words
 from swarmgrasp.verify import Verdict
-from swarmgrasp.words import TIMES, Unit, degrees, percent
+from swarmgrasp.words import TIMES, Unit, degrees, list_words, machine_words, percent
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -75,8 +75,9 @@ def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]
         way = f"{degrees(robot.direction)} deg" if robot.is_ray else force_words(robot)
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
         gap = gap_of(claim["quality"], bound)
-        near = f"the answer is at most {percent(gap)} below the best possible"
-        near = near if gap > FEWEST else "the answer is the best possible, rounding aside"
+        near = "the answer is the best possible, rounding aside"
+        if FEWEST < gap < math.inf:
+            near = f"the answer is at most {percent(gap)} below the best possible"
         facts += [
             (robot.name, f"at ({x:.6g}, {y:.6g}) m, {way}"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
@@ -88,23 +89,28 @@ def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]
 
 def _questions(problem: dict[str, Any]) -> list[tuple[str, str]]:
     """Return as facts what was asked, and by what criterion if not as things stand."""
-    words = criterion_words(problem["criterion"])
+    has_groups = any(robot["group"] for robot in problem["swarm"]["robots"])
+    words = criterion_words(problem["criterion"], has_groups)
     return [("Question", _question(problem)), *([("", f"quality {words}")] if words else [])]
 
 
-def criterion_words(criterion: dict[str, Any]) -> str:
+def criterion_words(criterion: dict[str, Any], has_groups: bool) -> str:
     """Say in words what a criterion asks, as a document has it; nothing if it is nominal.
 
     Examples
     --------
-    >>> criterion_words({"losing": 2, "worst_case": False, "load": [0, -5.0, 0], "task": None})
-    'after the worst loss of 2 robots, beside a load of (0, -5) N and 0 N m'
+    >>> asked = {"losing": 2, "worst_case": False, "load": [0, 0.0, 0], "task": None}
+    >>> criterion_words({**asked, "failures": [["bus A"], ["R1", "R2"]]}, has_groups=True)
+    'after the failure of bus A or R1 and R2, after the worst loss of 2 robots or groups'
     """
     parts, task = [], criterion["task"]
     if criterion["worst_case"]:
         parts.append("in the worst poses that the tolerances allow")
+    if failures := criterion["failures"]:
+        parts.append(f"after the failure of {' or '.join(map(list_words, failures))}")
     if criterion["losing"]:
-        parts.append(f"after the worst loss of {_count(criterion['losing'], 'robot')}")
+        lost = machine_words(criterion["losing"], has_groups)
+        parts.append(f"after the worst loss of {criterion['losing']} {lost}")
     x, y, torque = criterion["load"]
     if (x, y, torque) != (0.0, 0.0, 0.0):
         parts.append(f"beside a load of ({x:.6g}, {y:.6g}) N and {torque:.6g} N m")
