@@ -158,7 +158,7 @@ def test_a_clock_that_jumps_is_a_gap_and_nothing_else(jump):
 
 
 def test_with_a_roster_the_silent_are_waited_for():
-    """Everyone on it confirms or has left or is testified gone, heard or not (R6)."""
+    """Everyone on it confirms or is testified gone, heard or not (R6); silence is told."""
     settings = Settings(gather=0.0, worth=0.0, roster=("R1", "R2", "R3"))
     crew = Crew("R1", "R2", settings=settings)
     crew.join("R1")
@@ -167,6 +167,28 @@ def test_with_a_roster_the_silent_are_waited_for():
     crew.wait(30.0)
     assert crew["R1"].phase is Phase.ARRIVED
     assert crew.agents["R1"].waits_for == ("R3",)
+    crew.wait(10.0, among=["R1"])
+    crew.tell("R1", ev.Cut())
+    crew.wait(30.0, among=["R1"])
+    waits = [e.words for n, e in crew.log if n == "R1" and getattr(e, "what", "") == "waits"]
+    assert waits[-1] == "R1 waits for R2 (not heard), R3 (not heard)"
+
+
+def test_with_a_roster_those_who_have_left_may_have_come_again():
+    """Two that knew each other as not there both come while the line is cut: neither attaches."""
+    settings = Settings(gather=0.0, worth=0.0, roster=("R1", "R2"))
+    crew = Crew("R1", "R2", settings=settings)
+    crew.wait(5.0)
+    for name in ("R1", "R2"):
+        crew.tell(name, ev.Join())
+    crew.wait(5.0, among=[])
+    assert crew["R1"].place == crew["R2"].place
+    for name in ("R1", "R2"):
+        crew.tell(name, ev.AtPlace())
+    crew.wait(60.0, among=[])
+    assert [crew[name].phase for name in ("R1", "R2")] == [Phase.ARRIVED, Phase.ARRIVED]
+    crew.wait(5.0)
+    assert sorted(crew[name].phase for name in ("R1", "R2")) == [Phase.COMING, Phase.FASTENING]
 
 
 def test_who_was_not_reckoned_with_takes_a_new_ticket():

@@ -1,7 +1,7 @@
 """Confirmations: who has reckoned with this robot at its place, and who has yet to (R5, R6)."""
 
 from swarmgrasp.agents.protocol.knowledge import Knowledge
-from swarmgrasp.agents.protocol.record import Phase, Record
+from swarmgrasp.agents.protocol.record import Record
 from swarmgrasp.agents.protocol.settings import Settings
 
 
@@ -51,7 +51,8 @@ class Confirmations:
 
 
 def _is_off(record: Record | None, gone: set[tuple[str, int]]) -> bool:
-    """Tell whether a robot of a roster has left, or is testified gone."""
-    if record is None:
-        return False
-    return record.phase is Phase.LEFT or (record.id, record.incarnation) in gone
+    """Tell whether a robot of a roster is testified gone.
+
+    One that has left may have come again, out of hearing, and know as little of this one.
+    """
+    return record is not None and (record.id, record.incarnation) in gone
