@@ -110,6 +110,10 @@ class AgentInvalid(SwarmGraspError):
     """What an agent is told to be, how it is to behave, or what it is to remember is at fault."""
 
 
+class NetworkFailed(SwarmGraspError):
+    """The network cannot be opened as asked, or this process may not be on it."""
+
+
 class NotInThePaper(SwarmGraspError):
     """The source paper's algorithm is asked for something it does not know."""
 

@@ -69,7 +69,20 @@ def scratch_for(target: Path) -> Iterator[Path]:
         scratch.unlink(missing_ok=True)
 
 
-def write_whole(path: str | Path, content: bytes) -> None:
-    """Write a file through a temporary one beside it, so that it is never half-written."""
-    with scratch_for(Path(path)) as scratch:
-        scratch.write_bytes(content)
+def write_whole(path: str | Path, content: bytes, *, durable: bool = False) -> None:
+    """Write a file through a temporary one beside it, so that it is never half-written.
+
+    A durable one is on the disk when this returns: it is there after a power cut, too.
+    """
+    target = Path(path)
+    with scratch_for(target) as scratch, scratch.open("wb") as file:
+        file.write(content)
+        if durable:
+            file.flush()
+            os.fsync(file.fileno())
+    if durable:
+        folder = os.open(target.parent, os.O_RDONLY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)

@@ -10,6 +10,7 @@ from cyclopts import App, CycloptsError
 from cyclopts.help import DefaultFormatter, PanelSpec
 
 from swarmgrasp.cli import agents
+from swarmgrasp.cli.agent import agent
 from swarmgrasp.cli.capability import capability
 from swarmgrasp.cli.count import count
 from swarmgrasp.cli.dash import hidden, shown
@@ -27,7 +28,9 @@ from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
-COMMANDS = (place, move, count, quality, forces, capability, verify, plot, paper, examples, schema)
+COMMANDS = (
+    place, move, count, quality, forces, capability, verify, plot, agent, paper, examples, schema,
+)  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
 

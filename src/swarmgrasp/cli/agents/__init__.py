@@ -3,9 +3,10 @@
 from cyclopts import App
 
 from swarmgrasp.cli.agents.curve import curve
+from swarmgrasp.cli.agents.demo import demo
 
-COMMANDS = (curve,)
-HELP = "Study swarms of robots that decide for themselves."
+COMMANDS = (curve, demo)
+HELP = "Run, watch, try and study swarms of robots that decide for themselves."
 
 
 def build() -> App:

@@ -1,0 +1,260 @@
+"""`swarmgrasp agent`: one robot that decides for itself, or a router between such robots."""
+
+import json as text
+import signal
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from threading import Thread
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.inputs import UsageFault, blaming, read_scenario
+from swarmgrasp.cli.show.report import clean
+from swarmgrasp.files import target_faults
+
+if TYPE_CHECKING:
+    from swarmgrasp.agents.network import NetworkSettings, Process, Transport
+    from swarmgrasp.agents.network.body import Body
+    from swarmgrasp.agents.protocol import Kind, Place, ProblemPlanner, Settings, State
+
+Flag = Annotated[bool, Parameter(negative="")]
+
+
+def agent(
+    file: Dashed | None = None,
+    /,
+    *,
+    name: str | None = None,
+    router: Flag = False,
+    mode: Literal["peer", "client"] | None = None,
+    listen: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    connect: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    lease: float = 3.0,
+    tls: Path | None = None,
+    state: Path | None = None,
+    roster: str | None = None,
+    limit: float | None = None,
+    body: Literal["stand-in", "stdio", "zenoh"] = "stand-in",
+    speed: float = 1.0,
+    fastening: float = 1.0,
+    attached_at: tuple[float, float, float] | None = None,
+    waits: Flag = False,
+    silent: float = 3.5,
+    worth: float = 0.02,
+    resolve: Flag = False,
+    json: Flag = False,
+) -> None:
+    """Be one robot that decides for itself among others on the network.
+
+    It finds its place, goes there, attaches once all that are heard have confirmed it, and
+    says what it does. Ended by a signal, it leaves if it does not hold the object yet; if it
+    does, it stays attached, and the others go on counting it.
+
+    Example: swarmgrasp agent deck-barge --name Fortuna
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge; the
+        same for all robots. A router needs none.
+    name
+        The robot's. One of the scenario's own starts attached at its place.
+    router
+        Be a router between robots, which are its clients, instead of a robot.
+    mode
+        Connect to others, each to each (peer), or to a router (client); peer unless given, and
+        client with --tls.
+    listen
+        Endpoints for others, as tcp/127.0.0.1:7447; on this machine alone unless given.
+    connect
+        Endpoints of others.
+    lease
+        Seconds after which a process that hangs counts as ended; at most --silent.
+    tls
+        Folder with certificates, which `swarmgrasp agents keys` makes: of a router, and of each
+        robot, by its name.
+    state
+        File that keeps what it knows from one life of its process to the next.
+    roster
+        Robots, parted by commas, each of which must confirm before it attaches, heard or not.
+    limit
+        Its largest force in newtons, where it differs from the scenario's newcomer.
+    body
+        A stand-in that travels by itself, or a real robot whose own software reads orders and
+        tells events, as lines of JSON on standard output and input, or as samples on the network.
+    speed
+        Of the stand-in, in metres a second.
+    fastening
+        Seconds that the stand-in takes to fasten, and to let go.
+    attached_at
+        Where it holds the object at the start, as its process may have ended without a state:
+        x and y in metres and the direction in radians, in the frame of the outline.
+    waits
+        Do not join until told to, by the event "join".
+    silent
+        Seconds after which others that are not heard are not waited for; more than 3.
+    worth
+        Share by which another place must be better before it turns to it on its way.
+    resolve
+        Let go and come anew if it holds the object too close to another that came first.
+    json
+        Print lines of JSON instead of sentences: reports, orders, and what is heard.
+    """
+    from swarmgrasp.agents.packages import check_installed
+
+    check_installed("msgspec", "zenoh", purpose="A robot on the network")
+    from swarmgrasp.agents.network import NetworkSettings
+
+    here = NetworkSettings(
+        mode="router" if router else mode or ("client" if tls else "peer"),
+        listen=listen, connect=connect, lease=lease, tls=tls,
+        name="router" if router else name or "",
+    ) if router or name else None  # fmt: skip
+    if router and here is not None:
+        given = [word for word, there in (("FILE", file), ("--name", name), ("--mode", mode),
+                 ("--state", state), ("--roster", roster)) if there]  # fmt: skip
+        if given:
+            raise UsageFault(f"a router is no robot; leave out {' and '.join(given)}")
+        _be_router(here, json)
+        return
+    if file is None or name is None or here is None:
+        raise UsageFault("a robot needs FILE and --name; --router makes a router instead")
+    faults = [] if state is None else target_faults(state)
+    if lease > silent:
+        faults.append(f"the lease is {lease:g} s; it should be at most --silent, {silent:g} s")
+    scenario = read_scenario(file, faults)
+    from swarmgrasp.agents.protocol import ProblemPlanner, Settings
+
+    with blaming(file):
+        planner = ProblemPlanner(scenario.problem())
+    names = tuple(word.strip() for word in (roster or "").split(",") if word.strip())
+    settings = Settings(silent=silent, worth=worth, roster=names, resolve=resolve)
+    _be_robot(here, planner, settings, name, _kind(planner, limit), state,
+              _place(attached_at), (body, speed, fastening), not waits, json)  # fmt: skip
+
+
+def _be_router(here: "NetworkSettings", json: bool) -> None:
+    """Be a router until a signal comes."""
+    from swarmgrasp.agents.network import Router
+
+    router = Router(here)
+    _on_signals(router.stop)
+    words = f"router at {' and '.join(here.listen)}"
+    print(text.dumps({"router": here.listen}) if json else words, flush=True)
+    router.run()
+
+
+def _be_robot(
+    here: "NetworkSettings", planner: "ProblemPlanner", settings: "Settings", name: str,
+    kind: "Kind | None", state: Path | None, attached: "Place | None",
+    body: tuple[str, float, float], joins: bool, json: bool,
+) -> None:  # fmt: skip
+    """Be a robot until a signal comes."""
+    from swarmgrasp.agents.network import Process, Store, Transport, incarnation_of
+    from swarmgrasp.agents.protocol import Agent
+    from swarmgrasp.errors import NetworkFailed
+
+    store = None if state is None else Store(state, planner.mission, name)
+    known = store.read() if store else None
+    robot = Agent(name, planner, settings, kind=kind, state=known,
+                  incarnation=incarnation_of(known, name))  # fmt: skip
+    attached = attached or _attached(planner, known, name)
+    hull = _body(planner, name, attached, *body)
+    transport = Transport(here, planner.mission, name)
+    if transport.is_taken():
+        transport.end()
+        raise NetworkFailed(
+            f"a process of {name} is on the network already; choose another name, or wait for "
+            f"{here.lease:g} s if it has just ended"
+        )
+    process = Process(robot, transport, hull, _teller(name, json, body[0]), store=store)
+    _on_signals(process.stop)
+    if body[0] == "stdio":
+        Thread(target=_listen, args=(transport, process), daemon=True).start()
+    transport.begin()
+    try:
+        process.run(attached, joins)
+    finally:
+        transport.end()
+
+
+def _kind(planner: "ProblemPlanner", limit: float | None) -> "Kind | None":
+    """Return what a robot is, if that differs from the newcomer."""
+    from swarmgrasp.agents.protocol import Kind
+    from swarmgrasp.ranges import limit_faults
+
+    if limit is None:
+        return None
+    faults = limit_faults(limit)
+    if faults:
+        raise UsageFault(f"--limit: {fault}" for fault in faults)
+    usual = replace(planner.problem.newcomer, limit=limit)
+    return Kind(usual.limit, usual.attachment, usual.half_angle, usual.steers,
+                usual.reverse_limit, usual.friction)  # fmt: skip
+
+
+def _place(given: tuple[float, float, float] | None) -> "Place | None":
+    """Return where it says that it is attached."""
+    from swarmgrasp.agents.protocol import Place
+
+    return None if given is None else Place(*given)
+
+
+def _attached(planner: "ProblemPlanner", state: "State | None", name: str) -> "Place | None":
+    """Return where a robot holds the object at its start: as it knew last, or as the file says."""
+    records = state.records if state else ()
+    for record in records:
+        if record.id == name:
+            return record.place if record.is_fixed else None
+    return next((row.place for row in planner.present if row.id == name), None)
+
+
+def _body(
+    planner: "ProblemPlanner", name: str, attached: "Place | None", kind: str, speed: float,
+    fastening: float,
+) -> "Body":  # fmt: skip
+    """Return the robot itself."""
+    from swarmgrasp.agents.network import RealBody, StandIn
+
+    if kind != "stand-in":
+        return RealBody()
+    return StandIn(name, planner.problem.swarm.outline, speed, fastening, attached)
+
+
+def _listen(transport: "Transport", process: "Process") -> None:
+    """Take what the robot's software says on standard input; end with it."""
+    from swarmgrasp.agents.network import Item
+
+    for line in sys.stdin.buffer:
+        if line.strip():
+            transport.inbox.put(Item("body", "", line))
+    process.stop()
+
+
+def _teller(name: str, json: bool, body: str) -> Callable[[dict[str, Any]], None]:
+    """Return what prints; with software on standard output, sentences go to standard error."""
+    from swarmgrasp.agents.network import steady_clock
+
+    begin, aside = steady_clock(), body == "stdio"
+    words = sys.stderr if aside else sys.stdout
+
+    def tell(told: dict[str, Any]) -> None:
+        if json or (aside and "order" in told):
+            line = {"robot": name, "clock": steady_clock(), **told}
+            print(text.dumps(line), flush=True)
+        elif "words" in told:
+            print(
+                f"{steady_clock() - begin:7.1f} s  {clean(told['words'])}", file=words, flush=True
+            )
+
+    return tell
+
+
+def _on_signals(stop: Callable[[], None]) -> None:
+    """End in order when a signal asks to."""
+    for each in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(each, lambda *_: stop())
