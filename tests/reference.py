@@ -528,6 +528,11 @@ def force_support(robot, p):
     From its fields: limits, reverse limit, steering, friction, least force or envelope.
     """
     turn, size = np.arctan2(p[:, 1], p[:, 0]) - robot.direction, np.hypot(p[:, 0], p[:, 1])
+    if robot.sectors is not None:  # of the hull
+        turns = [np.linspace(*sector, 2001) for sector in robot.sectors]
+        turns = np.concatenate(turns)
+        rim = robot.limit * np.column_stack([np.cos(turns), np.sin(turns)])
+        return np.maximum((p @ rim.T).max(axis=1), 0.0)
     if robot.envelope is not None or robot.friction:
         limit, least, mu = robot.limit, robot.least, robot.friction or 0.0
         corners = robot.envelope or [(u, s * mu * u) for u in (limit, least) for s in (1.0, -1.0)]
@@ -557,6 +562,45 @@ def height_of_sets(swarm, normals, losing=0, load=(0, 0, 0), failures=()):
         lost = np.sort(np.maximum(rows, 0.0), axis=0)[::-1][:losing].sum(axis=0)
         heights.append(rows.sum(axis=0) - lost)
     return normals @ (np.asarray(load, dtype=float) * swarm.scale) + np.min(heights, axis=0)
+
+
+def sector_choices(robot, parts=2):
+    """Return the sectors of a robot, those wider than half a turn cut in convex parts."""
+    found = []
+    way, half = robot.direction, robot.steers
+    for start, end in robot.sectors or [(way - half, way + half)]:
+        count = 1 if end - start <= math.pi + 1e-9 else parts
+        ends = np.linspace(start, end, count + 1)
+        found += [(float(a), float(b)) for a, b in pairwise(ends)]
+    return found
+
+
+def least_factor_of_sectors(robots, arms, scale, wrench):
+    """Return by how much limits are to be multiplied to make a wrench, over all choices of sectors.
+
+    Each sector is a fan of rays 0.01 rad apart, in a linear program for each choice; fans reach
+    less far than sectors, by 2e-5. Wrench (3,) [N, N, N m]; robots that push in sectors only.
+    """
+    least = math.inf
+    for choice in product(*(sector_choices(robot) for robot in robots)):
+        rows = []
+        for robot, (x, y), (start, end) in zip(robots, arms, choice, strict=True):
+            turns = np.linspace(start, end, max(2, math.ceil((end - start) / 0.01) + 1))
+            fx, fy = robot.limit * np.cos(turns), robot.limit * np.sin(turns)
+            rows.append(np.column_stack([fx, fy, x * fy - y * fx]) * scale)
+        counts = [len(row) for row in rows]
+        owners = np.repeat(np.arange(len(rows)), counts)
+        cost = np.append(np.zeros(len(owners)), 1.0)
+        sums = np.column_stack([(owners == i).astype(float) for i in range(len(rows))]).T
+        found = linprog(
+            cost,
+            A_ub=np.column_stack([sums, -np.ones(len(rows))]),
+            b_ub=np.zeros(len(rows)),
+            A_eq=np.column_stack([np.vstack(rows).T, np.zeros(3)]),
+            b_eq=np.asarray(wrench) * scale,
+        )
+        least = min(least, float(found.fun)) if found.status == 0 else least
+    return least
 
 
 def quality_of_sets(swarm, seed, near, descents, losing=0, load=(0, 0, 0), task=None, failures=()):

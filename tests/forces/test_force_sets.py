@@ -197,6 +197,7 @@ def robots_said(swarm):
     return Robots(
         swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
         swarm.reverse_limits, swarm.steers, swarm.frictions, swarm.leasts, swarm.rare.envelopes,
+        swarm.rare.gaps,
     )  # fmt: skip
 
 

@@ -150,6 +150,19 @@ def test_a_bar_stands_at_the_least_force():
     assert bar.get_xdata()[0] == pytest.approx(5.0 + 0.25 * (tail[0] - 5.0))
 
 
+def test_sectors_with_gaps_are_fans():
+    """One from the contact for each sector, to the robot's scale; its arrow would say less."""
+    two = Robot((0.5, 0.0), limit=2.0, sectors=[(0.0, 1.0), (2.0, 3.5)], mounted=True)
+    figure = plan(Swarm(HULL, [two, Robot((-0.5, 0.0), 0.0, mounted=True)]))
+    (areas,) = by_gid(figure, "thruster-area")
+    fans = [path.vertices - two.contact for path in areas.get_paths()]
+    assert len(fans) == 2
+    for fan, (start, end) in zip(fans, two.sectors, strict=True):
+        off = fan[np.hypot(*fan.T) > 1e-9]
+        turns = np.arctan2(off[:, 1], off[:, 0]) % (2.0 * np.pi)
+        assert (turns.min(), turns.max()) == pytest.approx((start, end))
+
+
 def test_a_steering_robot_that_is_lost_has_an_empty_area():
     """And a cross."""
     robots = [

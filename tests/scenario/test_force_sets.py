@@ -33,6 +33,13 @@ ROBOTS = {
     "direction: 0, envelope: [[3, 4], [0, 0], [3, -4]]": {
         "direction": 0.0, "envelope": ((3e3, 4e3), (0.0, 0.0), (3e3, -4e3)),
     },
+    "limit: 5, sectors: [[20, 160], [200, 340]]": {
+        "limit": 5e3,
+        "sectors": ((math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))),
+    },
+    "limit: 5, sectors: [[60, 90], [90, 120]]": {
+        "direction": math.pi / 2, "limit": 5e3, "steers": PUSH,
+    },
     "direction: 0, limit: 5, group: bus A": {"direction": 0.0, "limit": 5e3, "group": "bus A"},
 }  # fmt: skip
 
@@ -73,6 +80,17 @@ FAULTS = {
     ),
     "direction: 0, limit: 5, steers: true": (
         "true", ".steers", "should be 'any', or a number (got true)"
+    ),
+    "limit: 5, sectors: [[20, 160], [90, 200]]": (
+        "[[20", ".sectors", "sectors 1 and 2 overlap; say them as one"
+    ),
+    "direction: 0, limit: 5, sectors: [[20, 160], [200, 340]]": (
+        "0, limit", ".direction", "the sectors tell all directions already; leave it out (got 0)"
+    ),
+    "limit: {ahead: 5, astern: 3}, sectors: [[20, 160], [200, 340]]": (
+        "{ahead",
+        ".limit",
+        "should be one limit beside sectors, the same in all (got {ahead: 5, astern: 3})",
     ),
     "direction: 0, limit: {ahead: 5}": (
         "{ahead", ".limit.astern", "is missing; give the largest force against the direction"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.forces.certificate import ForcesCertificate
+from swarmgrasp.forces.certificate import ForcesCertificate, SectorsProof
 from swarmgrasp.frozen import Frozen, read_only
 from swarmgrasp.plain import Answer, picked
 from swarmgrasp.swarm import Swarm
@@ -17,6 +17,7 @@ from swarmgrasp.verify.forces import Claim, faults_of
 from swarmgrasp.verify.pushes import Robots
 
 Array = NDArray[np.float64]
+OTHER_SECTORS = "that no other choice of sectors serves better: there are too many"
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +39,7 @@ class Forces(Frozen, Answer):
     needed : float
         The least largest share that makes the wanted wrench. Above 1 it is out of reach: the
         limits would have to be so many times as large, or infinitely so where no force of these
-        robots helps.
+        robots helps; of robots with gaps between their sectors, in those they push in now.
     shortfall : float [N]
         How far from the wanted wrench the nearest attainable one is, in the metric; 0 if it is
         attained.
@@ -116,19 +117,18 @@ class Forces(Frozen, Answer):
         Verdict
             True in a condition when all claims hold; its faults say which do not.
         """
-        return Verdict(tuple(faults_of(self._claim())))
+        proof = self.certificate.sectors
+        trusted = () if proof is None or proof.is_best else (OTHER_SECTORS,)
+        return Verdict(tuple(faults_of(self._claim())), unchecked=trusted)
 
     def _claim(self) -> Claim:
         """Return what is claimed, as plain data."""
-        swarm = self.swarm
-        robots = Robots(
-            swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
-            swarm.reverse_limits, swarm.steers, swarm.frictions, swarm.leasts, swarm.rare.envelopes,
-        )  # fmt: skip
+        swarm, proof = self.swarm, self.certificate.sectors
         return Claim(
-            robots, (*swarm.force_weights, swarm.characteristic_length), self.wanted, self.load,
-            self.wrench, self.vectors, self.shares, self.needed, self.shortfall,
+            robots_of(swarm), (*swarm.force_weights, swarm.characteristic_length), self.wanted,
+            self.load, self.wrench, self.vectors, self.shares, self.needed, self.shortfall,
             self.is_least_squares, self.certificate.normals, self.certificate.price,
+            *(() if proof is None else (proof.kept, proof.others, proof.is_best)),
         )  # fmt: skip
 
 
@@ -150,6 +150,8 @@ class ForcesAlong(Frozen, Answer):
     normals : (m, 3, 3)
     prices : (m, 3) [1/N]
         The certificates; normals that are not needed are 0.
+    sectors : tuple of SectorsProof
+        Their parts for each wrench, if robots have sectors with gaps between; otherwise none.
     """
 
     swarm: Swarm
@@ -162,6 +164,7 @@ class ForcesAlong(Frozen, Answer):
     is_least_squares: NDArray[np.bool_]
     normals: Array
     prices: Array
+    sectors: tuple[SectorsProof, ...] = ()
 
     kind = "forces along"
 
@@ -170,7 +173,7 @@ class ForcesAlong(Frozen, Answer):
         return picked(
             self, "swarm", "load", "wanted", "vectors", "shares", "forces", "directions",
             "wrenches", "shortfalls", "largest_shares", "needed", "is_degraded",
-            "is_least_squares", "normals", "prices",
+            "is_least_squares", "normals", "prices", "sectors",
         )  # fmt: skip
 
     def __len__(self) -> int:
@@ -189,7 +192,11 @@ class ForcesAlong(Frozen, Answer):
             float(self.needed[index]),
             float(self.shortfalls[index]),
             bool(self.is_least_squares[index]),
-            ForcesCertificate(normals[normals.any(axis=1)], self.prices[index]),
+            ForcesCertificate(
+                normals[normals.any(axis=1)],
+                self.prices[index],
+                self.sectors[index] if self.sectors else None,
+            ),
         )
 
     def __iter__(self) -> Iterator[Forces]:
@@ -228,8 +235,20 @@ class ForcesAlong(Frozen, Answer):
 
     def verify(self) -> Verdict:
         """Check each wrench as `Forces.verify` does; faults begin with its index."""
-        verdicts = ((i, found.verify()) for i, found in enumerate(self))
-        return Verdict(tuple(f"wrench {i}: {fault}" for i, v in verdicts for fault in v.faults))
+        verdicts = [(f"wrench {i}: ", found.verify()) for i, found in enumerate(self)]
+        return Verdict(
+            tuple(where + fault for where, v in verdicts for fault in v.faults),
+            unchecked=tuple(where + what for where, v in verdicts for what in v.unchecked),
+        )
+
+
+def robots_of(swarm: Swarm) -> Robots:
+    """Return what is said of robots, as plain data."""
+    return Robots(
+        swarm.contacts - swarm.outline.origin, swarm.directions, swarm.limits,
+        swarm.reverse_limits, swarm.steers, swarm.frictions, swarm.leasts, swarm.rare.envelopes,
+        swarm.rare.gaps,
+    )  # fmt: skip
 
 
 def _sizes(vectors: Array) -> Array:

@@ -7,6 +7,31 @@ from numpy.typing import NDArray
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
+from swarmgrasp.swarm.sectors import Sector
+
+Kept = tuple[tuple[int, Sector], ...]
+"""Robots, by their index, that keep one sector each."""
+
+
+@dataclass(frozen=True, eq=False)
+class SectorsProof(Frozen, Told):
+    """Why no other sectors serve better, of robots whose sectors have gaps between (T28).
+
+    Attributes
+    ----------
+    kept : tuple of (int, (float, float))
+        Robots that keep one sector, of half a turn or less. Of these, and of all others with their
+        gaps filled, the normals and the price prove that no forces are better.
+    others : tuple of (kept, (3,))
+        Robots that keep other sectors, and a unit normal, in the metric's coordinates, that proves
+        that they need as large a share, or come no nearer. With those kept these are all choices.
+    is_best : bool
+        Whether that is so: otherwise there are too many choices to ask for all of them.
+    """
+
+    kept: Kept
+    others: tuple[tuple[Kept, NDArray[np.float64]], ...]
+    is_best: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +58,10 @@ class ForcesCertificate(Frozen, Told):
         Unit directions in the metric's coordinates, at most 3; none for no wrench.
     price : (3,) [1/N]
         y, in the metric's coordinates.
+    sectors : SectorsProof, optional
+        If robots have sectors with gaps between.
     """
 
     normals: NDArray[np.float64]
     price: NDArray[np.float64]
+    sectors: SectorsProof | None = None

@@ -4,14 +4,13 @@ Kernels find them, and check them themselves. Where rounding has misled that for
 program tells it the normal to start from.
 """
 
-from typing import NamedTuple, NoReturn
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import ForcesNotProven
 from swarmgrasp.forces.answer import Array, Forces, ForcesAlong
 from swarmgrasp.forces.certificate import ForcesCertificate
+from swarmgrasp.forces.choosing import gap_rows
+from swarmgrasp.forces.rows import Rows, refuse_unproven, set_rows
 from swarmgrasp.forces.start import start_for
 from swarmgrasp.forces.wanted import CALM, Triple, check_forces, check_forces_along
 from swarmgrasp.frozen import read_only
@@ -33,6 +32,10 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     largest, and for their sum the largest share may grow by 1e-6 of itself. One that always exerts
     a least force has a share from 0 there to 1 at its limit: the wrench is within reach if
     all can be made within their sets.
+
+    A robot whose sectors have gaps between pushes in one of them, and in which it does is chosen
+    anew for each wrench: exactly, by branch and bound over the choices (T28). For up to 4096 asked
+    for; beyond that the best found is told, and the certificate's `sectors.is_best` says so.
 
     Parameters
     ----------
@@ -81,6 +84,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
     scaled = np.array((u * x, v * y, w * z))
     row = _rows(swarm, scaled[None], (u * a, v * b, w * c))
     normals = row.normals[0]
+    proof = row.sectors[0] if row.sectors else None
     return Forces(
         swarm,
         np.array(wanted),
@@ -90,7 +94,7 @@ def forces(swarm: Swarm, wrench: ArrayLike, *, load: ArrayLike = CALM) -> Forces
         float(row.needed[0]),
         float(row.shortfalls[0]),
         bool(row.is_least_squares[0]),
-        ForcesCertificate(normals[normals.any(axis=1)], row.prices[0]),
+        ForcesCertificate(normals[normals.any(axis=1)], row.prices[0], proof),
     )
 
 
@@ -98,7 +102,8 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     """Find how hard each robot pushes for each of many wrenches, such as a trajectory's.
 
     Each is found as by `forces`, and where they follow each other smoothly sooner than alone.
-    The shares then follow smoothly too: they are a continuous function of the wrench.
+    The shares then follow smoothly too: they are a continuous function of the wrench, but where a
+    robot changes between sectors with a gap between.
 
     Parameters
     ----------
@@ -133,19 +138,7 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     )
 
 
-class _Rows(NamedTuple):
-    """What kernels found for m wrenches, as in `ForcesAlong`."""
-
-    vectors: Array
-    shares: Array
-    needed: Array
-    shortfalls: Array
-    is_least_squares: NDArray[np.bool_]
-    normals: Array
-    prices: Array
-
-
-def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> _Rows:
+def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
     """Return what the kernels find for wrenches (m, 3), all in the metric's coordinates.
 
     Raises
@@ -159,20 +152,11 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> _Rows:
         shares, rest = table[:, :n], table[:, n:]
         vectors = shares[..., None] * swarm.generators[:, :2]
         normals, is_least = rest[:, 2:11].reshape(m, 3, 3), np.ones(m, dtype=bool)
-        return _Rows(read_only(vectors), shares, rest[:, 0], rest[:, 1], read_only(is_least),
+        return Rows(read_only(vectors), shares, rest[:, 0], rest[:, 1], read_only(is_least),
                      normals, rest[:, 11:14])  # fmt: skip
-    x, y, z = swarm.scale.tolist()
-    elements, counts = swarm.force_sets
-    arms = np.ascontiguousarray(swarm.contacts - swarm.outline.origin)
-    table = np.frombuffer(
-        kernel.push_forces(arms, elements, counts.astype(float), (x, y, z), wrenches, load)
-    ).reshape(m, 3 * n + 13)
-    rest = table[:, 3 * n :]
-    if not rest[:, -1].all():
-        _refuse(swarm, wrenches[np.argmin(rest[:, -1])])
-    return _Rows(table[:, : 2 * n].reshape(m, n, 2), table[:, 2 * n : 3 * n], rest[:, 0],
-                 rest[:, 1], read_only(rest[:, 11] == 1.0), rest[:, 2:8].reshape(m, 2, 3),
-                 rest[:, 8:11])  # fmt: skip
+    if swarm.rare.gaps:
+        return gap_rows(swarm, wrenches, load)
+    return set_rows(swarm, wrenches, load)
 
 
 def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
@@ -188,15 +172,5 @@ def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
         start = start_for(B, wrenches[k] - load)
         rows[k] = np.frombuffer(kernel.least_shares(B, wrenches[k], load, start))
     if len(unsure) and not rows[unsure, -1].all():
-        _refuse(swarm, wrenches[unsure[np.argmin(rows[unsure, -1])]])
+        refuse_unproven(swarm, wrenches[unsure[np.argmin(rows[unsure, -1])]])
     return read_only(rows)
-
-
-def _refuse(swarm: Swarm, wrench: Array) -> NoReturn:
-    """Raise `ForcesNotProven` for a wrench in the metric's coordinates."""
-    raise ForcesNotProven(
-        f"the shares that make {(wrench / swarm.scale).tolist()} [N, N, N m] cannot be "
-        f"told from others by more than rounding: limits are from {swarm.limits.min():.3g} to "
-        f"{swarm.limits.max():.3g} N, or robots alike to 1e-9; leave out the far weaker ones, "
-        "or make those alike equal"
-    )

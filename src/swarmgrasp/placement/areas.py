@@ -17,7 +17,7 @@ from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement.pieces import Interval, rows_of, zone_labels
 from swarmgrasp.swarm import Zone
-from swarmgrasp.swarm.robot import SAME_ANGLE
+from swarmgrasp.swarm.sectors import SAME_ANGLE
 
 Array = NDArray[np.float64]
 INSIDE = "inside"

@@ -20,7 +20,7 @@ from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import WORK, Best, Optimum
 from swarmgrasp.placement.set_search import SetSearch
 from swarmgrasp.placement.ties import Spot, Tie
-from swarmgrasp.swarm.robot import SAME_ANGLE
+from swarmgrasp.swarm.sectors import SAME_ANGLE
 
 Array = NDArray[np.float64]
 PIECE, FROM, TO, LO, HI, BOUND, TERMS = range(7)

@@ -117,8 +117,9 @@ def explain_placement(answer: "Placement") -> str:
 
 def _quality_of(swarm: "Swarm", found: Weakest, answer: "Placement") -> Quality:
     """Return a quality that the search found."""
+    value = found.quality
     return Quality(
-        found.quality, found.quality, np.array(found.normal), answer.problem.criterion, swarm
+        value, value, value, np.array(found.normal), answer.problem.criterion, None, swarm, swarm
     )
 
 

@@ -79,7 +79,7 @@ class SpanSearch(SetSearch[core.Spans]):
     """
 
     def __init__(self, problem: Problem, pieces: Pieces) -> None:
-        elements, counts = force_sets_of(_columns_on(problem, pieces), {})
+        elements, counts = force_sets_of(_columns_on(problem, pieces), {}, {})
         ends = np.ascontiguousarray(pieces.rows[:, :4])
         super().__init__(
             problem,

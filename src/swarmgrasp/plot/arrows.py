@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
 from swarmgrasp.swarm import Robot
-from swarmgrasp.swarm.force_set import boundary_of
+from swarmgrasp.swarm.force_set import boundary_of, fans_of
 
 Vector = NDArray[np.float64]
 
@@ -78,22 +78,24 @@ class Arrows:
     def shafts(self, robot: Robot) -> list[tuple[Vector, Vector]]:
         """Return tails and tips of the arrows that show a robot's forces.
 
-        Two for one that also pushes the other way, none for one that pushes any way.
+        Two for one that also pushes the other way, none for one that pushes any way, or in several
+        sectors.
         """
-        if robot.steers >= math.pi:
+        if robot.steers >= math.pi or robot.sectors is not None:
             return []
         tail, tip = self.ends(robot)
         if robot.reverse_limit == 0.0:
             return [(tail, tip)]
         return [(tail, tip), (tail, tail - self.length(robot.reverse_limit) * _way(robot))]
 
-    def area(self, robot: Robot) -> Vector:
+    def areas(self, robot: Robot) -> list[Vector]:
         """Return the corners (k, 2) [m, m] around all forces of a robot, drawn at its contact.
 
-        Every one is where the outer end of its arrow would be.
+        Every one is where the outer end of its arrow would be. Of sectors with gaps between there
+        is an area for each.
         """
-        sign = -1.0 if self._pushes(robot) else 1.0
-        return np.array(robot.contact) + sign * self.length(1.0) * boundary_of(robot)
+        reach = (-1.0 if self._pushes(robot) else 1.0) * self.length(1.0)
+        return [np.array(robot.contact) + reach * fan for fan in fans_of(robot)]
 
     def force_ends(self, robot: Robot, force: Vector) -> tuple[Vector, Vector]:
         """Return tail and tip of the arrow of a force (2,) [N, N] that a robot exerts."""
@@ -102,14 +104,15 @@ class Arrows:
 
     def _pushes(self, robot: Robot) -> bool:
         """Tell whether a robot's force along its direction goes into the object, and no other."""
-        if robot.mounted or robot.reverse_limit or robot.steers > 0.5 * math.pi:
+        is_any = robot.sectors is not None or robot.steers > 0.5 * math.pi
+        if robot.mounted or robot.reverse_limit or is_any:
             return False
         step = PROBE * self.outline.extent * _way(robot)
         return self.outline.contains(np.array(robot.contact) + step)
 
     def box(self) -> tuple[Vector, Vector]:
         """Return the corners of the box round the outline and all arrows, each (2,) [m, m]."""
-        areas = [self.area(robot) for robot in self.everyone]
+        areas = [area for robot in self.everyone for area in self.areas(robot)]
         points = np.concatenate([self.outline.vertices, *areas])
         return points.min(axis=0), points.max(axis=0)
 
@@ -129,7 +132,7 @@ def _largest(robot: Robot) -> Vector:
 
 def has_area(robot: Robot) -> bool:
     """Tell whether a robot's forces are more than those of a line."""
-    return bool(robot.steers or robot.friction or robot.envelope)
+    return bool(robot.steers or robot.friction or robot.envelope or robot.sectors)
 
 
 def draw_arrows(ax: Axes, ends: Sequence[tuple[Vector, Vector]], **look: Any) -> None:

@@ -200,7 +200,7 @@ def _draw_hull(page: Page, found: Capability, top: float) -> None:
         chosen = [r for r in swarm if ((r.group or r.name) in lost) == gone]
         ends = [(*placed(np.array(shaft)),) for r in chosen for shaft in arrows.shafts(r)]
         draw_arrows(ax, ends, color=colour, width=0.008 if many else 0.014, gid=gid)
-        areas = [placed(arrows.area(robot)) for robot in chosen if has_area(robot)]
+        areas = [placed(area) for r in chosen if has_area(r) for area in arrows.areas(r)]
         shade: dict[str, Any] = {"facecolor": to_rgba(colour, 0.1), "edgecolor": colour}
         ax.add_collection(
             PolyCollection(areas, **shade, linewidth=0.6, zorder=3.5, gid=f"{gid}-area")

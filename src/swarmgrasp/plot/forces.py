@@ -104,7 +104,7 @@ def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
     for tail, tip in limits:
         page.keep_clear(tail, tip, breadth=HEAD * width)
     draw_arrows(page.ax, limits, color=LIMIT, width=width, gid="limit", zorder=3.5)
-    areas = [arrows.area(robot) for robot in robots if has_area(robot)]
+    areas = [area for robot in robots if has_area(robot) for area in arrows.areas(robot)]
     page.ax.add_collection(PolyCollection(areas, **AREA_LOOK, zorder=3.4, gid="limit-area"))
     hardest = _hardest(found)
     for is_hardest, colour, gid in (

@@ -80,7 +80,8 @@ def plan(
     An arrow is the force a robot can exert on the object, its length in proportion to the
     robot's limit: a push ends at the contact, a pull starts there. What pushes both ways has an
     arrow each way. Round the arrow of a robot that steers, or has friction or an envelope, all its
-    forces are drawn as an area, to the same scale: of an azimuth thruster a circle.
+    forces are drawn as an area, to the same scale: of an azimuth thruster a circle, of sectors with
+    gaps between a fan for each.
 
     By a criterion of the worst case, robots that have a tolerance are drawn with all their
     contacts and directions and in their worst poses, and robots lost are drawn hollow: of the
@@ -211,10 +212,11 @@ def _draw_areas(page: Page, arrows: Arrows, robots: Sequence[Robot], kind: str, 
 
     Labels may lie across the circles of azimuth thrusters, which often cover each other.
     """
-    areas = [arrows.area(robot) for robot in robots]
+    areas = [(robot, area) for robot in robots for area in arrows.areas(robot)]
     look = _area_look(kind) | ({"facecolor": "none"} if gone else {})
-    page.ax.add_collection(PolyCollection(areas, **look, zorder=3.2, gid=f"{kind}-area"))
-    for robot, area in zip(robots, areas, strict=True):
+    corners = [area for _, area in areas]
+    page.ax.add_collection(PolyCollection(corners, **look, zorder=3.2, gid=f"{kind}-area"))
+    for robot, area in areas:
         for start, end in itertools.pairwise(np.vstack([area, area[:1]])):
             if robot.steers < math.pi:
                 page.keep_clear(start, end)

@@ -136,7 +136,7 @@ def draw_poses(page: Page, arrows: Arrows, case: WorstCase) -> None:
             page.keep_clear(start, end)
     ends = [shaft for robot in case.poses for shaft in arrows.shafts(robot)]
     draw_arrows(page.ax, ends, **WORST, zorder=4.2, gid="worst-pose")
-    areas = [arrows.area(robot) for robot in case.poses if has_area(robot)]
+    areas = [area for pose in case.poses if has_area(pose) for area in arrows.areas(pose)]
     look: dict[str, Any] = {"facecolor": "none", "edgecolor": style.WINE, "linewidth": 0.8}
     page.ax.add_collection(PolyCollection(areas, **look, zorder=3.4, gid="worst-area"))
     for tail, tip in ends:

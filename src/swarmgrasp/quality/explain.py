@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.words import Unit, degrees, list_words, percent
 
 if TYPE_CHECKING:
@@ -53,6 +54,7 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
     return "\n".join(
         [
             _headline(found, swarm, unit),
+            *_choice_sentences(found, unit),
             *limit_sentences(found, swarm, unit),
             *_work_sentences(found, swarm),
             *loss_sentences(found),
@@ -125,11 +127,27 @@ def _headline(found: "Quality", swarm: "Swarm", unit: Unit) -> str:
         if found.criterion.task is not None:
             return f"{given} manages {value}."
         return f"{given} exerts at least {value} in every direction, turning included."
+    if str(found.force_closure) == "open":
+        return f"{given} keeps no choice of sectors that exerts something in every direction."
     if found.is_force_closure:
         return f"{given} has nothing to spare: it does not hold the load."
     if str(found.force_closure) == "marginal":
         return f"{given} is on the border of force closure: the outline's rounding decides."
     return f"{given} has no force closure: in some directions it exerts nothing."
+
+
+def _choice_sentences(found: "Quality", unit: Unit) -> list[str]:
+    """Say which sectors robots with gaps keep, and how much more changing them may give."""
+    if found.choice is None:
+        return []
+    kept = [f"{name} in {sector_words(each)}" for name, each in found.choice.sectors.items()]
+    if len(kept) > MOST_NAMED:
+        kept = [f"one sector of each of {len(kept)} robots"]
+    best = "" if found.choice.is_best else ", the best choice that was found"
+    return [
+        f"That is with {list_words(kept)}{best}; changing between sectors, it is at most "
+        f"{unit.text(found.upper_bound)}."
+    ]
 
 
 def _work_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
@@ -199,7 +217,7 @@ def _works(count: int, does: str) -> str:
 
 def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
     """Say so if the opposite direction is as weak: no single robot helps then (T17)."""
-    if found.value == 0.0:
+    if found.value == 0.0 or found.choice is not None:
         return []
     (opposite,) = Aim(swarm, found.criterion).values(-found.direction[None])
     if opposite > found.value * (1.0 + EQUAL):

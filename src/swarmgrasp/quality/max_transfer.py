@@ -19,6 +19,7 @@ from swarmgrasp.quality.opposed import is_opposed
 from swarmgrasp.quality.robot_sets import RobotSets
 from swarmgrasp.quality.weakest import Weakest, bounded_weakest
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.choices import Asked, Choice, Choices, Taken
 from swarmgrasp.swarm.swarm import check_swarm
 
 
@@ -29,11 +30,16 @@ class ForceClosure(StrEnum):
     NO = "no"
     MARGINAL = "marginal"
     """Rounding in the outline's coordinates decides: see `Outline.precision`."""
+    OPEN = "open"
+    """No choice of one sector for each robot has it, and with the gaps filled they do (T28)."""
 
 
 @dataclass(frozen=True, eq=False)
 class Quality(Frozen, Answer):
     """The quality of a swarm by a criterion, and what limits it.
+
+    If robots have sectors with gaps between, all that is told here is of the swarm that keeps the
+    best choice of one sector for each, and `upper_bound` says how much more it may be (T28).
 
     Attributes
     ----------
@@ -43,23 +49,31 @@ class Quality(Frozen, Answer):
     bound : float [N]
         What the quality is at least: the value itself, or next to it with uncertain poses; less if
         the search ran out of its budget of work.
+    upper_bound : float [N]
+        What it is at most: the value itself, or the quality with the gaps between sectors filled.
     direction : (3,)
         Unit normal of the weakest facet, in the metric's coordinates.
     criterion : Criterion
+    choice : Choice, optional
+        The sectors kept, if robots have sectors with gaps between.
     """
 
     value: float
     bound: float
+    upper_bound: float
     direction: NDArray[np.float64]
     criterion: Criterion
+    choice: Choice | None
     _swarm: Swarm = field(repr=False)
+    _held: Swarm = field(repr=False)
+    """The same swarm, or as it is with the sectors kept."""
 
     kind = "quality"
 
     @property
     def weakest_wrench(self) -> NDArray[np.float64]:
         """(3,) [N, N, N m]: the smallest wrench on the boundary, where ball or task touches it."""
-        scale, task = self._swarm.scale, self.criterion.task
+        scale, task = self._held.scale, self.criterion.task
         if task is None:
             return self.value * self.direction / scale
         return self.value * task.farthest(self.direction * scale)
@@ -67,14 +81,14 @@ class Quality(Frozen, Answer):
     @property
     def weakest_words(self) -> str:
         """How the weakest wrench would move the object."""
-        return self.criterion.weakest_words(self._swarm, self.direction)
+        return self.criterion.weakest_words(self._held, self.direction)
 
     @cached_property
     def lost(self) -> tuple[str, ...]:
         """Names of the robots and groups whose loss hurts most, the worst first."""
-        groups = self._swarm.rare.groups
+        groups = self._held.rare.groups
         rows = self._aim.lost_at(self._normal) if self.criterion.losing else ()
-        return tuple(dict.fromkeys(groups.get(i) or self._swarm.names[i] for i in rows))
+        return tuple(dict.fromkeys(groups.get(i) or self._held.names[i] for i in rows))
 
     @cached_property
     def failure(self) -> tuple[str, ...]:
@@ -85,7 +99,7 @@ class Quality(Frozen, Answer):
     @cached_property
     def gone(self) -> tuple[str, ...]:
         """Names of the robots that are not there in the worst case: lost, failing, or absent."""
-        return tuple(self._swarm.names[i] for i in sorted(self._aim.gone_at(self._normal)))
+        return tuple(self._held.names[i] for i in sorted(self._aim.gone_at(self._normal)))
 
     @cached_property
     def worst_swarm(self) -> Swarm:
@@ -100,18 +114,18 @@ class Quality(Frozen, Answer):
         """
         if isinstance(self._aim.robots, RobotSets):
             setters = self._aim.robots.setters(self._normal)
-            return tuple(self._swarm.names[i] for i in setters)
-        generators = self._swarm.scaled_generators
+            return tuple(self._held.names[i] for i in setters)
+        generators = self._held.scaled_generators
         if self.criterion.worst_case:
             generators = self._aim.worst_wrenches(self._normal)
         sizes = _sizes(generators)
         facet = (sizes > 0.0) & (np.abs(generators @ self.direction) <= ON_FACET * sizes)
-        return tuple(self._swarm.names[i] for i in np.flatnonzero(facet).tolist())
+        return tuple(self._held.names[i] for i in np.flatnonzero(facet).tolist())
 
     @property
     def noise(self) -> float:
         """By how much rounding in the outline's coordinates may change the value [N] (T4)."""
-        return self.criterion.noise(self._swarm, self.direction)
+        return self.criterion.noise(self._held, self.direction)
 
     @cached_property
     def force_closure(self) -> ForceClosure:
@@ -121,7 +135,11 @@ class Quality(Frozen, Answer):
             return quality(self._swarm, **terms).force_closure
         if self.value > 0.0:
             return ForceClosure.YES if self.value > self.noise else ForceClosure.MARGINAL
-        swarm = self._swarm if self.criterion.is_nominal else self.worst_swarm
+        if self.upper_bound > 0.0:
+            return ForceClosure.OPEN
+        if self.choice is not None:
+            return quality(self._swarm.filled, **self.criterion.terms).force_closure
+        swarm = self._held if self.criterion.is_nominal else self.worst_swarm
         return ForceClosure.NO if is_opposed(swarm) else ForceClosure.MARGINAL
 
     @property
@@ -136,7 +154,7 @@ class Quality(Frozen, Answer):
         Weighted by the metric; of rays it is the sum of the limits / pi. No robots with these
         forces exceed it, wherever they are (T3).
         """
-        return float("nan") if self.criterion.task is not None else mean_reach(self._swarm)
+        return float("nan") if self.criterion.task is not None else mean_reach(self._swarm.filled)
 
     @property
     def efficiency(self) -> float:
@@ -146,12 +164,12 @@ class Quality(Frozen, Answer):
     @property
     def explanation(self) -> str:
         """What the swarm can do, what limits it and who sets that, a sentence per line."""
-        return explain_quality(self, self._swarm)
+        return explain_quality(self, self._held)
 
     @property
     def metric(self) -> str:
         """The metric in words."""
-        return self._swarm.metric_sentence
+        return self._held.metric_sentence
 
     def to_data(self) -> dict[str, Any]:
         """Return the swarm, the criterion and what limits the quality as plain data."""
@@ -159,7 +177,8 @@ class Quality(Frozen, Answer):
         return {
             "swarm": swarm.to_data(),
             **picked(
-                self, "criterion", "value", "bound", "noise", "force_closure", "direction",
+                self, "criterion", "value", "bound", "upper_bound", "choice", "noise",
+                "force_closure", "direction",
                 "weakest_wrench", "ceiling", "efficiency", "explanation", "facet_robots", "lost",
                 "failure",
             ),
@@ -175,7 +194,7 @@ class Quality(Frozen, Answer):
     @cached_property
     def _aim(self) -> Aim:
         """The criterion in the kernels' terms."""
-        return Aim(self._swarm, self.criterion)
+        return Aim(self._held, self.criterion)
 
 
 def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
@@ -190,6 +209,10 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     Robots that steer, reverse or have other sets of forces take a search of their own (T21). It is
     exact where sets have corners only, and certified to 1e-9 of the value, or to 1e-7 where the
     weakest directions are a whole curve; groups and named failures are as exact (T25).
+
+    Of robots whose sectors have gaps between it is known to lie between two bounds (T28): what the
+    swarm has that keeps the best choice of one sector for each, and what it has with the gaps
+    filled. Up to 4096 choices, whole and in part, are asked for; those that cannot be best are not.
 
     Parameters
     ----------
@@ -230,8 +253,37 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     """
     check_swarm(swarm)
     criterion = Criterion(**terms) if terms else NOMINAL
-    found, bound = _weakest(swarm, criterion)
-    return Quality(found.quality, bound, np.array(found.normal), criterion, swarm)
+    held, choice, most = swarm, None, None
+    if swarm.rare.gaps:
+        held, choice, most = best_choice(swarm, criterion)
+    found, bound = _weakest(held, criterion)
+    upper_bound = found.quality if most is None else max(most, found.quality)
+    return Quality(
+        found.quality, bound, upper_bound, np.array(found.normal), criterion, choice, swarm, held
+    )
+
+
+def best_choice(swarm: Swarm, criterion: Criterion) -> tuple[Swarm, Choice, float]:
+    """Find the choice of one sector for each robot with gaps that has the best quality (T28).
+
+    Returns
+    -------
+    swarm : Swarm
+        With the sectors of that choice.
+    choice : Choice
+    upper_bound : float [N]
+        The quality with all gaps filled.
+    """
+    choices = Choices(swarm)
+
+    def ask(taken: Taken) -> Asked:
+        """Return the quality that no choice exceeds that agrees with one."""
+        found, _ = _weakest(choices.swarm(taken), criterion)
+        return Asked((-found.quality,), choices.first_open(taken), found.quality)
+
+    found = choices.least(ask)
+    most = float(ask(choices.none).what)
+    return choices.swarm(found.taken), choices.told(found.taken, found.is_best), most
 
 
 def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:

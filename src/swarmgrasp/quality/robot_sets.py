@@ -83,7 +83,7 @@ def certain_sets(
     found = swarm.force_sets
     if spreads:
         changed = swarm.columns._replace(directions=directions, steers=steers, limits=limits)
-        found = force_sets_of(changed, swarm.rare.envelopes)
+        found = force_sets_of(changed, swarm.rare.envelopes, swarm.rare.hulls)
     rays.update(enumerate(astern.values(), start=n + len(more)))
     others = np.zeros(len(more) + len(astern))
     first = int(swarm.machines.max(initial=-1)) + 1
@@ -140,6 +140,7 @@ def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
         kinds = {
             "friction": swarm.frictions[i] > 0.0,
             "an envelope": is_envelope,
+            "sectors with gaps between": i in swarm.rare.hulls,
             "a least force": swarm.leasts[i] > 0.0,
             "steering both ways": swarm.reverse_limits[i] > 0.0 and swarm.steers[i] > 0.0,
         }

@@ -345,7 +345,7 @@ def _changes(swarm: Swarm) -> Iterator[tuple[int, int, Array, ForceSets]]:
             (5, _opened(columns, sign * STEP, 1.0), turn),
         )
         for kind, changed, steps in kinds:
-            yield kind, way, steps, force_sets_of(columns._replace(**changed), envelopes)
+            yield kind, way, steps, force_sets_of(columns._replace(**changed), envelopes, {})
 
 
 def _opened(columns: Columns, turn: float, end: float) -> dict[str, Array]:

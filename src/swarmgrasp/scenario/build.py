@@ -184,6 +184,8 @@ def _direction(
 ) -> float | None:
     """Return the direction of a robot's force [rad], or None after noting a fault."""
     wanted = section.direction
+    if section.sectors is not None:
+        return math.nan  # they tell it
     if wanted is None and section.friction is not None:
         wanted = "inward"
     if not isinstance(wanted, str):

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from swarmgrasp.scenario.fields import STRONGEST, Force, Number, Section
+from swarmgrasp.scenario.fields import STRONGEST, Force, Number, Range, Section
 from swarmgrasp.swarm.robot import MOST_FRICTION
 
 
@@ -41,6 +41,8 @@ Steers = Annotated[
 ]
 """How far either side of its direction a robot turns its force, or any way."""
 Friction = Annotated[Number, Field(gt=0, le=MOST_FRICTION)]
+SectorRanges = Annotated[list[Range], Field(min_length=1)]
+"""Directions that a robot may push in, with gaps between."""
 Corner = Annotated[list[_Component], Field(min_length=2, max_length=2)]
 
 LIMIT = "Largest force; or, of what pushes both ways, {ahead: .., astern: ..} [units.force]."

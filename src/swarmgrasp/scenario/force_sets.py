@@ -8,6 +8,7 @@ from swarmgrasp.scenario.force_schema import BothWaysSection
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.swarm.sectors import Sectors, sector_faults
 
 
 class Forces(TypedDict, total=False):
@@ -24,6 +25,7 @@ class OwnForces(TypedDict, total=False):
     least: float
     steers: float
     envelope: tuple[tuple[float, float], ...] | None
+    sectors: Sectors | None
 
 
 def check_force_sets(checked: Checked, units: Units) -> None:
@@ -68,6 +70,8 @@ def own_forces_of(section: RobotSection, units: Units) -> OwnForces:
     if section.envelope is not None:
         corners = tuple((units.newtons(x), units.newtons(y)) for x, y in section.envelope)
         found["envelope"] = corners
+    if section.sectors is not None:
+        found["sectors"] = _sectors(section.sectors, units)
     return found
 
 
@@ -81,10 +85,16 @@ def _steers(section: RobotSection, units: Units) -> float:
     return min(units.radians(section.steers or 0.0), math.pi)  # half a turn, rounding aside
 
 
+def _sectors(written: list[list[float]], units: Units) -> Sectors:
+    """Return sectors [rad]."""
+    return tuple((units.radians(start), units.radians(end)) for start, end in written)
+
+
 def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Units) -> None:
     """Note what is wrong with the forces of a robot."""
     _check_envelope(section, path, checked)
     _check_both_ways(section, path, checked)
+    _check_sectors(section, path, checked, units)
     steers, half = section.steers, units.turn(0.5)
     if isinstance(steers, float) and steers > half and checked.is_sound("units"):
         said = f"should lie in [0, {half:.9g}] {units.angle}, or be any"
@@ -97,6 +107,7 @@ def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Uni
         checked.fault((*path, "two_way"), said)
     is_finger = checked.has(*path, "friction") and not section.mounted
     needs_none = section.steers == "any" or is_finger or not checked.is_sound(*path, "steers")
+    needs_none |= checked.has(*path, "sectors")
     if not needs_none and not checked.has(*path, "direction"):
         said = "is missing; give the direction of the force: an angle, inward or outward"
         checked.fault((*path, "direction"), said, got=False)
@@ -112,6 +123,22 @@ def _check_envelope(section: RobotSection, path: Path, checked: Checked) -> None
     for key in ("limit", "steers", "friction", "two_way"):
         if is_given and checked.has(*path, key):
             checked.fault((*path, key), "the envelope tells all forces already; keep one")
+
+
+def _check_sectors(section: RobotSection, path: Path, checked: Checked, units: Units) -> None:
+    """Note sectors that overlap, and what they say already or do not go with."""
+    if not checked.has(*path, "sectors"):
+        return
+    for key in ("direction", "steers", "friction", "two_way", "envelope"):
+        if checked.has(*path, key):
+            said = "the sectors tell all directions already; leave it out"
+            checked.fault((*path, key), said)
+    if not isinstance(section.limit, float | None):
+        checked.fault((*path, "limit"), "should be one limit beside sectors, the same in all")
+    if section.sectors is not None and checked.is_sound("units"):
+        for fault in sector_faults(_sectors(section.sectors, units)):
+            said = f"{fault.partition(', ')[0]}; say them as one"
+            checked.fault((*path, "sectors"), said, got=False)
 
 
 def _check_both_ways(section: RobotSection | NewcomerSection, path: Path, checked: Checked) -> None:

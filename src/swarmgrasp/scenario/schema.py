@@ -28,6 +28,7 @@ from swarmgrasp.scenario.force_schema import (
     Friction,
     Limit,
     RobotLimit,
+    SectorRanges,
     Steers,
 )
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
@@ -144,7 +145,7 @@ class RobotSection(Section):
                 {"oneOf": _ways(["limit"], ["envelope"])},
                 {
                     "anyOf": [
-                        *_ways(["direction"], ["friction"]),
+                        *_ways(["direction"], ["friction"], ["sectors"]),
                         {"properties": {"steers": {"const": "any"}}, "required": ["steers"]},
                     ]
                 },
@@ -162,7 +163,7 @@ class RobotSection(Section):
         None,
         description="Direction of the force on the object, counter-clockwise from +x "
         "[units.angle], or along the normal: inward or outward. May be left out for what steers "
-        "any way, and for a finger with friction, which pushes inward.",
+        "any way, and for a finger with friction, which pushes inward; not with sectors.",
         examples=[0.5, "inward", "outward"],
     )
     limit: RobotLimit | None = Field(
@@ -175,6 +176,13 @@ class RobotSection(Section):
         description="Turns its force at any time within this angle either side of its direction, "
         "or any way, as an azimuth thruster does [units.angle].",
         examples=[0.5, "any"],
+    )
+    sectors: SectorRanges | None = Field(
+        None,
+        description="The directions that it may push in, with gaps between, as an azimuth thruster "
+        "beside another one: each counter-clockwise from the first to the second, measured from "
+        "+x, instead of a direction [units.angle].",
+        examples=[[[0.5, 2.5], [3.5, 6]]],
     )
     friction: Friction | None = Field(None, description=FRICTION, examples=[0.5])
     envelope: list[Corner] | None = Field(

@@ -195,7 +195,8 @@ class _File:
         is_azimuth = robot.steers == math.pi
         steers = self.angle(0.0 if is_azimuth else robot.steers)
         told = _given(name=robot.name, contact=list(robot.contact))
-        if robot.direction or not is_azimuth:
+        sectors = [list(map(self.angle, sector)) for sector in robot.sectors or ()]
+        if not sectors and (robot.direction or not is_azimuth):
             told["direction"] = self.angle(robot.direction)
         if robot.envelope is None:
             told |= self.forces(robot, robot.least)
@@ -203,6 +204,7 @@ class _File:
             told["envelope"] = [list(map(self.force, corner)) for corner in robot.envelope]
         return told | _given(
             steers="any" if is_azimuth else steers,
+            sectors=sectors,
             group=robot.group,
             mounted=robot.mounted,
             tolerance=self.tolerance(robot.tolerance),

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.swarm.columns import Columns
 from swarmgrasp.swarm.robot import Envelope, Robot
+from swarmgrasp.swarm.sectors import Sectors
 
 Array = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -194,11 +195,34 @@ def boundary_of(robot: Robot) -> Array:
     return np.asarray(np.array(found) @ np.array([[c, s], [-s, c]]))
 
 
-def rays_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[np.bool_]:
-    """Tell which robots push along one ray only, from nothing to their limit: (n,)."""
+def fans_of(robot: Robot) -> list[Array]:
+    """Return corners (k, 2) [N, N] around a robot's forces, for each of its sectors if it has gaps.
+
+    Otherwise it is the one of `boundary_of`.
+
+    Examples
+    --------
+    >>> len(fans_of(Robot((1.0, 0.0), sectors=[(0.0, 1.0), (2.0, 3.0)])))
+    2
+    """
+    if robot.sectors is None:
+        return [boundary_of(robot)]
+    found = []
+    for start, end in robot.sectors:
+        turns = np.linspace(start, end, math.ceil((end - start) / CHORD) + 1)
+        rim = robot.limit * np.column_stack([np.cos(turns), np.sin(turns)])
+        found.append(np.vstack([np.zeros(2), rim]))
+    return found
+
+
+def rays_among(columns: Columns, shapes: Sequence[int]) -> NDArray[np.bool_]:
+    """Tell which robots push along one ray only, from nothing to their limit: (n,).
+
+    Those with shapes that the columns do not tell push along none.
+    """
     extra = (columns.reverse_limits, columns.steers, columns.frictions, columns.leasts)
     rays = np.logical_and.reduce([column == 0.0 for column in extra])
-    rays[list(envelopes)] = False
+    rays[list(shapes)] = False
     return np.asarray(rays)
 
 
@@ -207,10 +231,10 @@ def least_along(columns: Columns) -> Array:
     return np.where(columns.reverse_limits > 0.0, -columns.reverse_limits, columns.leasts)
 
 
-def lines_among(columns: Columns, envelopes: Mapping[int, Envelope]) -> NDArray[np.bool_]:
-    """Tell which robots push along one line only, one way or both: (n,)."""
+def lines_among(columns: Columns, shapes: Sequence[int]) -> NDArray[np.bool_]:
+    """Tell which robots push along one line only, one way or both: (n,); none with a shape."""
     lines = (columns.steers == 0.0) & (columns.frictions == 0.0)
-    lines[list(envelopes)] = False
+    lines[list(shapes)] = False
     return np.asarray(lines)
 
 
@@ -259,11 +283,13 @@ def _turned(shape: Sequence[Element], turn: float) -> Array:
     return table
 
 
-def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceSets:
-    """Return the force sets of robots, in the object's frame."""
+def force_sets_of(
+    columns: Columns, envelopes: Mapping[int, Envelope], hulls: Mapping[int, Sectors]
+) -> ForceSets:
+    """Return the force sets of robots, in the object's frame; of some, the hulls of sectors."""
     steers, reverse = columns.steers, columns.reverse_limits
     odd = (columns.frictions > 0.0) | ((steers > 0.0) & ((reverse > 0.0) | (columns.leasts > 0.0)))
-    odd[list(envelopes)] = True
+    odd[[*envelopes, *hulls]] = True
     lines, rounds = ~odd & (steers == 0.0), ~odd & (steers >= math.pi)
     sectors = ~(odd | lines | rounds)
     kinds = (
@@ -278,7 +304,14 @@ def force_sets_of(columns: Columns, envelopes: Mapping[int, Envelope]) -> ForceS
             table = elements(*(column[chosen] for column in given))
             owner.append(np.repeat(chosen, table.shape[1]))
             rows.append(table.reshape(-1, 5))
+    for i, each in hulls.items():
+        limit = float(columns.limits[i])
+        shape = hull_of([(0.0, 0.0)], [Arc(limit, *sector) for sector in each])
+        owner.append(np.full(len(shape), i))
+        rows.append(np.array(shape))
     for i in np.flatnonzero(odd).tolist():
+        if i in hulls:
+            continue
         shape = hull_of(envelopes[i]) if i in envelopes else shape_of(
             float(columns.limits[i]), float(reverse[i]), float(steers[i]),
             float(columns.frictions[i]), float(columns.leasts[i]),

@@ -3,6 +3,7 @@
 import math
 
 from swarmgrasp.swarm.robot import Newcomer, Robot
+from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.words import Unit, degrees, turned
 
 
@@ -17,6 +18,9 @@ def force_words(robot: Robot, unit: Unit | None = None) -> str:
     '51 kN ahead, 40 kN astern, at 0 deg'
     >>> force_words(Robot((0, 0), 0.0, 1.5, steers=math.pi))
     '1.5 N in any direction'
+    >>> azimuth = Robot((0, 0), limit=90e3, sectors=[(math.pi / 9, 8 / 9 * math.pi), (3.5, 5.9)])
+    >>> force_words(azimuth)
+    '90 kN from 20 to 160 deg or 200.5 to 338 deg'
     """
     unit = unit or Unit.for_size(robot.limit)
     friction = f", friction {robot.friction:.4g}" if robot.friction else ""
@@ -63,6 +67,8 @@ def _way(robot: Robot) -> str:
     """Say which way a robot pushes."""
     if robot.steers >= math.pi:
         return "in any direction"
+    if robot.sectors is not None:
+        return f"from {' or '.join(map(sector_words, robot.sectors))}"
     ahead = f"{round(turned(robot.direction), 1) + 0.0:g} deg"
     if robot.envelope is not None:
         return f"at most, by an envelope about {ahead}"
@@ -81,5 +87,7 @@ def width(angle: float) -> str:
 
 
 def heading(robot: Robot) -> str:
-    """Return the direction of a robot in degrees for a table; "any" if it has none."""
+    """Return the direction of a robot in degrees for a table; "any" or "several" if it has none."""
+    if robot.sectors is not None:
+        return "several"
     return "any" if robot.steers >= math.pi else degrees(robot.direction)

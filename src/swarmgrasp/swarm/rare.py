@@ -1,12 +1,19 @@
-"""What few robots have: tolerances, envelopes and groups, by index."""
+"""What few robots have: tolerances, envelopes, groups and sectors, by index."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.swarm.robot import Envelope, Robot
+from swarmgrasp.swarm.sectors import Sectors
 from swarmgrasp.swarm.tolerance import Tolerance
+
+_SAID = {
+    "tolerances": "tolerance", "envelopes": "envelope", "groups": "group", "gaps": "sectors",
+    "hulls": "sectors",
+}  # fmt: skip
+"""The fields of a robot that tell what is kept."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,27 +25,42 @@ class Rare(Frozen):
     tolerances : mapping of int to Tolerance
     envelopes : mapping of int to Envelope
     groups : mapping of int to str
-        Each of those robots that have one, by index.
+    gaps : mapping of int to Sectors
+        Each of those robots that have one, by index: of sectors, those with gaps between.
+    hulls : mapping of int to Sectors
+        Of robots that stand for others with gaps, and exert the hull of what these can.
     """
 
     tolerances: Mapping[int, Tolerance] = field(default_factory=dict)
     envelopes: Mapping[int, Envelope] = field(default_factory=dict)
     groups: Mapping[int, str] = field(default_factory=dict)
+    gaps: Mapping[int, Sectors] = field(default_factory=dict)
+    hulls: Mapping[int, Sectors] = field(default_factory=dict)
 
     @classmethod
     def of(cls, robots: Iterable[Robot], first: int = 0) -> "Rare":
         """Return what robots have, the first of them at an index."""
-        found: dict[str, dict[int, Any]] = {part.name: {} for part in fields(cls)}
+        found: dict[str, dict[int, Any]] = {name: {} for name in _SAID if name != "hulls"}
         for i, robot in enumerate(robots, start=first):
             for name, kept in found.items():
-                value = getattr(robot, name[:-1])
+                value = getattr(robot, _SAID[name])
                 if value:
                     kept[i] = value
         return cls(**found)
 
     def of_robot(self, i: int) -> dict[str, Any]:
         """Return what one robot has, by the names of a `Robot`'s fields."""
-        return {name[:-1]: kept[i] for name, kept in self._every() if i in kept}
+        return {_SAID[name]: kept[i] for name, kept in self._every() if i in kept}
+
+    @property
+    def shapes(self) -> list[int]:
+        """Robots whose forces no other number tells: those with envelopes and sectors."""
+        return [*self.envelopes, *self.gaps, *self.hulls]
+
+    def choosing(self, taken: Collection[int]) -> "Rare":
+        """Return the same with one sector chosen for some robots, and the hulls of all others."""
+        left = {i: kept for i, kept in {**self.gaps, **self.hulls}.items() if i not in taken}
+        return replace(self, gaps={}, hulls=left)
 
     def with_robot(self, i: int, robot: Robot) -> "Rare":
         """Return the same with a robot at an index, instead of any there."""

@@ -22,15 +22,14 @@ from swarmgrasp.ranges import (
     numbers,
     shown,
 )
+from swarmgrasp.swarm.sectors import SAME_ANGLE, Sectors, joined, middle_of, sector_faults
 from swarmgrasp.swarm.tolerance import Tolerance
+from swarmgrasp.words import list_words
 
 Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""
 
 RIGHT_ANGLE = math.pi / 2
-SAME_ANGLE = 1e-9
-"""Angle [rad] that counts as none."""
-
 
 MOST_FRICTION = 1e6
 """Largest coefficient of friction."""
@@ -52,7 +51,8 @@ class Robot(Plain):
     contact : tuple of float [m, m]
         Where it holds the object, in the frame of the outline's vertices.
     direction : float [rad]
-        Direction of the force it exerts on the object, counter-clockwise from +x.
+        Direction of the force it exerts on the object, counter-clockwise from +x. With `sectors` it
+        is the middle of the widest, and may be left out.
     limit : float [N]
         Largest force it can exert.
     name : str
@@ -76,6 +76,13 @@ class Robot(Plain):
         all the above. `limit` is then that of the largest, and may be left out.
     group : str
         Robots of one group fail together: a switchboard's thrusters, the two lines of a tug.
+    sectors : tuple of (float, float) [rad, rad], optional
+        The directions that it may push in, with gaps between, as of a thruster that must not blow
+        at its neighbour: each counter-clockwise from the first to the second, as `direction` is
+        counted. They do not overlap; those that touch are one. At any time it pushes in one of
+        them, and it may change between wrenches. One of half a turn or less is what `steers` says,
+        and becomes that; one of a whole turn, an azimuth thruster. A single wider one stays: its
+        gap is what is left of the turn.
 
     Raises
     ------
@@ -94,10 +101,17 @@ class Robot(Plain):
     >>> tunnel = Robot((1.0, 0.0), 1.57, limit=51e3, reverse_limit=40e3, mounted=True)
     >>> tug.is_ray, tunnel.is_ray
     (False, False)
+
+    A thruster with a neighbour ahead and one astern, and one that steers after all:
+
+    >>> round(Robot((1.0, 0.0), sectors=[(0.4, 2.7), (3.5, 5.9)]).direction, 6)
+    -1.583185
+    >>> round(Robot((1.0, 0.0), sectors=[(0.4, 1.0), (1.0, 1.4)]).steers, 6)
+    0.5
     """
 
     contact: tuple[float, float]
-    direction: float
+    direction: float = math.nan
     limit: float = 1.0
     name: str = ""
     mounted: bool = False
@@ -108,10 +122,11 @@ class Robot(Plain):
     least: float = 0.0
     envelope: Envelope | None = None
     group: str = ""
+    sectors: Sectors | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = []
+        faults = [] if self.sectors is None else self._take_sectors()
         corners = _corners(self.envelope)
         if corners:
             reach = max(math.hypot(*corner) for corner in corners)
@@ -157,7 +172,37 @@ class Robot(Plain):
     def is_ray(self) -> bool:
         """Whether it pushes along one ray only, from nothing to its limit."""
         more = (self.reverse_limit, self.steers, self.friction or 0.0, self.least)
-        return self.envelope is None and not any(more)
+        return self.envelope is None and self.sectors is None and not any(more)
+
+    def _take_sectors(self) -> list[str]:
+        """Keep the sectors in order, or steer if they leave no gap; return what is wrong."""
+        faults = sector_faults(self.sectors)
+        said = {
+            "the reverse limit": self.reverse_limit != 0.0,
+            "what it steers": self.steers != 0.0,
+            "the friction": bool(self.friction),
+            "the least force": self.least != 0.0,
+            "the envelope": self.envelope is not None,
+        }
+        others = [what for what, is_said in said.items() if is_said]
+        if others:
+            faults.append(f"sectors say all its directions: leave out {list_words(others)}")
+        if faults:
+            vars(self).update(direction=0.0)  # no fault of its own
+            return faults
+        kept = joined(self.sectors)
+        middle, (start, end) = middle_of(kept), kept[0]
+        way = self.direction
+        is_left_out = isinstance(way, float) and math.isnan(way)
+        if not is_left_out and not _is_same_angle(number(way), middle):
+            faults.append(
+                f"the direction is {shown(way)}; with sectors it is the middle of the widest, "
+                f"{middle:.9g} [rad], and may be left out"
+            )
+        vars(self).update(direction=middle, sectors=kept)
+        if len(kept) == 1 and not math.pi + SAME_ANGLE < end - start < math.tau:
+            vars(self).update(steers=min(0.5 * (end - start), math.pi), sectors=None)
+        return faults
 
     def _kind_faults(self) -> list[str]:
         """Return what is wrong with what it can exert beside its limit."""
@@ -458,6 +503,11 @@ def _corners(envelope: object) -> Envelope:
         return ()
     reach = max(math.hypot(*point) for point in points)
     return tuple((p[0], p[1]) for p in points) if WEAKEST <= reach <= STRONGEST else ()
+
+
+def _is_same_angle(one: float, other: float) -> bool:
+    """Tell whether two angles [rad], the first perhaps no number, are whole turns apart."""
+    return math.isfinite(one) and abs(math.remainder(one - other, math.tau)) <= SAME_ANGLE
 
 
 def _tolerance_faults(tolerance: object, limit: object) -> list[str]:

@@ -1,7 +1,7 @@
 """A swarm: the object, the robots holding it, and the metric that makes wrenches comparable."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -48,6 +48,7 @@ from swarmgrasp.swarm.names import Names, names_of, numbered
 from swarmgrasp.swarm.rare import Rare
 from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.swarm.rounding import generator_errors
+from swarmgrasp.swarm.sectors import Sector
 from swarmgrasp.swarm.tolerance import Tolerance
 
 
@@ -113,7 +114,7 @@ class Swarm(Frozen, Plain):
     characteristic_length: float
     force_weights: tuple[float, float]
     rare: Rare = field(repr=False)
-    """What only some robots have: tolerances, envelopes and groups."""
+    """What only some robots have: tolerances, envelopes, groups and sectors."""
     names: Names = field(repr=False)
     """Of the robots, in the order of the arrays: ``swarm.names[i]``."""
 
@@ -288,7 +289,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def is_ray(self) -> NDArray[np.bool_]:
         """(n,): which robots push along one ray only, from nothing to their limit."""
-        return read_only(rays_among(self.columns, self.rare.envelopes))
+        return read_only(rays_among(self.columns, self.rare.shapes))
 
     @cached_property
     def has_rays_only(self) -> bool:
@@ -298,7 +299,7 @@ class Swarm(Frozen, Plain):
     @cached_property
     def is_line(self) -> NDArray[np.bool_]:
         """(n,): which robots push along one line only, one way or both."""
-        return read_only(lines_among(self.columns, self.rare.envelopes))
+        return read_only(lines_among(self.columns, self.rare.shapes))
 
     @property
     def lows(self) -> NDArray[np.float64]:
@@ -307,9 +308,43 @@ class Swarm(Frozen, Plain):
 
     @cached_property
     def force_sets(self) -> ForceSets:
-        """What each robot can exert at its contact, in the object's frame (T20)."""
-        elements, counts = force_sets_of(self.columns, self.rare.envelopes)
+        """What each robot can exert at its contact, in the object's frame (T20).
+
+        Raises
+        ------
+        ForceSetUnsupported
+            If robots have sectors with gaps between: their forces are no convex set.
+        """
+        check_gaps(self)
+        elements, counts = force_sets_of(self.columns, self.rare.envelopes, self.rare.hulls)
         return ForceSets(read_only(elements), read_only(counts))
+
+    @property
+    def filled(self) -> "Swarm":
+        """The swarm as if robots filled the gaps between their sectors: it exerts at least as much.
+
+        Each exerts the convex hull of its forces.
+        """
+        return self.choosing({}) if self.rare.gaps else self
+
+    def choosing(self, sectors: Mapping[int, Sector]) -> "Swarm":
+        """Return the swarm with one sector for some robots with gaps, and the others' gaps filled.
+
+        Parameters
+        ----------
+        sectors : mapping of int to (float, float) [rad, rad]
+            By the robots' rows in the arrays; each of half a turn or less, or the hull is taken.
+        """
+        columns = self.columns._asdict() | {"generators": np.array(self.generators)}
+        rows, ends = list(sectors), np.array(list(sectors.values())).reshape(-1, 2)
+        columns["directions"], columns["steers"] = np.array(self.directions), np.array(self.steers)
+        columns["directions"][rows] = np.remainder(ends.mean(axis=1) + math.pi, math.tau) - math.pi
+        columns["steers"][rows] = 0.5 * (ends[:, 1] - ends[:, 0])
+        columns["generators"][rows] = wrenches(
+            self.contacts[rows] - self.outline.origin, columns["directions"][rows],
+            self.limits[rows],
+        )  # fmt: skip
+        return self._like(columns, self.names, self.rare.choosing(rows))
 
     @cached_property
     def machines(self) -> NDArray[np.intp]:
@@ -553,13 +588,34 @@ def check_rays(swarm: Swarm, what: str) -> None:
         What is asked for, such as "a summary".
     """
     if not swarm.has_rays_only:
-        others = np.flatnonzero(~swarm.is_ray)
-        names = [swarm.names[i] for i in others[:MOST_LISTED].tolist()]
-        more = f" and {len(others) - MOST_LISTED} more" if len(others) > MOST_LISTED else ""
         raise ForceSetUnsupported(
             f"{what} is for robots that push along one ray each, and these do not: "
-            f"{', '.join(names)}{more}"
+            f"{_listed(swarm, np.flatnonzero(~swarm.is_ray).tolist())}"
         )
+
+
+def check_gaps(swarm: Swarm, what: str = "this") -> None:
+    """Raise `ForceSetUnsupported` if robots have sectors with gaps between.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    what : str
+        What is asked for, such as "a wrench set".
+    """
+    if swarm.rare.gaps:
+        raise ForceSetUnsupported(
+            f"{what} is not known of robots whose sectors have gaps between: "
+            f"{_listed(swarm, sorted(swarm.rare.gaps))}; their quality, what losses leave of it "
+            "and push forces are, and anything of robots of one sector each, of half a turn or less"
+        )
+
+
+def _listed(swarm: Swarm, rows: Sequence[int]) -> str:
+    """Name the robots in some rows of the arrays, the first of them if they are many."""
+    names = [swarm.names[i] for i in rows[:MOST_LISTED]]
+    more = f" and {len(rows) - MOST_LISTED} more" if len(rows) > MOST_LISTED else ""
+    return f"{', '.join(names)}{more}"
 
 
 def check_swarm(swarm: object) -> None:

@@ -74,6 +74,8 @@ class RobotClaim(_Form):
     least: Size
     envelope: list[Point] | None
     group: str
+    sectors: None
+    """Sectors with gaps between are not checked: an answer with any is refused."""
 
     @property
     def is_line(self) -> bool:

@@ -6,13 +6,17 @@ the price by weak duality (T18, T27), which holds whatever they are: they need n
 """
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.verify.pushes import THIN, Array, Robots
+from swarmgrasp.verify.pushes import THIN, Array, Pair, Robots, outside
+
+Kept = tuple[tuple[int, Pair], ...]
+"""Robots with gaps, by index, that keep to one sector each."""
 
 ROUNDING = 1e-9
 """Relative difference that counts as rounding."""
@@ -29,6 +33,10 @@ SHARE = 1e-8
 SLACK = 1e-6
 """By so much of itself the least largest share may differ from what is proven, and the largest be
 more, for the least sum of squares."""
+LEFT = 3e-6
+"""By so much of itself less may be proven of other sectors than of those taken."""
+ANGLE = 1e-8
+"""Difference of two directions [rad] that counts as none."""
 SUM = 2e-5
 """By so much of itself that sum may exceed the least."""
 
@@ -51,6 +59,10 @@ class Claim:
     normals : (k, 3)
     price : (3,) [1/N]
         As in `Forces` and its `ForcesCertificate`.
+    kept : tuple of (int, pair)
+    others : tuple of (kept, (3,))
+    is_best : bool
+        As in its `SectorsProof`, of robots with gaps between their sectors.
     """
 
     robots: Robots
@@ -65,6 +77,9 @@ class Claim:
     is_least_squares: bool
     normals: Array
     price: Array
+    kept: Kept = ()
+    others: tuple[tuple[Kept, Array], ...] = ()
+    is_best: bool = True
 
     @property
     def scale(self) -> Array:
@@ -75,7 +90,91 @@ class Claim:
 
 def faults_of(claim: Claim) -> Iterator[str]:
     """Find everything that is claimed and does not hold."""
-    yield from _ray_faults(claim) if claim.robots.are_rays else _set_faults(claim)
+    robots = claim.robots
+    if not robots.sectors:
+        yield from _ray_faults(claim) if robots.are_rays else _set_faults(claim)
+        return
+    faults = [*_sector_faults(claim)]
+    yield from faults
+    if not faults:
+        yield from _other_faults(claim)
+        yield from _set_faults(replace(claim, robots=robots.keeping(claim.kept)))
+
+
+def _sector_faults(claim: Claim) -> Iterator[str]:
+    """Find forces in a gap, and sectors kept that are none (T28)."""
+    robots = claim.robots
+    for i, sectors in robots.sectors.items():
+        x, y = claim.vectors[i].tolist()
+        off = min(float(outside(np.arctan2(y, x), *sector)) for sector in sectors)
+        if not math.hypot(x, y) * math.sin(min(off, 0.5 * math.pi)) <= THIN * robots.limits[i]:
+            yield f"the force of robot {i} lies in a gap between its sectors"
+    for kept in (claim.kept, *(kept for kept, _ in claim.others)):
+        rows = [i for i, _ in kept]
+        if len(set(rows)) < len(rows) or not set(rows) <= set(robots.sectors):
+            yield f"robots {rows} are said to keep one sector each"
+        elif not all(_is_part(part, robots.sectors[i]) for i, part in kept):
+            yield "a sector said to be kept is no part of a robot's, of half a turn or less"
+
+
+def _is_part(part: Pair, sectors: Sequence[Pair]) -> bool:
+    """Tell whether a sector is a part of one of some, and convex."""
+    start, end = part
+    return 0.0 <= end - start <= math.pi + ANGLE and any(
+        (start - first + ANGLE) % math.tau + end - start <= last - first + 2.0 * ANGLE
+        for first, last in sectors
+    )
+
+
+def _other_faults(claim: Claim) -> Iterator[str]:
+    """Check that no other choice of sectors serves better (T28): weak duality for each of them.
+
+    The normals of others prove it of all that agree with what these keep, the gaps of the other
+    robots filled.
+    """
+    if not claim.is_best:
+        return
+    boxes = [dict(claim.kept), *(dict(kept) for kept, _ in claim.others)]
+    if not _are_all(boxes, claim.robots.sectors):
+        yield "the sectors kept, and the others, are not all choices that there are"
+    rest = claim.robots.wrenches(claim.robots.rests).sum(axis=0)
+    wanted = (claim.wanted - claim.load - rest) * claim.scale
+    for kept, normal in claim.others:
+        height = _reach(claim.robots.keeping(kept), normal * claim.scale)
+        slack = ROUNDING * (height + _length(wanted))
+        reach, size = float(normal @ wanted), _length(normal)
+        if claim.shortfall == 0.0:
+            is_worse = reach >= (1.0 - LEFT) * claim.needed * height - slack
+        else:
+            is_worse = reach - height >= (1.0 - LEFT) * claim.shortfall * size - slack
+        if not (is_worse and abs(size - 1.0) <= ROUNDING):
+            yield f"the normal does not prove that other sectors, {kept}, serve no better"
+
+
+def _are_all(boxes: list[dict[int, Pair]], sectors: Mapping[int, Sequence[Pair]]) -> bool:
+    """Tell whether any directions that robots may push in agree with one of some choices."""
+    if not all(boxes):
+        return True  # one that keeps nothing more
+    if not boxes:
+        return False
+    i = next(iter(boxes[0]))
+    ends = [end for box in boxes if i in box for end in box[i]]
+    agreeing: list[frozenset[int]] = []
+    for first, last in sectors[i]:
+        cuts = sorted(c for end in ends if (c := (end - first) % math.tau) < last - first)
+        for start, end in pairwise([0.0, *cuts, last - first]):
+            middle = np.asarray(first + 0.5 * (start + end))
+            if end - start > ANGLE or last == first:
+                agreeing.append(frozenset(
+                    k for k, box in enumerate(boxes)
+                    if i not in box or outside(middle, *box[i]) <= ANGLE
+                ))  # fmt: skip
+    # where more agree than elsewhere, nothing is to be checked
+    fewest = [some for some in set(agreeing) if not any(other < some for other in agreeing)]
+    return all(
+        _are_all([{j: s for j, s in boxes[k].items() if j != i} for k in sorted(some)], sectors)
+        for some in fewest
+    )
 
 
 def _ray_faults(claim: Claim) -> Iterator[str]:

@@ -7,13 +7,14 @@ every direction.
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Pair = tuple[float, float]
 THIN = 1e-9
 """Of its largest force: what a set may be thicker than it is said to be."""
 NO_CHOICE = 1e-12
@@ -36,6 +37,9 @@ class Robots:
     frictions : (n,)
     envelopes : mapping of int to points (N, N)
         By index.
+    sectors : mapping of int to pairs (rad, rad)
+        By index: the directions, with gaps between. Such a robot counts as what it would be with
+        the gaps filled: the hull of its forces.
     """
 
     arms: Array
@@ -45,13 +49,23 @@ class Robots:
     steers: Array
     frictions: Array
     leasts: Array
-    envelopes: Mapping[int, Sequence[tuple[float, float]]]
+    envelopes: Mapping[int, Sequence[Pair]]
+    sectors: Mapping[int, Sequence[Pair]]
 
     @property
     def are_rays(self) -> bool:
         """Whether all push along one ray each, from nothing to their limit."""
         extra = (self.reverse_limits, self.steers, self.frictions, self.leasts)
-        return not self.envelopes and not any(column.any() for column in extra)
+        has_more = bool(self.envelopes or self.sectors)
+        return not has_more and not any(column.any() for column in extra)
+
+    def keeping(self, kept: Sequence[tuple[int, Pair]]) -> "Robots":
+        """Return the same with some robots with gaps that keep to one sector each."""
+        directions, steers, left = self.directions.copy(), self.steers.copy(), dict(self.sectors)
+        for i, (start, end) in kept:
+            directions[i], steers[i] = 0.5 * (start + end), 0.5 * (end - start)
+            del left[i]
+        return replace(self, directions=directions, steers=steers, sectors=left)
 
     @cached_property
     def corners(self) -> dict[int, Array]:
@@ -105,6 +119,11 @@ class Robots:
         found = np.where(self.frictions > 0.0, gripped, found)
         for i, corners in self.corners.items():
             found[..., i] = (levers[..., i, :] @ corners.T).max(axis=-1)
+        for i, sectors in self.sectors.items():
+            way = np.arctan2(y[..., i], x[..., i])
+            off = np.min([outside(way, *sector) for sector in sectors], axis=0)
+            ahead = np.cos(np.minimum(off, 0.5 * math.pi))
+            found[..., i] = self.limits[i] * size[..., i] * ahead
         return np.asarray(found - (levers * self.rests).sum(axis=-1))
 
     def levers(self, normals: Array) -> Array:
@@ -154,6 +173,12 @@ class Robots:
             most = np.where(part > 0.0, part / whole, 0.0)
         is_none = ~forces.any(axis=-1) | (self.reaches == 0.0)
         return np.where(is_none, 0.0, least), np.where(is_none, 0.0, np.maximum(most, least))
+
+
+def outside(way: Array, start: float, end: float) -> Array:
+    """Return how far directions [rad] are outside a sector [rad]."""
+    past = (way - start) % math.tau - (end - start)
+    return np.asarray(np.maximum(np.minimum(past, (start - way) % math.tau), 0.0))
 
 
 def _nearest(corners: Array) -> Array:

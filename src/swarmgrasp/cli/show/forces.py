@@ -64,7 +64,11 @@ def _made(found: Forces, unit: Unit) -> list[tuple[str, str]]:
     if not found.shares.any():
         return facts
     facts.append(("Largest share", f"{share(found.largest_share)}: {_hardest(found)}"))
-    facts.append(("", "no forces of these robots make the wrench with a smaller one"))
+    proof = found.certificate.sectors
+    if proof is None or proof.is_best:
+        facts.append(("", "no forces of these robots make the wrench with a smaller one"))
+    else:
+        facts.append(("", "in the best choice of sectors found: there are too many to try all"))
     if found.needed < 1.0 - FULL and not _has_rests(found.swarm):
         more = 1.0 / found.needed
         times = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
@@ -93,13 +97,20 @@ def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
         *_asked(found, unit),
         ("Made instead", wrench_text(swarm, found.wrench, unit, wanted)),
         ("Missing", wrench_text(swarm, found.missing, unit)),
-        ("Short by", f"{unit.text(found.shortfall)} in the metric, {left}; nothing is nearer"),
+        ("Short by", f"{unit.text(found.shortfall)} in the metric, {left}; {_nearest(found)}"),
         ("It takes", needed),
         *([("Largest share", f"{share(found.largest_share)}: {_hardest(found)}")]
           if found.shares.any() else []),
         *([] if found.is_least_squares else
           [("", "other forces for it may have a smaller sum of squares")]),
     ]  # fmt: skip
+
+
+def _nearest(found: Forces) -> str:
+    """Say that no wrench is nearer, or that none nearer was found."""
+    proof = found.certificate.sectors
+    is_known = proof is None or proof.is_best
+    return "nothing is nearer" if is_known else "nothing nearer was found"
 
 
 def _asked(found: Forces, unit: Unit) -> list[tuple[str, str]]:
@@ -180,6 +191,9 @@ def manner(robot: Robot, direction: float) -> str:
     if is_astern and robot.steers < math.pi:
         off = math.remainder(off + math.pi, math.tau)
     words = ["astern"] if is_astern and robot.steers < math.pi else []
+    if robot.sectors is not None:
+        ends = [math.remainder(direction - end, math.tau) for each in robot.sectors for end in each]
+        return "at the end of a sector" if min(map(abs, ends)) <= AT_END else ""
     if 0.0 < robot.steers < math.pi and abs(abs(off) - robot.steers) <= AT_END:
         words.append(f"at its {'port' if off > 0.0 else 'starboard'} limit")
     return ", ".join(words)

@@ -11,6 +11,7 @@ from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.force_words import force_words
+from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.words import Unit, list_words, machine_words, percent
 
@@ -31,6 +32,7 @@ def show(
     )
     report.blank()
     facts = [
+        *_kept(found, unit),
         *_beside(swarm, found, lost, unit),
         ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
         *_noise(found, unit),
@@ -49,9 +51,23 @@ def show(
     report.small_print(swarm)
 
 
+def _kept(found: Quality, unit: Unit) -> list[tuple[str, str]]:
+    """Tell the sectors that robots with gaps between theirs keep, and what changing them may do."""
+    if found.choice is None:
+        return []
+    kept = "; ".join(f"{name} {sector_words(at)}" for name, at in found.choice.sectors.items())
+    known = "the best choice" if found.choice.is_best else "the best choice found"
+    most = unit.text(found.upper_bound)
+    return [
+        ("Sectors kept", f"{kept}: {known}, which has this quality"),
+        ("At most", f"{most}, with the gaps between sectors filled; robots may change sectors"),
+    ]
+
+
 _CLOSURE = {
     "yes": "the robots can push and turn the object in every direction",
     "no": "there are directions in which the robots can exert nothing",
+    "open": "no choice of one sector each gives it; whether changing sectors does is not known",
     "marginal": "rounding in the outline's coordinates decides whether the robots hold the object",
 }
 

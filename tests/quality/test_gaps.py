@@ -1,0 +1,152 @@
+"""Robots with gaps between their sectors: bounds of the quality, and choices (T28)."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import reference
+from swarmgrasp import (
+    Ellipsoid,
+    Newcomer,
+    Outline,
+    Robot,
+    Swarm,
+    Tolerance,
+    WrenchSet,
+    losses,
+    place,
+    quality,
+    sensitivities,
+)  # fmt: skip
+from swarmgrasp.errors import ForceSetUnsupported, RobotInvalid
+from swarmgrasp.swarm.choices import Asked, Choices
+
+SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+SIDES = [(math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))]
+"""Sectors that leave out a gap ahead and one astern."""
+
+
+def unit(*robots):
+    """Return robots on the square, in the unit metric."""
+    return Swarm(SQUARE, robots, characteristic_length=1.0)
+
+
+def crew_of(rng, count):
+    """Return robots of one to three sectors each, at random."""
+    robots = []
+    for _ in range(count):
+        ends = np.sort(rng.uniform(0.0, math.tau, 2 * rng.integers(1, 4))) + rng.uniform(-3, 3)
+        sectors = list(zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True))
+        contact = tuple(rng.uniform(-1, 1, 2).tolist())
+        limit = float(rng.uniform(0.5, 2.0))
+        robots.append(Robot(contact, limit=limit, sectors=sectors, mounted=True))
+    return unit(*robots)
+
+
+def fixed(swarm, sectors):
+    """Return a swarm whose robots keep to sectors, by name."""
+    return unit(*(
+        replace(robot, sectors=[sectors[robot.name]], direction=math.nan)
+        if robot.name in sectors else robot
+        for robot in swarm
+    ))  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "terms",
+    [
+        {},
+        {"losing": 1},
+        {"load": (0.1, 0.0, 0.1)},
+        {"task": Ellipsoid([(1, 0, 0), (0, 1, 0), (0, 0, 0.2)])},
+    ],
+)
+@pytest.mark.parametrize("seed", range(4))
+def test_the_bounds_are_those_of_all_choices(seed, terms):
+    """Below, the best of all choices of a sector each; above, the robots with gaps filled."""
+    swarm = crew_of(np.random.default_rng([seed, 5]), 4)
+    found, choices = quality(swarm, **terms), Choices(swarm)
+    each = np.ndindex(*map(len, choices.options))
+    best = max(quality(choices.swarm(taken), **terms).value for taken in each)
+    assert found.value == pytest.approx(best, rel=1e-5, abs=1e-12)
+    assert found.bound <= found.value <= found.upper_bound
+    assert found.upper_bound == pytest.approx(quality(swarm.filled, **terms).value, rel=1e-8)
+    if found.choice is not None:
+        kept = quality(fixed(swarm, found.choice.sectors), **terms)
+        assert kept.value == pytest.approx(found.value, rel=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_sampled_truth_lies_between(seed):
+    """How far the union reaches, in the worst of directions tried, is within the bounds."""
+    rng = np.random.default_rng([seed, 6])
+    swarm = crew_of(rng, 3)
+    found = quality(swarm)
+    ways = rng.normal(size=(12, 3))
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    arms = swarm.contacts - swarm.outline.origin
+    needed = [
+        reference.least_factor_of_sectors(swarm.robots, arms, swarm.scale, way) for way in ways
+    ]
+    assert found.bound <= 1.0001 / max(needed)
+    heights = reference.height_of_sets(swarm, ways)
+    assert (found.upper_bound <= heights * (1.0 + 1e-5) + 1e-9).all()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_gap_never_helps_and_filling_it_gives_the_ordinary_robot(seed):
+    """Sectors that touch are one; azimuths all around bound whatever has gaps."""
+    swarm = crew_of(np.random.default_rng([seed, 7]), 4)
+    around = unit(*(replace(r, sectors=[(0, 3), (3, math.tau)], direction=math.nan, steers=0.0)
+                    for r in swarm))  # fmt: skip
+    assert [robot.steers for robot in around] == [math.pi] * 4
+    assert quality(swarm).upper_bound <= quality(around).value * (1.0 + 1e-8)
+
+
+def test_two_azimuths_that_push_aside():
+    """Filled, the two sectors reach as far ahead as cos 20 deg; a choice keeps each to one side."""
+    pair = unit(*(Robot((x, 0.0), sectors=SIDES, mounted=True) for x in (0.7, -0.7)))
+    found = quality(pair)
+    assert (found.value, str(found.force_closure)) == (0.0, "open")
+    r = 0.7
+    assert found.upper_bound == pytest.approx(2 * r / math.sqrt(1 + r * r), rel=1e-9)
+    assert "at most 1.147 N" in found.explanation
+    assert "no choice of sectors" in found.explanation.splitlines()[0]
+    four = unit(*(Robot((x, 0.0), sectors=SIDES, mounted=True) for x in (0.9, 0.3, -0.3, -0.9)))
+    assert 0.0 < quality(four).value < quality(four).upper_bound
+    worst = losses(four)[0]
+    assert worst.quality <= worst.after.upper_bound <= quality(four).upper_bound
+
+
+def test_too_many_choices_say_so():
+    """The work ends; what was found is a choice still, and no worse than going down greedily."""
+    swarm = crew_of(np.random.default_rng(1), 5)
+    choices = Choices(swarm)
+
+    def ask(taken):
+        """Ask for nothing but the quality."""
+        value = quality(choices.swarm(taken)).value
+        return Asked((-value,), choices.first_open(taken), value)
+
+    short, long = choices.least(ask, most=1), choices.least(ask)
+    assert (short.is_best, long.is_best) == (False, True)
+    assert -1 not in short.taken
+    assert short.asked.what <= long.asked.what * (1.0 + 1e-5)
+
+
+def test_what_is_not_known_is_refused():
+    """Nothing takes robots with gaps for something else."""
+    spread = replace(
+        Robot((0.5, 0), sectors=SIDES, mounted=True), tolerance=Tolerance(direction=0.1)
+    )
+    swarm = unit(Robot((0.5, 0), sectors=SIDES, mounted=True), Robot((-0.5, 0), 0.0, mounted=True))
+    for ask in (
+        lambda: sensitivities(swarm), lambda: WrenchSet(swarm), lambda: swarm.force_sets,
+        lambda: place(swarm, Newcomer()),
+    ):  # fmt: skip
+        with pytest.raises(ForceSetUnsupported, match="gaps between: R1"):
+            ask()
+    with pytest.raises(RobotInvalid, match="sectors with gaps between is not known"):
+        quality(unit(spread), worst_case=True)
