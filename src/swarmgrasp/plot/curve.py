@@ -68,7 +68,7 @@ def _draw_shares(ax: Axes, curve: Curve) -> None:
     ax.plot(medians, range(len(lines)), linestyle="none", marker="|", markersize=9.0,
             markeredgewidth=1.6, color=style.INK, label="median of all")  # fmt: skip
     ax.axvline(1.0, color=style.GREY, linewidth=0.8)
-    ax.set(xlabel="share of the quality with all known", xlim=(0.0, None))
+    ax.set(xlabel="share of the quality\nwith everything known", xlim=(0.0, None))
 
 
 def _draw_bounds(ax: Axes, curve: Curve) -> None:
@@ -80,4 +80,4 @@ def _draw_bounds(ax: Axes, curve: Curve) -> None:
     ax.plot([line.bound for _, line in judged], rows, linestyle="none", marker="|",
             markersize=7.0, markeredgewidth=1.4, color=style.PURPLE,
             label="at most, by T30")  # fmt: skip
-    ax.set(xlabel="one decision [N]", xlim=(0.0, None))
+    ax.set(xlabel="one decision\n[N]", xlim=(0.0, None))
