@@ -56,6 +56,15 @@ def unevenness(true: Swarm, believed: Swarm | Summary) -> float:
     return greatest(plus, minus, slack) + greatest(minus, plus, slack)
 
 
+def largest_support(swarm: Swarm) -> float:
+    """Bound the support function of robots from above over all unit normals, R of T29 [N]."""
+    if not len(swarm):
+        return 0.0
+    sizes = np.linalg.norm(swarm.scaled_generators, axis=1)
+    slack = CLOSE * float(sizes.max())
+    return greatest(_swarm_farthest(swarm), np.zeros_like, slack)
+
+
 def greatest(plus: Farthest, minus: Farthest, slack: float) -> float:
     """Bound from above the difference of two support functions over all unit normals [N].
 

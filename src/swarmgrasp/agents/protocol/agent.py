@@ -35,6 +35,7 @@ from swarmgrasp.agents.protocol.events import (
     Up,
     Witness,
 )
+from swarmgrasp.agents.protocol.hearing import Hearing
 from swarmgrasp.agents.protocol.knowledge import Knowledge
 from swarmgrasp.agents.protocol.memory import Memory
 from swarmgrasp.agents.protocol.order import View
@@ -124,6 +125,11 @@ class Agent:
         """What its next life should know; to be kept before what it sends is sent."""
         reckoned = tuple(sorted(self._decisions.reckoned))
         return State(self._knowledge.clock, tuple(self.memory), reckoned)
+
+    @property
+    def hearing(self) -> Hearing:
+        """Whom it hears."""
+        return self._knowledge.hearing
 
     @property
     def waits_for(self) -> tuple[str, ...]:
