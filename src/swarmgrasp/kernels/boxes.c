@@ -1,5 +1,6 @@
 /* A newcomer of fixed direction by branch and bound over boxes, with a matrix game for each (T23). Trusted
- * are pieces as `Pieces` makes them, and a positive limit. */
+ * are pieces as `Pieces` makes them, and a positive limit. A game goes on where it was as rows come in: played
+ * anew each time, with 24 rows at first, games took twice the time. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,14 +11,16 @@
 #define NEARER 0.05     /* gap of a quality that is asked, relative to that of the search */
 #define STARTS 3       /* normals at which it begins */
 #define PARALLEL 1e-9   /* sine of the angle between wrenches that have no common plane */
-#define FIRST 24        /* rows that a game begins with, */
+#define FIRST 8         /* rows that a game begins with: few, as 6 are enough in the end, */
 #define FRESH 8         /* that come in at a time, */
 #define ACTIVE 96       /* and that it has at most */
+#define GIVEN (CORNERS + 1) /* columns of its tableau before theirs: slacks, and what is to be shared */
 #define LOWER 1e-11     /* of the range of worths: a row that is lower by more comes in */
-#define PIVOTS 60       /* of a game; its combination is good at any time */
+#define PIVOTS 60       /* until more rows come in; the combination is good at any time */
 #define LOWEST 6        /* normals through which others travel */
 #define BESIDE 3.0      /* diameters of a box within which its wrenches are across such a normal */
 #define EDGES 3         /* of h through one of them */
+#define TRAVELLERS (LOWEST * EDGES + CORNERS) /* normals that travel, at most */
 #define ON_EDGE 1e-6    /* sine of the angle between a normal and a wrench across it */
 #define ACROSS 1e-5     /* sine of the angle between a wrench and g below which rounding turns b x g */
 #define TURNED_OFF 0.02 /* of the mean, up to which a travelling normal may all but vanish */
@@ -88,7 +91,7 @@ Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int man
 }
 
 void boxes_end(BoxSearch *s) {
-    void *all[] = {s->kink, s->box, s->row, s->used, s->term, s->exerted};
+    void *all[] = {s->kink, s->box, s->row, s->used, s->exerted};
     pool_end(&s->pool);
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         free(all[k]);
@@ -154,19 +157,16 @@ Status boxes_quality(BoxSearch *s, const double *arm, double direction, double g
 
 /* -- games -------------------------------------------------------------------------------------- */
 
-/* One pivot of a tableau of CORNERS rows, and one of prices, on a column. */
-static void pivot(double *t, int width, int row, int column) {
-    double by = 1.0 / t[row * width + column];
-    for (int j = 0; j < width; j++)
-        t[row * width + j] *= by;
-    for (int i = 0; i <= CORNERS; i++) {
-        double share = t[i * width + column];
-        if (i == row || share == 0.0)
-            continue;
-        for (int j = 0; j < width; j++)
-            t[i * width + j] -= share * t[row * width + j];
-    }
-}
+/* The game of a box at a level, as a tableau that grows. */
+typedef struct {
+    double level;
+    int kept;                  /* rows in `used`; the others cannot matter: */
+    double least_top, lowest;  /* they are worth more than the least of what rows are worth at most */
+    double unit;               /* worths beyond the lowest, by this, are the game's, and 1 more */
+    int actives, active[ACTIVE];
+    int basis[CORNERS];
+    double t[CORNERS + 1][GIVEN + ACTIVE]; /* the last row: prices */
+} Game;
 
 /* Of rows (count, CORNERS + 1), A and D, the worth of a mixture of corners at a level. */
 static double worth(const double *row, double level, const double *share) {
@@ -176,56 +176,118 @@ static double worth(const double *row, double level, const double *share) {
     return sum - level * row[CORNERS];
 }
 
-/* Play a game of the rows in `active`, whose worths are `lowest` and more by about `unit`: write the
- * weights of rows whose greatest sum over the corners is least, at most CORNERS of them, and the shares
- * of the corners that do best against them. Returns how many rows have a weight. */
-static int play(BoxSearch *s, const int *active, int count, double level, double lowest, double unit,
-                int *chosen, double *weight, double *share) {
-    int width = count + CORNERS + 1, basis[CORNERS];
-    double t[(CORNERS + 1) * (ACTIVE + CORNERS + 1)], *price = t + CORNERS * width;
-    for (int i = 0; i < CORNERS; i++) {
-        for (int j = 0; j < count; j++) {
-            const double *row = s->row + (ptrdiff_t)active[j] * (CORNERS + 1);
-            t[i * width + j] = 1.0 + (row[i] - level * row[CORNERS] - lowest) / unit;
-        }
-        for (int j = 0; j < CORNERS; j++)
-            t[i * width + count + j] = i == j;
-        t[i * width + width - 1] = 1.0;
-        basis[i] = count + i;
+/* Note which of some more rows may matter. */
+static void sift_rows(BoxSearch *s, Game *g, int from, int to) {
+    for (int k = from; k < to; k++) {
+        const double *row = s->row + (ptrdiff_t)k * (CORNERS + 1);
+        double top = row[0];
+        for (int i = 1; i < CORNERS; i++)
+            top = larger(top, row[i]);
+        g->least_top = smaller(g->least_top, top - g->level * row[CORNERS]);
     }
+    for (int k = from; k < to; k++) {
+        const double *row = s->row + (ptrdiff_t)k * (CORNERS + 1);
+        double low = row[0];
+        for (int i = 1; i < CORNERS; i++)
+            low = smaller(low, row[i]);
+        low -= g->level * row[CORNERS];
+        if (low > g->least_top)
+            continue;
+        g->lowest = smaller(g->lowest, low);
+        s->used[g->kept++] = k;
+    }
+}
+
+/* Let a row into the game, where it stands as by all pivots so far. */
+static void let_in(const BoxSearch *s, Game *g, int which) {
+    const double *row = s->row + (ptrdiff_t)which * (CORNERS + 1);
+    int column = GIVEN + g->actives;
+    double entry[CORNERS];
+    for (int i = 0; i < CORNERS; i++)
+        entry[i] = 1.0 + (row[i] - g->level * row[CORNERS] - g->lowest) / g->unit;
+    for (int i = 0; i <= CORNERS; i++) {
+        double sum = i == CORNERS ? 1.0 : 0.0;
+        for (int k = 0; k < CORNERS; k++)
+            sum += g->t[i][k] * entry[k];
+        g->t[i][column] = sum;
+    }
+    g->active[g->actives++] = which;
+}
+
+/* Begin with the rows that are lowest for an even mixture of corners. */
+static void begin_game(const BoxSearch *s, Game *g) {
+    double even[CORNERS], value[FIRST];
+    int first[FIRST], count = 0;
+    g->unit = g->least_top > g->lowest ? g->least_top - g->lowest : 1.0;
+    g->actives = 0;
+    for (int i = 0; i <= CORNERS; i++) {
+        for (int k = 0; k < CORNERS; k++)
+            g->t[i][k] = i == k;
+        g->t[i][CORNERS] = i < CORNERS;
+    }
+    for (int i = 0; i < CORNERS; i++) {
+        even[i] = 1.0 / CORNERS;
+        g->basis[i] = i;
+    }
+    for (int k = 0; k < g->kept; k++)
+        count = keep_lowest(first, value, count, FIRST, s->used[k],
+                            worth(s->row + (ptrdiff_t)s->used[k] * (CORNERS + 1), g->level, even));
+    for (int k = 0; k < count; k++)
+        let_in(s, g, first[k]);
+}
+
+static void pivot(Game *g, int row, int column) {
+    int width = GIVEN + g->actives;
+    double by = 1.0 / g->t[row][column];
     for (int j = 0; j < width; j++)
-        price[j] = j < count;
+        g->t[row][j] *= by;
+    for (int i = 0; i <= CORNERS; i++) {
+        double share = g->t[i][column];
+        if (i == row || share == 0.0)
+            continue;
+        for (int j = 0; j < width; j++)
+            g->t[i][j] -= share * g->t[row][j];
+    }
+    g->basis[row] = column;
+}
+
+/* Play the game of the rows that are in: the simplex method. */
+static void play(Game *g) {
     for (int turn = 0; turn < PIVOTS; turn++) {
         int column = -1, row = -1;
         double most = 1e-11, step = INFINITY;
-        for (int j = 0; j < width - 1; j++)
-            if (price[j] > most) {
+        const double *price = g->t[CORNERS];
+        for (int j = 0; j < GIVEN + g->actives; j++)
+            if (j != CORNERS && price[j] > most) {
                 most = price[j];
                 column = j;
             }
         if (column < 0)
-            break;
+            return;
         for (int i = 0; i < CORNERS; i++)
-            if (t[i * width + column] > 1e-9
-                && t[i * width + width - 1] < step * t[i * width + column]) {
-                step = t[i * width + width - 1] / t[i * width + column];
+            if (g->t[i][column] > 1e-9 && g->t[i][CORNERS] < step * g->t[i][column]) {
+                step = g->t[i][CORNERS] / g->t[i][column];
                 row = i;
             }
         if (row < 0)
-            break;
-        pivot(t, width, row, column);
-        basis[row] = column;
+            return;
+        pivot(g, row, column);
     }
+}
+
+/* Read the weights of the rows that are used, whose sum is 1, and the shares of the corners that do best
+ * against them. Returns how many rows have a weight. */
+static int read_game(const Game *g, int *chosen, double *weight, double *share) {
     int found = 0;
     double sum = 0.0, all = 0.0;
     for (int i = 0; i < CORNERS; i++) {
-        double q = t[i * width + width - 1];
-        if (basis[i] < count && q > 0.0) {
-            chosen[found] = active[basis[i]];
+        double q = g->t[i][CORNERS];
+        if (g->basis[i] >= GIVEN && q > 0.0) {
+            chosen[found] = g->active[g->basis[i] - GIVEN];
             weight[found++] = q;
             sum += q;
         }
-        share[i] = larger(0.0, -price[count + i]);
+        share[i] = larger(0.0, -g->t[CORNERS][i]);
         all += share[i];
     }
     for (int k = 0; k < found; k++)
@@ -235,46 +297,26 @@ static int play(BoxSearch *s, const int *active, int count, double level, double
     return found;
 }
 
-/* Play a game of all rows: those that are low come in until none is lower than the game is worth. */
-static int balance(BoxSearch *s, int count, double level, int *chosen, double *weight, double *share) {
-    const double *a = s->row;
-    int active[ACTIVE], fresh[FRESH], found = 0, actives = 0, kept = 0;
-    double value[ACTIVE], least_top = INFINITY, lowest = INFINITY;
-    for (int k = 0; k < count; k++) {
-        double top = -INFINITY;
-        for (int i = 0; i < CORNERS; i++)
-            top = larger(top, a[k * (CORNERS + 1) + i] - level * a[k * (CORNERS + 1) + CORNERS]);
-        least_top = smaller(least_top, top);
-    }
-    for (int i = 0; i < CORNERS; i++)
-        share[i] = 1.0 / CORNERS;
-    for (int k = 0; k < count; k++) {
-        const double *row = a + (ptrdiff_t)k * (CORNERS + 1);
-        double low = INFINITY;
-        for (int i = 0; i < CORNERS; i++)
-            low = smaller(low, row[i] - level * row[CORNERS]);
-        if (low > least_top)
-            continue; /* it cannot matter */
-        lowest = smaller(lowest, low);
-        s->used[kept++] = k;
-        actives = keep_lowest(active, value, actives, FIRST, k, worth(row, level, share));
-    }
-    double unit = least_top > lowest ? least_top - lowest : 1.0;
+/* Find the weights of rows whose greatest sum over the corners is least, at most CORNERS of them, and the
+ * shares of the corners that do best against them: rows that are low come in until none is lower than
+ * the game is worth. Returns how many rows have a weight. */
+static int balance(BoxSearch *s, Game *g, int *chosen, double *weight, double *share) {
     while (1) {
-        found = play(s, active, actives, level, lowest, unit, chosen, weight, share);
-        double game = INFINITY;
-        for (int k = 0; k < actives; k++)
-            game = smaller(game, worth(a + (ptrdiff_t)active[k] * (CORNERS + 1), level, share));
-        int more = 0;
-        for (int k = 0; k < kept; k++) {
-            double here = worth(a + (ptrdiff_t)s->used[k] * (CORNERS + 1), level, share);
-            if (here < game - LOWER * unit)
+        int fresh[FRESH], more = 0;
+        double value[FRESH], game = INFINITY;
+        play(g);
+        int found = read_game(g, chosen, weight, share);
+        for (int k = 0; k < g->actives; k++)
+            game = smaller(game, worth(s->row + (ptrdiff_t)g->active[k] * (CORNERS + 1), g->level, share));
+        for (int k = 0; k < g->kept; k++) {
+            double here = worth(s->row + (ptrdiff_t)s->used[k] * (CORNERS + 1), g->level, share);
+            if (here < game - LOWER * g->unit)
                 more = keep_lowest(fresh, value, more, FRESH, s->used[k], here);
         }
-        if (!more || actives + more > ACTIVE)
+        if (!more || g->actives + more > ACTIVE)
             return found;
-        memcpy(active + actives, fresh, (size_t)more * sizeof *fresh);
-        actives += more;
+        for (int k = 0; k < more; k++)
+            let_in(s, g, fresh[k]);
     }
 }
 
@@ -358,8 +400,13 @@ static Status travel(BoxSearch *s, double (*corner)[3], const double *g, double 
     return spend(&s->pool.work, (double)CORNERS * s->pool.sets->count);
 }
 
-/* Bound a box by weights of rows, and keep them. */
-static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found, const int *chosen,
+/* Tell whether a newcomer that betters a level pushes along a normal met. */
+static int is_demanded(const BoxSearch *s, const Known *at, double level) {
+    return s->reverse == 0.0 && at->height <= level * at->extent && (at->extent > 0.0 || at->height < 0.0);
+}
+
+/* Bound a box by weights of rows, first those of the pool and then travelling ones, and keep them. */
+static void keep_terms(const BoxSearch *s, Box *box, const Term *travelling, int found, const int *chosen,
                        const double *weight, double level) {
     double asked = 0.0, most = -INFINITY;
     for (int i = 0; i < CORNERS; i++) {
@@ -377,8 +424,15 @@ static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found
     box->bound = bound;
     box->terms = found;
     for (int k = 0; k < found; k++) {
-        box->term[k] = term[chosen[k]];
-        box->term[k].weight = weight[k];
+        Term *term = box->term + k;
+        if (chosen[k] >= s->pool.count) {
+            *term = travelling[chosen[k] - s->pool.count];
+        } else {
+            const Known *at = s->pool.row + chosen[k];
+            *term = (Term){.kind = is_demanded(s, at, level) ? DEMANDED : MET};
+            memcpy(term->vector, at->normal, sizeof term->vector);
+        }
+        term->weight = weight[k];
     }
 }
 
@@ -386,26 +440,87 @@ static void keep_terms(const BoxSearch *s, Box *box, const Term *term, int found
 static int make_room(BoxSearch *s, size_t rows) {
     free(s->row);
     free(s->used);
-    free(s->term);
     s->row = malloc(rows * (CORNERS + 1) * sizeof *s->row);
     s->used = malloc(rows * sizeof *s->used);
-    s->term = malloc(rows * sizeof *s->term);
-    int is_made = s->row && s->used && s->term;
+    int is_made = s->row && s->used;
     s->rows_room = is_made ? (int)rows : 0;
     return is_made;
+}
+
+/* Write the rows of the pool for corners: forces at either end. */
+static void write_rows(BoxSearch *s, const Box *box, double (*force)[2], double level) {
+    double arm[2][2];
+    for (int end = 0; end < 2; end++)
+        arm_at(s->pieces + PIECE * (ptrdiff_t)box->piece, end ? box->to : box->from, arm[end]);
+    for (int k = 0; k < s->pool.count; k++) {
+        const Known *at = s->pool.row + k;
+        double *row = s->row + (ptrdiff_t)k * (CORNERS + 1), p[2];
+        int is_linear = is_demanded(s, at, level);
+        for (int i = 0; i < CORNERS; i++) {
+            if (i % 3 == 0)
+                lever(s->pool.sets->scale, arm[i / 3], at->normal, p);
+            double x = along(p, force[i]);
+            row[i] = at->height + (is_linear ? s->limit * x : phi(s, x));
+        }
+        row[CORNERS] = at->extent;
+    }
+}
+
+/* Write the rows of normals that travel across a box: those of the box it is a part of, and those through
+ * the lowest normals that its wrenches are across. Counts them in `many`. */
+static Status write_travelling(BoxSearch *s, double (*corner)[3], const double *middle, double wide,
+                               double level, const Term *before, int befores, Term *term, int *many) {
+    int low[LOWEST], lows = 0, is_row;
+    double value[LOWEST], *row = s->row + (ptrdiff_t)s->pool.count * (CORNERS + 1);
+    Status status = SOLVED;
+    *many = 0;
+    for (int k = 0; k < s->pool.count; k++) {
+        const Known *known = s->pool.row + k;
+        if (fabs(dot(known->normal, middle)) > BESIDE * wide || known->extent <= 0.0)
+            continue;
+        lows = keep_lowest(low, value, lows, LOWEST, k, reach_of(s, known, middle));
+    }
+    for (int k = 0; k < befores && status == SOLVED; k++)
+        if (before[k].kind == TRAVELLING) {
+            status = travel(s, corner, before[k].vector, level, row + *many * (CORNERS + 1), term + *many,
+                            &is_row);
+            *many += is_row;
+        }
+    for (int l = 0; l < lows && status == SOLVED; l++) {
+        const double *normal = s->pool.row[low[l]].normal;
+        int edges = 0;
+        for (int k = 0; k <= s->kinks && edges < EDGES && status == SOLVED; k++) {
+            double g[3], *kink = s->kink + 3 * (ptrdiff_t)k, there[3];
+            if (k < s->kinks) {
+                if (fabs(dot(kink, normal)) > ON_EDGE)
+                    continue;
+                memcpy(g, kink, sizeof g);
+            } else if (edges == 0) {
+                cross(normal, middle, g);
+            } else {
+                break;
+            }
+            cross(middle, g, there);
+            double sign = dot(there, normal) < 0.0 ? -1.0 : 1.0;
+            for (int c = 0; c < 3; c++)
+                g[c] *= sign;
+            edges++;
+            status = travel(s, corner, g, level, row + *many * (CORNERS + 1), term + *many, &is_row);
+            *many += is_row;
+        }
+    }
+    return status;
 }
 
 /* Note what robots in a box reach at most at a level, and where they look best. */
 static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     double corner[CORNERS][3], force[CORNERS][2], middle[3] = {0.0}, wide = 0.0;
     double weight[CORNERS], share[CORNERS];
-    int chosen[CORNERS], found, rows = s->pool.count + LOWEST * (EDGES + 1) + CORNERS;
-    Term before[CORNERS];
-    int befores = box->terms;
-    memcpy(before, box->term, sizeof before);
-    if (rows > s->rows_room && !make_room(s, 2 * (size_t)rows))
+    int chosen[CORNERS], found, befores = box->terms, many;
+    Term before[CORNERS], term[TRAVELLERS];
+    if (s->pool.count + TRAVELLERS > s->rows_room && !make_room(s, 2 * (size_t)s->pool.count + TRAVELLERS))
         return NO_MEMORY;
-    Term *term = s->term;
+    memcpy(before, box->term, sizeof before);
     corners_of(s, box, corner, force);
     for (int i = 0; i < CORNERS; i++)
         for (int c = 0; c < 3; c++)
@@ -417,63 +532,24 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     box->known = s->pool.count;
     box->terms = 0;
     box->bound = INFINITY;
-    for (int k = 0; k < s->pool.count; k++) {
-        const Known *at = s->pool.row + k;
-        double *row = s->row + (ptrdiff_t)k * (CORNERS + 1);
-        int is_demanded = s->reverse == 0.0 && at->height <= level * at->extent
-                          && (at->extent > 0.0 || at->height < 0.0);
-        for (int i = 0; i < CORNERS; i++) {
-            double x = dot(at->normal, corner[i]);
-            row[i] = at->height + (is_demanded ? s->limit * x : phi(s, x));
-        }
-        row[CORNERS] = at->extent;
-        term[k] = (Term){.kind = is_demanded ? DEMANDED : MET,
-                         .vector = {at->normal[0], at->normal[1], at->normal[2]}};
-    }
-    found = balance(s, s->pool.count, level, chosen, weight, share);
-    keep_terms(s, box, term, found, chosen, weight, level);
+    Game game;
+    game.level = level;
+    game.kept = 0;
+    game.least_top = game.lowest = INFINITY;
+    write_rows(s, box, force, level);
+    sift_rows(s, &game, 0, s->pool.count);
+    begin_game(s, &game);
+    found = balance(s, &game, chosen, weight, share);
+    keep_terms(s, box, NULL, found, chosen, weight, level);
     Status status = spend(&s->pool.work, PASS * s->pool.count);
     if (s->is_convex && box->bound > enough && status == SOLVED) {
-        int low[LOWEST], lows = 0, at = s->pool.count, is_row;
-        double value[LOWEST];
-        for (int k = 0; k < s->pool.count; k++) {
-            const Known *known = s->pool.row + k;
-            if (fabs(dot(known->normal, middle)) > BESIDE * wide || known->extent <= 0.0)
-                continue;
-            lows = keep_lowest(low, value, lows, LOWEST, k, reach_of(s, known, middle));
-        }
-        for (int k = 0; k < befores && status == SOLVED; k++)
-            if (before[k].kind == TRAVELLING) {
-                status = travel(s, corner, before[k].vector, level,
-                                s->row + (ptrdiff_t)at * (CORNERS + 1), term + at, &is_row);
-                at += is_row;
-            }
-        for (int l = 0; l < lows && status == SOLVED; l++) {
-            const double *normal = s->pool.row[low[l]].normal;
-            int edges = 0;
-            for (int k = 0; k <= s->kinks && edges < EDGES && status == SOLVED; k++) {
-                double g[3], *kink = s->kink + 3 * (ptrdiff_t)k, there[3];
-                if (k < s->kinks) {
-                    if (fabs(dot(kink, normal)) > ON_EDGE)
-                        continue;
-                    memcpy(g, kink, sizeof g);
-                } else if (edges == 0) {
-                    cross(normal, middle, g);
-                } else {
-                    break;
-                }
-                cross(middle, g, there);
-                double sign = dot(there, normal) < 0.0 ? -1.0 : 1.0;
-                for (int c = 0; c < 3; c++)
-                    g[c] *= sign;
-                edges++;
-                status = travel(s, corner, g, level, s->row + (ptrdiff_t)at * (CORNERS + 1),
-                                term + at, &is_row);
-                at += is_row;
-            }
-        }
-        if (at > s->pool.count && !is_fault(status)) {
-            found = balance(s, at, level, chosen, weight, share);
+        status = write_travelling(s, corner, middle, wide, level, before, befores, term, &many);
+        if (many && !is_fault(status)) {
+            double lowest = game.lowest;
+            sift_rows(s, &game, s->pool.count, s->pool.count + many);
+            if (game.lowest < lowest)
+                begin_game(s, &game);
+            found = balance(s, &game, chosen, weight, share);
             keep_terms(s, box, term, found, chosen, weight, level);
         }
     }

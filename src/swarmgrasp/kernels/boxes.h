@@ -57,9 +57,8 @@ typedef struct {
     int kinks;
     Box *box;                   /* (boxes,) that cover all chosen pieces */
     int boxes, room;
-    double *row;                /* room for a game */
-    Term *term;
-    int *used, rows_room;
+    double *row;                /* room for a game: (rows, CORNERS + 1), */
+    int *used, rows_room;       /* and (rows,) */
     double *exerted;            /* (machines + 1,) room for what they exert along a normal */
 } BoxSearch;
 

@@ -22,19 +22,6 @@ int has_room(void **things, int *room, int count, size_t size) {
     return 1;
 }
 
-int keep_lowest(int *kept, double *value, int count, int room, int row, double here) {
-    int j = count < room ? count++ : room;
-    if (j == room && !(here < value[--j]))
-        return count;
-    for (; j > 0 && here < value[j - 1]; j--) {
-        value[j] = value[j - 1];
-        kept[j] = kept[j - 1];
-    }
-    value[j] = here;
-    kept[j] = row;
-    return count;
-}
-
 Status pool_begin(Pool *pool, const Sets *sets, double strength, double units,
                   int (*interrupted)(void)) {
     *pool = (Pool){.sets = sets, .size = sets->weight + strength, .least_cap = INFINITY,

@@ -56,7 +56,18 @@ double enough_for(const Pool *pool, double best, double gap);
 int has_room(void **things, int *room, int count, size_t size);
 
 /* Put a row with its value into a list of the lowest, which is full at `room`. Returns the new count. */
-int keep_lowest(int *kept, double *value, int count, int room, int row, double here);
+static inline int keep_lowest(int *kept, double *value, int count, int room, int row, double here) {
+    int j = count < room ? count++ : room;
+    if (j == room && !(here < value[--j]))
+        return count;
+    for (; j > 0 && here < value[j - 1]; j--) {
+        value[j] = value[j - 1];
+        kept[j] = kept[j - 1];
+    }
+    value[j] = here;
+    kept[j] = row;
+    return count;
+}
 
 /* The quality that H allows along a normal met: where nothing is asked any, unless a load is not held. */
 static inline double allowed(const Known *at, double height) {
