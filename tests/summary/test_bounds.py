@@ -106,7 +106,7 @@ def test_the_bounds_are_narrow(bins, share):
     summary = Summary.from_generators(crowd("round", 5, 100_000), bins)
     bounds = summary.quality()
     assert 0.0 < bounds.width <= share * bounds.lower
-    assert len(summary.to_bytes()) <= 104 + 18 * summary.bins
+    assert len(summary.to_bytes()) <= 108 + 18 * summary.bins
 
 
 @given(seeds)

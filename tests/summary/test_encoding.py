@@ -8,12 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from summary.crowds import KINDS, summary_of
+from swarmgrasp import Outline, Robot, Swarm
 from swarmgrasp.errors import SummaryInvalid
 from swarmgrasp.summary import Summary
-from swarmgrasp.summary.encoding import HEADER
+from swarmgrasp.summary.encoding import HEADER, WRENCH
 from swarmgrasp.summary.records import RECORD
 
 FIVE = summary_of("round", 7, 5).to_bytes()
+TUG = Robot((1, 0), 3.0, steers=0.5)
+STEERING = Summary.of(Swarm(Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)]), [TUG]), 12).to_bytes()
 
 
 def signed(body):
@@ -39,7 +42,7 @@ def test_what_is_read_is_written_back(kind, seed, n, bins):
     data = summary.to_bytes()
     known = Summary.from_bytes(data)
     assert known.to_bytes() == data
-    assert len(data) <= 104 + 18 * len(summary.moments.cells)
+    assert len(data) <= 108 + 18 * len(summary.moments.cells)
     assert (known.count, known.bins) == (summary.count, summary.bins)
     assert (known.total == summary.total).all()
     assert known.rounding <= summary.rounding + 1e-4 * summary.moments.size
@@ -73,12 +76,12 @@ def test_every_cut_and_every_addition_is_noticed():
     ("data", "says"),
     [
         (altered("magic", b"PNG!"), "the bytes begin with b'PNG!'"),
-        (altered("version", 2), "of version 2; this program reads 1"),
+        (altered("version", 1), "of version 1; this program reads 2"),
         (altered("side", 0), "the cells along an edge are 0"),
         (altered("side", 7), "should be even"),
         (altered("side", 2), "0 <= bin < 12"),
         (altered("exponent", 501), "the exponent is 501"),
-        (altered("records", 4), "has 176 bytes; these are 194"),
+        (altered("records", 4), "has 180 bytes; these are 198"),
         (altered("count", 4), "4 robots cannot occupy 5 bins"),
         (altered("count", 0), "no robots at all"),
         (altered("count", 2**63), "is 9223372036854775808; it should be below"),
@@ -92,7 +95,7 @@ def test_every_cut_and_every_addition_is_noticed():
         (altered("origin", [np.inf, 0]), "the origin is not finite"),
         (altered("cell", 108, 4), "0 <= bin < 108"),
         (altered("cell", 0, 4), "the bins do not increase"),
-        (altered("cell", np.frombuffer(FIVE, RECORD, 5, 96)["cell"][0], 1), "do not increase"),
+        (altered("cell", np.frombuffer(FIVE, RECORD, 5, 100)["cell"][0], 1), "do not increase"),
         (altered("weight", -1.0, 2), "not a positive number"),
         (altered("weight", 0.0, 2), "not a positive number"),
         (altered("weight", np.nan, 2), "not a positive number"),
@@ -107,6 +110,27 @@ def test_nonsense_with_a_right_checksum_is_refused(data, says):
     """Each number out of its range is named."""
     with pytest.raises(SummaryInvalid, match=says):
         Summary.from_bytes(data)
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "says"),
+    [
+        ("side", 4, "the directions are 18; they should be 0 or 66"),
+        ("directions", 17, "of 0 bins and 17 directions has 312 bytes; these are 324"),
+        ("count", 0, "no robots at all"),
+        ("wrench", np.nan, "a wrench is not finite"),
+        ("wrench", 3.0, "not written as it should be"),
+    ],
+)
+def test_nonsense_about_wrenches_is_refused(field, value, says):
+    """Of robots that are no rays, at 18 directions."""
+    body = bytearray(STEERING[:-8])
+    if field == "wrench":
+        np.frombuffer(body, WRENCH, 54, HEADER.itemsize)[7] = value
+    else:
+        np.frombuffer(body, HEADER, 1)[field] = value
+    with pytest.raises(SummaryInvalid, match=says):
+        Summary.from_bytes(signed(body))
 
 
 def test_more_robots_than_python_can_count():

@@ -152,6 +152,12 @@ class Sets:
     def heights(self, normals: Array, /) -> bytes:
         """Return H, the H before the last loss, and D, (m, 3), at normals (m, 3) [N]."""
 
+    def wrenches(self, normals: Array, /) -> bytes:
+        """Return the wrench of all robots and the load that is farthest along normals (m, 3).
+
+        Before any loss: (m, 3) [N].
+        """
+
     def forces(self, normal: Normal, /) -> bytes:
         """Return (n, 5) what each robot's best force along a normal is worth [N], and which it is.
 

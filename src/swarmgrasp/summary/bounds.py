@@ -9,6 +9,7 @@ import numpy as np
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
 from swarmgrasp.quality.weakest import weakest_of
+from swarmgrasp.summary.beside_sets import least_beside_sets
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.support_bounds import SupportBounds
 
@@ -51,11 +52,15 @@ class Bounds(Frozen, Told):
         return self.upper - self.lower
 
 
-def quality_bounds(support: SupportBounds, side: int) -> tuple[float, float, Array]:
+def quality_bounds(support: SupportBounds) -> tuple[float, float, Array]:
     """Bound the quality: returns lower and upper [N], and the direction of the latter (3,)."""
-    weakest = weakest_of(support.sums, support.load)
-    lower = max(weakest.quality - support.margin, 0.0)
-    upper, direction = least_near(support.upper, np.array(weakest.normal), turn_of(side))
+    if support.has_sets:
+        least, weakest = least_beside_sets(support, np.zeros(3))
+    else:
+        least, normal = weakest_of(support.sums, support.load)
+        weakest = np.array(normal)
+    lower = max(least - support.margin, 0.0)
+    upper, direction = least_near(support.upper, weakest, turn_of(support.side))
     return lower, max(upper, lower), direction
 
 

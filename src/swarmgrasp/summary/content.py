@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.summary.cells import Array
 from swarmgrasp.summary.moments import Moments
@@ -27,11 +29,14 @@ class Content(Frozen):
     origin : tuple of float [m, m]
         The point that moments are taken about, in the frame of the outline's vertices.
     total : (3,) [N]
-        Sum of all generators, in the metric's coordinates.
+        Sum of the generators of all rays, in the metric's coordinates.
     rounding : float [N]
-        By how much rounding may have moved that sum, and the bins' sums together.
+        By how much rounding may have moved that sum, the bins' sums together, and `wrenches`.
     moments : Moments
-        Weight, mean position and spread of each occupied bin.
+        Weight, mean position and spread of each occupied bin of rays.
+    wrenches : (k, 3) [N]
+        Of all robots that are no rays together, the wrench that is the farthest along each
+        direction of the lattice; (0, 3) if there are none.
     """
 
     count: int
@@ -42,3 +47,15 @@ class Content(Frozen):
     total: Array = field(repr=False)
     rounding: float = field(repr=False)
     moments: Moments = field(repr=False)
+    wrenches: Array = field(repr=False)
+
+    @property
+    def has_sets(self) -> bool:
+        """Whether some robots are no rays."""
+        return len(self.wrenches) > 0
+
+    @property
+    def size(self) -> float:
+        """What rounding is relative to [N]: a bound on the sum of all robots' wrenches, about."""
+        reach = np.linalg.norm(self.wrenches, axis=1).max(initial=0.0)
+        return self.moments.size + float(reach)

@@ -1,18 +1,21 @@
 """Placement from a summary: a robot, and what it and any other can reach (T8-T10, T13)."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
-from swarmgrasp.placement.problem import Problem
+from swarmgrasp.placement.problem import Problem, check_ray_problem
 from swarmgrasp.placement.search import Search
 from swarmgrasp.plain import Told
+from swarmgrasp.summary.beside_sets import least_beside_sets
 from swarmgrasp.summary.bounds import least_near, turn_of
 from swarmgrasp.summary.ceiling import best_possible
 from swarmgrasp.summary.cells import Array
+from swarmgrasp.summary.on_lattice import best_on_lattice
 from swarmgrasp.summary.support_bounds import EVALUATION, SupportBounds
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 
@@ -58,7 +61,6 @@ class PlacementBounds(Frozen, Told):
 
 def place_from(
     support: SupportBounds,
-    side: int,
     bare: Swarm,
     newcomer: Newcomer,
     zones: Iterable[Zone] | None,
@@ -72,26 +74,66 @@ def place_from(
         The outline and the metric, without robots.
     """
     problem = Problem(bare, newcomer, zones, no_go)  # type: ignore[arg-type]
+    check_ray_problem(problem, "placement beside a summary")
     pieces = problem.pieces()
     weights = bare.scale * newcomer.limit
-    search = Search(support.sums, weights, pieces.rows, support.load)
-    found = search.solve(GAP)
-    best = search.break_tie(found.best, found.best.quality / (1.0 + GAP) - search.floor)
-    contact, angle = pieces.robot_at(best.piece, best.c, best.s, best.torque)
-    robot = Robot(contact, angle, newcomer.limit, newcomer.name or "newcomer")
-    together = search.quality_with(best.c, best.s, best.torque)
-    wrench = weights * (best.c, best.s, best.torque)
     reach = max(1.0, float(np.abs(pieces.rows[:, :4]).max()))
     spare = EVALUATION * float(weights.sum()) * reach
+    chosen = (_beside_sets if support.has_sets else _beside_rays)(support, pieces.rows, weights)
+    contact, angle = pieces.robot_at(*chosen.spot)
+    robot = Robot(contact, angle, newcomer.limit, newcomer.name or "newcomer")
+    wrench = weights * chosen.spot[1:]
 
     def with_robot(normals: Array) -> Array:
         """Bound h from above with the robot in place."""
         return np.asarray(support.upper(normals) + np.maximum(normals @ wrench, 0.0))
 
-    lower = max(together.quality - support.margin - spare, 0.0)
-    upper, direction = least_near(with_robot, np.array(together.normal), turn_of(side))
+    lower = max(chosen.least - support.margin - spare, 0.0)
+    upper, direction = least_near(with_robot, chosen.normal, turn_of(support.side))
     upper = max(upper + spare, lower)
-    proofs = found.certificate.proofs
-    most = best_possible(support, pieces.rows, weights, proofs, direction) + spare
-    place = pieces.each[best.piece].place
+    most = chosen.best_possible(direction) + spare
+    place = pieces.each[chosen.spot[0]].place
     return PlacementBounds(robot, place, lower, upper, max(most, lower), direction)
+
+
+class _Chosen(NamedTuple):
+    """A place that a search has found.
+
+    Attributes
+    ----------
+    spot : tuple
+        The piece, and the unit wrench (cos, sin, torque) [1, 1, m].
+    least : float [N]
+        What the bound from below is at least with it, before rounding.
+    normal : (3,)
+        Where.
+    best_possible : callable
+        What no allowed robot exceeds [N], given a direction in which the swarm with it is weak.
+    """
+
+    spot: tuple[int, float, float, float]
+    least: float
+    normal: Array
+    best_possible: Callable[[Array], float]
+
+
+def _beside_rays(support: SupportBounds, rows: Array, weights: Array) -> _Chosen:
+    """Find the best place beside the bins' sums and their load."""
+    search = Search(support.sums, weights, rows, support.load)
+    found = search.solve(GAP)
+    best = search.break_tie(found.best, found.best.quality / (1.0 + GAP) - search.floor)
+    together = search.quality_with(best.c, best.s, best.torque)
+    proofs = found.certificate.proofs
+    return _Chosen(
+        (best.piece, best.c, best.s, best.torque),
+        together.quality,
+        np.array(together.normal),
+        lambda direction: best_possible(support, rows, weights, proofs, direction),
+    )
+
+
+def _beside_sets(support: SupportBounds, rows: Array, weights: Array) -> _Chosen:
+    """Find a good place by the upper bounds along the lattice, which some robots are known on."""
+    spot, most = best_on_lattice(support, rows, weights)
+    least, normal = least_beside_sets(support, weights * spot[1:])
+    return _Chosen(spot, least, normal, lambda _: most)

@@ -36,19 +36,16 @@ LIGHTEST = 2.0**-126
 Records = NDArray[np.void]
 
 
-def records_of(moments: Moments, side: int) -> tuple[Records, int, float]:
-    """Round moments to records.
+def records_of(moments: Moments, side: int, exponent: int) -> tuple[Records, float]:
+    """Round moments to records, whose weights are relative to a power of two [N].
 
     Returns
     -------
     records : (r,)
         Of all bins but those that are too light to matter.
-    exponent : int
-        Of the power of two [N] that weights are relative to.
     moved : float [N]
         What to allow for rounding, in all bins together.
     """
-    exponent = _exponent(float(moments.weights.max(initial=0.0)))
     shares = (moments.weights / math.ldexp(1.0, exponent)).astype("<f4")
     kept = shares >= LIGHTEST
     moved = DIAGONAL * float(moments.weights[~kept].sum())
@@ -65,11 +62,11 @@ def records_of(moments: Moments, side: int) -> tuple[Records, int, float]:
     # weight times the standard deviation must not shrink
     wanted = moments.covariances[:, kept] * (weights / rounded) ** 2
     _round_spreads(records, wanted, halves)
-    return records, exponent, moved * (1.0 + 1e-9)
+    return records, moved * (1.0 + 1e-9)
 
 
-def _exponent(largest: float) -> int:
-    """Return the exponent of the power of two above all weights, also once they are float32."""
+def exponent_of(largest: float) -> int:
+    """Return the exponent of the power of two above all sizes, also once they are float32."""
     share, exponent = math.frexp(largest)
     return exponent + int(np.float32(share) == 1.0)
 

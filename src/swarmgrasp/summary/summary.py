@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,8 +19,9 @@ from swarmgrasp.summary.encoding import decode, encode
 from swarmgrasp.summary.moments import merged, moments_of, rounding_of
 from swarmgrasp.summary.placing import PlacementBounds, place_from
 from swarmgrasp.summary.support_bounds import SupportBounds
+from swarmgrasp.summary.wrenches import NO_WRENCHES, farthest_wrenches
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
-from swarmgrasp.swarm.swarm import check_metric, check_rays, check_swarm
+from swarmgrasp.swarm.swarm import check_gaps, check_metric, check_swarm
 
 BINS = 1024
 """Bins asked for unless told otherwise."""
@@ -33,7 +34,7 @@ class Summary(Content):
     Made by `of`, `from_generators`, `empty` or `from_bytes`; added up by ``+`` or `merge`.
 
     Its data are those of `Content`: `count`, `side`, `force_weights`, `characteristic_length`,
-    `origin`, `total`, `rounding` and `moments`.
+    `origin`, `total`, `rounding`, `moments` and `wrenches`.
 
     Examples
     --------
@@ -67,16 +68,22 @@ class Summary(Content):
             If the number of bins is out of range.
         SwarmInvalid
             If it is no `Swarm`.
+        ForceSetUnsupported
+            If robots have sectors with gaps between.
         """
         check_swarm(swarm)
-        check_rays(swarm, "a summary")
-        return cls.from_generators(
-            swarm.scaled_generators,
+        check_gaps(swarm, "a summary")
+        rays = cls.from_generators(
+            swarm.scaled_generators[swarm.is_ray],
             bins,
             force_weights=swarm.force_weights,
             characteristic_length=swarm.characteristic_length,
             origin=tuple(swarm.outline.origin.tolist()),
         )
+        if swarm.has_rays_only:
+            return rays
+        wrenches, rounding = farthest_wrenches(swarm, rays.side)
+        return replace(rays, count=len(swarm), wrenches=wrenches, rounding=rays.rounding + rounding)
 
     @classmethod
     def empty(cls, outline: Outline, bins: int = BINS) -> "Summary":
@@ -140,6 +147,7 @@ class Summary(Content):
             total=total,
             rounding=rounding,
             moments=moments,
+            wrenches=NO_WRENCHES,
         )
 
     # -- adding up --------------------------------------------------------------------
@@ -179,7 +187,8 @@ class Summary(Content):
         if count > MOST_ROBOTS:
             raise SummaryInvalid(f"they have {count} robots together; it should be below 2^63")
         moments = merged([summary.moments for summary in crowds], first.side)
-        moved = rounding_of(len(crowds), sum(s.moments.size for s in crowds))
+        moved = rounding_of(len(crowds), sum(s.size for s in crowds))
+        sets = [summary.wrenches for summary in crowds if summary.has_sets]
         return cls(
             count=count,
             side=first.side,
@@ -189,6 +198,7 @@ class Summary(Content):
             total=np.asarray(sum(summary.total for summary in crowds)),
             rounding=sum(summary.rounding for summary in crowds) + moved,
             moments=moments,
+            wrenches=np.asarray(sum(sets)) if sets else NO_WRENCHES,
         )
 
     def _check_like(self, other: "Summary") -> None:
@@ -211,7 +221,9 @@ class Summary(Content):
     # -- as bytes ---------------------------------------------------------------------
 
     def to_bytes(self) -> bytes:
-        """Write the summary as 104 bytes and 18 for each occupied bin.
+        """Write the summary as 108 bytes and 18 for each occupied bin.
+
+        If some robots are no rays, and 12 for each direction of the lattice.
 
         What is read back bounds the same swarm, with the rounding of the numbers allowed for.
         """
@@ -256,19 +268,20 @@ class Summary(Content):
     @cached_property
     def support(self) -> SupportBounds:
         """Bounds on the support function at any direction."""
-        return SupportBounds(self.moments, self.side, self.total, self.rounding)
+        return SupportBounds(self)
 
     @cached_property
     def _bounds(self) -> Bounds:
         """What `quality` returns."""
-        lower, upper, direction = quality_bounds(self.support, self.side)
+        lower, upper, direction = quality_bounds(self.support)
         return Bounds(lower, upper, direction, self.metric_sentence)
 
     def quality(self) -> Bounds:
         """Bound the Max-Transfer quality (T1) of every swarm with this summary.
 
-        From below it is the exact quality of the bins' sums, as robots beside a steady wrench:
-        their wrench set lies inside the swarm's. From above it is the least upper bound on
+        From below it is the quality of a wrench set inside the swarm's: exactly that of the bins'
+        sums, as robots beside a steady wrench, or of those and the wrenches known of robots that
+        are no rays, within 1e-4 of itself. From above it is the least upper bound on
         the support function that a walk downhill from there finds.
         """
         return self._bounds
@@ -299,6 +312,9 @@ class Summary(Content):
         ------
         SummaryInvalid
             If the outline's origin is not the summary's.
+        ForceSetUnsupported
+            If the newcomer is no ray: where one that steers, reverses or rubs should attach is
+            known how to find beside known robots only.
         OutlineInvalid
             If it is no `Outline`.
         ZoneInvalid, NowhereToAttach
@@ -312,4 +328,4 @@ class Summary(Content):
                 f"the outline's origin is {origin!r}, the summary's {self.origin!r} [m]; moments "
                 "should be taken about the same point"
             )
-        return place_from(self.support, self.side, bare, newcomer, zones, no_go)
+        return place_from(self.support, bare, newcomer, zones, no_go)

@@ -11,12 +11,18 @@ a known mean m, a known variance r and a known range [a, b]. Hence for the bin's
 - if a >= 0 or b <= 0, sum |n . b_i'| = W |m| exactly;
 - otherwise W |m| <= sum |n . b_i'| <= W e(m, r, a, b), with e the greatest mean of |y| over all
   distributions of that mean, variance and range (`greatest_mean`).
+
+Robots that are no rays add a convex function s of which, at the directions v_k of a lattice, the
+wrench w_k is known that is the farthest: s(v_k) = w_k . v_k. At n = sum l_k v_k, l_k >= 0, of the
+three directions around it, max w_k . n <= s(n) <= sum l_k s(v_k): w_k is a wrench they can make,
+and s of a sum is at most the sum of s.
 """
 
 import numpy as np
 
 from swarmgrasp.summary.cells import Array, middles_and_halves, vectors_of
-from swarmgrasp.summary.moments import Moments
+from swarmgrasp.summary.content import Content
+from swarmgrasp.summary.lattice import lattice, mixtures
 
 SPREAD_ROUNDING = 1e-9
 """Relative rounding of a covariance: a chunk's sums have 2^20 terms."""
@@ -36,11 +42,18 @@ class SupportBounds:
     load : tuple of float [N]
         (s - the sum of those) / 2: with it, as robots they have the lower bound as support
         function.
+    size : float [N]
+        What rounding is relative to.
     margin : float [N]
         What certified bounds allow for rounding.
+    side : int
+        Of the grid of bins, and of the lattice.
+    has_sets : bool
+        Whether some robots are no rays.
     """
 
-    def __init__(self, moments: Moments, side: int, total: Array, rounding: float) -> None:
+    def __init__(self, content: Content) -> None:
+        moments, side, total = content.moments, content.side, content.total
         cells, weights = moments.cells, moments.weights
         ones, none = np.ones(len(cells)), np.zeros(len(cells))
         middles, halves = middles_and_halves(cells, side)
@@ -53,14 +66,30 @@ class SupportBounds:
         self._covariances = np.zeros((len(cells), 3))  # of the two components but the k-th
         axes = cells // side**2
         self._covariances[np.arange(len(cells)), axes] = uv
-        self.margin = rounding + EVALUATION * moments.size
+        self.side, self._wrenches = side, content.wrenches
+        self.size, self.has_sets = content.size, content.has_sets
+        if self.has_sets:
+            self._tops = np.einsum("ij,ij->i", self._wrenches, lattice(side))
+        self.margin = content.rounding + EVALUATION * self.size
         x, y, turn = (0.5 * (total - self.sums.sum(axis=0))).tolist()
         self.load = (x, y, turn)
+
+    def farthest(self, normals: Array) -> Array:
+        """Return a wrench of the robots that are no rays, far along each of unit normals (m, 3).
+
+        Of three known ones it is the farthest: (m, 3) [N].
+        """
+        if not self.has_sets:
+            return np.zeros_like(normals)
+        known = self._wrenches[mixtures(normals, self.side)[0]]
+        best = np.einsum("ikj,ij->ik", known, normals).argmax(axis=1)
+        return np.asarray(known[np.arange(len(normals)), best])
 
     def lower(self, normals: Array) -> Array:
         """Bound h from below at unit normals (k, 3): returns (k,) [N]."""
         widths = np.abs(self.sums @ normals.T).sum(axis=0)
-        return np.asarray(0.5 * (normals @ self.total + widths) - self.margin)
+        sets = np.einsum("ij,ij->i", self.farthest(normals), normals)
+        return np.asarray(0.5 * (normals @ self.total + widths) + sets - self.margin)
 
     def upper(self, normals: Array) -> Array:
         """Bound h from above at unit normals (k, 3): returns (k,) [N]."""
@@ -78,7 +107,15 @@ class SupportBounds:
         turn = np.where(np.einsum("ij,ij->i", self.sums[bins], n) < 0.0, -c, c)
         means = greatest_mean(mean, variance, turn - r, turn + r)
         values[bins, rows] = self.weights[bins] * np.maximum(means, mean)
-        return np.asarray(0.5 * (normals @ self.total + values.sum(axis=0)) + self.margin)
+        rays = 0.5 * (normals @ self.total + values.sum(axis=0))
+        return np.asarray(rays + self._sets_at_most(normals) + self.margin)
+
+    def _sets_at_most(self, normals: Array) -> Array | float:
+        """Bound what robots that are no rays add at unit normals (k, 3): returns (k,) [N]."""
+        if not self.has_sets:
+            return 0.0
+        numbers, weights = mixtures(normals, self.side)
+        return np.asarray((weights * self._tops[numbers]).sum(axis=1))
 
 
 def greatest_mean(mean: Array, variance: Array, low: Array, high: Array) -> Array:

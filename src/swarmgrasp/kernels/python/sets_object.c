@@ -1,5 +1,7 @@
 /* Sets of forces as Python objects. Checked are widths, finite numbers, that elements, machines and
  * places are those of the robots given, and that losses are no less than none. */
+#include <string.h>
+
 #include "sets_object.h"
 
 typedef struct {
@@ -138,6 +140,23 @@ static PyObject *sets_heights(PyObject *object, PyObject *normals) {
     return each_row(normals, 3, 3, 0, find_height, &((SetsObject *)object)->sets);
 }
 
+static Status find_wrench(void *data, const double *normal, double *found) {
+    const Sets *sets = data;
+    double own[3];
+    memcpy(found, sets->load, 3 * sizeof(double));
+    for (int i = 0; i < sets->count; i++) {
+        exert(sets->scale, sets->set + i, normal, own, NULL, NULL);
+        for (int k = 0; k < 3; k++)
+            found[k] += own[k];
+    }
+    return interrupted() ? INTERRUPTED : SOLVED;
+}
+
+/* wrenches(normals) -> bytes: the wrench of all robots and the load that is farthest along each */
+static PyObject *sets_wrenches(PyObject *object, PyObject *normals) {
+    return each_row(normals, 3, 3, 1, find_wrench, &((SetsObject *)object)->sets);
+}
+
 /* forces(normal) -> bytes: of each robot the worth of its best force, the force, and its arm */
 static PyObject *sets_forces(PyObject *object, PyObject *args) {
     const Sets *sets = &((SetsObject *)object)->sets;
@@ -156,6 +175,7 @@ static PyObject *sets_forces(PyObject *object, PyObject *args) {
 static PyMethodDef methods[] = {
     {"least", sets_least, METH_VARARGS, NULL},
     {"heights", sets_heights, METH_O, NULL},
+    {"wrenches", sets_wrenches, METH_O, NULL},
     {"forces", sets_forces, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL},
 };
