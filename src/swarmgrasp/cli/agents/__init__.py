@@ -4,8 +4,9 @@ from cyclopts import App
 
 from swarmgrasp.cli.agents.curve import curve
 from swarmgrasp.cli.agents.demo import demo
+from swarmgrasp.cli.agents.ros2 import ros2
 
-COMMANDS = (curve, demo)
+COMMANDS = (curve, demo, ros2)
 HELP = "Run, watch, try and study swarms of robots that decide for themselves."
 
 
