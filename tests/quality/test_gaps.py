@@ -11,15 +11,18 @@ from swarmgrasp import (
     Ellipsoid,
     Newcomer,
     Outline,
+    Problem,
     Robot,
     Swarm,
     Tolerance,
     WrenchSet,
+    best_move,
     losses,
-    place,
+    place_together,
+    qualities_with,
     quality,
     sensitivities,
-)  # fmt: skip
+)
 from swarmgrasp.errors import ForceSetUnsupported, RobotInvalid
 from swarmgrasp.swarm.choices import Asked, Choices
 
@@ -144,7 +147,9 @@ def test_what_is_not_known_is_refused():
     swarm = unit(Robot((0.5, 0), sectors=SIDES, mounted=True), Robot((-0.5, 0), 0.0, mounted=True))
     for ask in (
         lambda: sensitivities(swarm), lambda: WrenchSet(swarm), lambda: swarm.force_sets,
-        lambda: place(swarm, Newcomer()),
+        lambda: place_together(Problem(swarm, Newcomer(steers=True)), 2),
+        lambda: qualities_with(swarm, [(1.0, 0.0)], [3.0]),
+        lambda: best_move(swarm),
     ):  # fmt: skip
         with pytest.raises(ForceSetUnsupported, match="gaps between: R1"):
             ask()

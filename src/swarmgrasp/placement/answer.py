@@ -18,6 +18,7 @@ from swarmgrasp.plain import Answer, Plain, picked, plain
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import items, kind_faults, shown
 from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.swarm.choices import Choice
 from swarmgrasp.verify import Verdict, verify_document
 
 COARSE = 1e-3
@@ -87,6 +88,10 @@ class Placement(Frozen, Answer):
         place does to within the gap, and `robot` is the one that lifts the other directions most.
     runners_up : tuple of RunnerUp
         Best first.
+    choice_before, choice : Choice, optional
+        The sectors kept without the newcomer and with it, where robots have gaps between theirs:
+        all qualities told are with these; the upper bound is with the gaps filled, and
+        `stopped_early` says, too, that it is not reached so.
     """
 
     problem: Problem
@@ -102,6 +107,10 @@ class Placement(Frozen, Answer):
     improves: bool
     runners_up: tuple[RunnerUp, ...]
     _found: Optimum[Any] = field(repr=False)
+    choice_before: Choice | None = None
+    choice: Choice | None = None
+    _held: "Placement | None" = field(default=None, repr=False)
+    """The same beside robots that keep those sectors, and have no gaps."""
 
     kind = "placements"
 
@@ -135,6 +144,8 @@ class Placement(Frozen, Answer):
     @property
     def reason(self) -> str:
         """What limits the answer, in words."""
+        if self._held is not None:
+            return f"with the sectors kept, {reason_of(self._held)}"
         return reason_of(self)
 
     @property
@@ -176,6 +187,7 @@ class Placement(Frozen, Answer):
             **picked(
                 self, "robot", "place", "quality_before", "quality", "upper_bound", "asked_gap",
                 "asked_runners_up", "stopped_early", "improves", "reason", "runners_up",
+                "choice_before", "choice",
             ),
             "proofs": plain(self.certificate.proofs),
             "boxes": plain(self.certificate.boxes),

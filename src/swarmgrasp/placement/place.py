@@ -8,6 +8,7 @@ from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, 
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
+from swarmgrasp.placement.gaps import beside_gaps
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import Best, Optimum, RayOptimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
@@ -69,6 +70,9 @@ def place(
     """Find where the newcomer should attach and which way it should push.
 
     The global optimum over everything a robot can really do, with a proof (T8-T10).
+
+    Beside robots whose sectors have gaps between, the answer is a good place beside one choice of a
+    sector for each, `choice`; no place is better than `upper_bound`, whatever they choose (T28).
 
     Parameters
     ----------
@@ -400,8 +404,27 @@ class _Aiming(_Placing):
         return self.aimed(self.aiming.solve(ROUGH, set(chosen)), name)
 
 
-def _placing(problem: Problem, gap: float) -> _Placing:
+class _BesideGaps:
+    """One problem whose robots have gaps between their sectors."""
+
+    def __init__(self, problem: Problem, gap: float) -> None:
+        self.problem, self.gap = problem, gap
+
+    def placement(self, fraction: float | None, name: str) -> Placement:
+        """Answer the problem, with a name for the robot."""
+        return beside_gaps(
+            self.problem, lambda asked: _placing(asked, self.gap).placement(fraction, name)
+        )
+
+    def join(self, answer: Placement) -> None:
+        """Go on with the swarm that an answer leaves."""
+        self.problem = self.problem.with_swarm(answer.swarm_after)
+
+
+def _placing(problem: Problem, gap: float) -> _Placing | _BesideGaps:
     """Put a problem on its way."""
+    if problem.swarm.rare.gaps:
+        return _BesideGaps(problem, gap)
     return (_Aiming if problem.is_tolerant else _Placing)(problem, gap)
 
 

@@ -19,7 +19,7 @@ from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
-from swarmgrasp.swarm.swarm import check_rays, swarm_faults
+from swarmgrasp.swarm.swarm import check_gaps, check_rays, swarm_faults
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,6 +205,7 @@ def check_ray_problem(problem: Problem, what: str) -> None:
 
 def check_several(problem: Problem, what: str) -> None:
     """Raise `ForceSetUnsupported` unless newcomers steer, or all robots push along one ray each."""
+    check_gaps(problem.swarm, what)
     if problem.newcomer.steers and problem.newcomer.reverse_limit:
         raise ForceSetUnsupported(
             f"{what} is not known for newcomers that steer both ways: leave out the reverse limit"

@@ -14,7 +14,8 @@ from swarmgrasp.quality.explain import (
 )
 from swarmgrasp.quality.max_transfer import Quality
 from swarmgrasp.quality.weakest import Weakest
-from swarmgrasp.words import Unit, degrees, percent
+from swarmgrasp.swarm.sectors import sector_words
+from swarmgrasp.words import Unit, degrees, list_words, percent
 
 if TYPE_CHECKING:
     from swarmgrasp.placement.answer import Placement
@@ -107,6 +108,15 @@ def explain_placement(answer: "Placement") -> str:
     str
         A sentence per line.
     """
+    if answer._held is not None and answer.choice is not None:
+        kept = [f"{name} in {sector_words(s)}" for name, s in answer.choice.sectors.items()]
+        most = _value(answer.upper_bound, answer)
+        return "\n".join([
+            f"As long as robots keep to sectors, {list_words(kept)}, the following holds.",
+            explain_placement(answer._held),
+            f"If they change between sectors, no allowed place gives more than {most}: that is "
+            "proven with the gaps filled.",
+        ])  # fmt: skip
     after = _quality_of(answer.swarm_after, answer.after, answer)
     said = [_before(answer), *_gain(answer)]
     if answer.improves:

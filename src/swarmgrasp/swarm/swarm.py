@@ -606,8 +606,9 @@ def check_gaps(swarm: Swarm, what: str = "this") -> None:
     if swarm.rare.gaps:
         raise ForceSetUnsupported(
             f"{what} is not known of robots whose sectors have gaps between: "
-            f"{_listed(swarm, sorted(swarm.rare.gaps))}; their quality, what losses leave of it "
-            "and push forces are, and anything of robots of one sector each, of half a turn or less"
+            f"{_listed(swarm, sorted(swarm.rare.gaps))}; their quality, what losses leave of it, "
+            "push forces and the place of one newcomer are, and anything of robots of one "
+            "sector each, of half a turn or less"
         )
 
 

@@ -74,19 +74,28 @@ class RobotClaim(_Form):
     least: Size
     envelope: list[Point] | None
     group: str
-    sectors: None
-    """Sectors with gaps between are not checked: an answer with any is refused."""
+    sectors: list[tuple[Angle, Angle]] | None = Field(min_length=1)
 
     @property
     def is_line(self) -> bool:
         """Whether it pushes along one line, one way or both."""
-        return not (self.steers or self.friction or self.least or self.envelope)
+        return not (self.steers or self.friction or self.least or self.envelope or self.sectors)
 
     @model_validator(mode="after")
     def check_mounted(self) -> Self:
         """Refuse a mounted robot that may be elsewhere."""
         if self.mounted and self.tolerance and self.tolerance.contact != (0.0, 0.0):
             raise ValueError("a mounted robot's contact has no tolerance")
+        return self
+
+    @model_validator(mode="after")
+    def check_sectors(self) -> Self:
+        """Refuse sectors that are none, and those beside what says other directions."""
+        if any(not 0.0 <= end - start <= 2.0 * math.pi for start, end in self.sectors or ()):
+            raise ValueError("a sector should run counter-clockwise, at most once around")
+        more = (self.steers, self.reverse_limit, self.friction, self.least, self.envelope)
+        if self.sectors is not None and any(more):
+            raise ValueError("sectors say all directions")
         return self
 
 
@@ -159,6 +168,14 @@ class CriterionClaim(_Form):
     failures: list[Annotated[list[str], Field(min_length=1)]]
 
 
+class ChoiceClaim(_Form):
+    """The sector that each robot with gaps between its sectors keeps."""
+
+    sectors: dict[str, tuple[Angle, Angle]]
+    is_best: bool
+    """Whether no other choice is better: not checked, as the quality with this one is told."""
+
+
 class RunnerUpClaim(_Form):
     """The best robot in another place."""
 
@@ -213,6 +230,8 @@ class PlacementClaim(_Form):
     improves: bool
     reason: str
     runners_up: list[RunnerUpClaim]
+    choice_before: ChoiceClaim | None
+    choice: ChoiceClaim | None
     proofs: list[ProofClaim]
     boxes: list[BoxClaim]
     spans: list[SpanClaim]

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.verify.pushes import THIN, Array, Pair, Robots, outside
+from swarmgrasp.verify.pushes import ANGLE, THIN, Array, Pair, Robots, is_part, outside
 
 Kept = tuple[tuple[int, Pair], ...]
 """Robots with gaps, by index, that keep to one sector each."""
@@ -35,8 +35,6 @@ SLACK = 1e-6
 more, for the least sum of squares."""
 LEFT = 3e-6
 """By so much of itself less may be proven of other sectors than of those taken."""
-ANGLE = 1e-8
-"""Difference of two directions [rad] that counts as none."""
 SUM = 2e-5
 """By so much of itself that sum may exceed the least."""
 
@@ -113,17 +111,8 @@ def _sector_faults(claim: Claim) -> Iterator[str]:
         rows = [i for i, _ in kept]
         if len(set(rows)) < len(rows) or not set(rows) <= set(robots.sectors):
             yield f"robots {rows} are said to keep one sector each"
-        elif not all(_is_part(part, robots.sectors[i]) for i, part in kept):
+        elif not all(is_part(part, robots.sectors[i]) for i, part in kept):
             yield "a sector said to be kept is no part of a robot's, of half a turn or less"
-
-
-def _is_part(part: Pair, sectors: Sequence[Pair]) -> bool:
-    """Tell whether a sector is a part of one of some, and convex."""
-    start, end = part
-    return 0.0 <= end - start <= math.pi + ANGLE and any(
-        (start - first + ANGLE) % math.tau + end - start <= last - first + 2.0 * ANGLE
-        for first, last in sectors
-    )
 
 
 def _other_faults(claim: Claim) -> Iterator[str]:

@@ -32,7 +32,7 @@ from swarmgrasp.verify.recompute import (
 )
 from swarmgrasp.verify.rounding import noise_of
 from swarmgrasp.verify.spans import Spans
-from swarmgrasp.verify.team import Team
+from swarmgrasp.verify.team import Team, keeping
 from swarmgrasp.verify.verdict import Verdict
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
@@ -121,7 +121,8 @@ class _Check:
         self.is_open = False  # whether a quality of robots that are no rays is not proven
         self.boundary, self.present = boundary, tuple(present)
         self.judge = judge = Judge(boundary, asked.swarm, asked.criterion)
-        self.base = judge.team(present)
+        self.base = judge.team(present)  # with the gaps between sectors filled
+        self.held = [keeping(present, choice) for choice in (claim.choice_before, claim.choice)]
         self.unit = "" if asked.criterion.task else " N"
         tolerance = asked.newcomer.tolerance if asked.criterion.worst_case else None
         self.is_tolerant = tolerance is not None and tolerance.is_spread
@@ -160,7 +161,11 @@ class _Check:
             point = np.array(robot.contact)
             if not (self.boundary.has(point) or (robot.mounted and self.boundary.surrounds(point))):
                 yield f"robot {index} {robot.name!r} is off the boundary"
-        yield from self.differs("the quality before", claim.quality_before, self.base)
+        if None in self.held:
+            yield "the sectors said to be kept are not one of each robot with gaps between its own"
+            return
+        before = self.judge.team(self.held[0] or ())
+        yield from self.differs("the quality before", claim.quality_before, before)
         yield from self.robot_faults("the robot", claim)
         for runner in claim.runners_up:
             yield from self.robot_faults(f"the runner-up at {runner.place}", runner)
@@ -264,6 +269,8 @@ class _Check:
             yield f"{what} has the limit {robot.limit:.12g} N, not the newcomer's"
         if robot.reverse_limit != newcomer.reverse_limit:
             yield f"{what} has the reverse limit {robot.reverse_limit:.12g} N, not the newcomer's"
+        if robot.sectors is not None:
+            yield f"{what} has sectors with gaps between, which no newcomer has"
         if robot.tolerance != newcomer.tolerance:
             yield f"{what} has another tolerance than the newcomer"
         if robot.friction != newcomer.friction or robot.least or robot.envelope or robot.group:
@@ -285,7 +292,7 @@ class _Check:
             )
         elif claim.place not in places:
             yield f"{what} is said to be at {claim.place!r} and is at {' or '.join(sorted(places))}"
-        together = self.base + self.judge.team([robot])
+        together = self.judge.team(self.held[1] or ()) + self.judge.team([robot])
         yield from self.differs(f"the quality with {what}", claim.quality, together)
 
     def fits(self, robot: "RobotClaim", piece: Piece) -> bool:

@@ -19,6 +19,8 @@ THIN = 1e-9
 """Of its largest force: what a set may be thicker than it is said to be."""
 NO_CHOICE = 1e-12
 """Of its limit: a reach that is rounding."""
+ANGLE = 1e-8
+"""Difference of two directions [rad] that counts as none."""
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 LOOKS = 72
 """Steps of a golden section that leave what rounding leaves of a half turn."""
@@ -179,6 +181,15 @@ def outside(way: Array, start: float, end: float) -> Array:
     """Return how far directions [rad] are outside a sector [rad]."""
     past = (way - start) % math.tau - (end - start)
     return np.asarray(np.maximum(np.minimum(past, (start - way) % math.tau), 0.0))
+
+
+def is_part(part: Pair, sectors: Sequence[Pair]) -> bool:
+    """Tell whether a sector is a part of one of some, and convex."""
+    start, end = part
+    return 0.0 <= end - start <= math.pi + ANGLE and any(
+        (start - first + ANGLE) % math.tau + end - start <= last - first + 2.0 * ANGLE
+        for first, last in sectors
+    )
 
 
 def _nearest(corners: Array) -> Array:

@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import AnswerInvalid
 from swarmgrasp.verify.boundary import Boundary
+from swarmgrasp.verify.pushes import is_part
 from swarmgrasp.verify.recompute import Array, crest
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import NewcomerClaim, RobotClaim, ToleranceClaim
+    from swarmgrasp.verify.claims import ChoiceClaim, NewcomerClaim, RobotClaim, ToleranceClaim
 
 HALVINGS = 52
 """Of a straight part on which the worst contact lies: down to rounding."""
@@ -314,11 +315,11 @@ def team_of(
 def _check(robot: "RobotClaim", tolerance: "ToleranceClaim") -> None:
     """Raise `AnswerInvalid` for a tolerance that does not go with what a robot exerts."""
     is_turned = tolerance.direction != (0.0, 0.0)
-    is_fixed = robot.friction or robot.least or robot.envelope
+    is_fixed = robot.friction or robot.least or robot.envelope or robot.sectors
     if is_turned and (is_fixed or (robot.steers and robot.reverse_limit)):
         raise AnswerInvalid(
-            f"{robot.name!r} has friction, an envelope or a least force, or steers both ways, and "
-            "its direction is uncertain: that is not known how to check"
+            f"{robot.name!r} has friction, an envelope, sectors or a least force, or steers both "
+            "ways, and its direction is uncertain: that is not known how to check"
         )
     least = tolerance.least_limit
     if least is not None and (robot.envelope or robot.least > least):
@@ -334,6 +335,9 @@ def arcs_of(robot: "RobotClaim", limit: float, turn: float, steers: float) -> Ar
     Its direction is turned by so much, and it steers so far to both sides [rad].
     """
     d, least = robot.direction + turn, robot.least
+    if robot.sectors is not None:
+        arcs = [(limit, 0.5 * (start + end), 0.5 * (end - start)) for start, end in robot.sectors]
+        return np.array([*arcs, (0.0, 0.0, 0.0)])
     if robot.envelope:
         points = np.array(robot.envelope)
         angles = np.arctan2(points[:, 1], points[:, 0]) + d
@@ -346,6 +350,28 @@ def arcs_of(robot: "RobotClaim", limit: float, turn: float, steers: float) -> Ar
     if robot.reverse_limit:
         arcs.append((robot.reverse_limit, d + math.pi, steers))
     return np.array(arcs)
+
+
+def keeping(
+    robots: "Sequence[RobotClaim]", choice: "ChoiceClaim | None"
+) -> "list[RobotClaim] | None":
+    """Return robots of which those with gaps keep to one sector each (T28).
+
+    None if some keep none, or something that is no part of their sectors of half a turn or less.
+    """
+    kept = {} if choice is None else choice.sectors
+    if set(kept) != {robot.name for robot in robots if robot.sectors is not None}:
+        return None
+    found = []
+    for robot in robots:
+        if robot.sectors is not None:
+            start, end = kept[robot.name]
+            if not is_part((start, end), robot.sectors):
+                return None
+            steers, way = 0.5 * (end - start), math.remainder(0.5 * (start + end), math.tau)
+            robot = robot.model_copy(update={"steers": steers, "direction": way, "sectors": None})
+        found.append(robot)
+    return found
 
 
 def kept_arcs(newcomer: "NewcomerClaim", limit: float, lo: float, hi: float) -> Array:

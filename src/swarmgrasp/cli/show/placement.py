@@ -8,6 +8,7 @@ from swarmgrasp.placement import Placement
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.force_words import force_words
+from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.swarm.stance import Stance, stance
 from swarmgrasp.words import Lengths, Unit, degrees, percent
 
@@ -68,6 +69,7 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
             ("", _spot(answer, placed)),
             *_way(robot, placed),
             ("Quality", _gain(answer.quality_before, answer.quality, unit)),
+            *_kept(answer),
             *_beside(answer, answer, unit),
             ("Proven", _sure(answer, unit)),
             *([("Limit now", answer.reason)] if answer.improves else []),
@@ -186,6 +188,15 @@ def _gain(before: float, after: float, unit: Unit) -> str:
     return f"{change} ({_percent_gain(before, after)})"
 
 
+def _kept(answer: Placement) -> list[tuple[str, str]]:
+    """Tell the sectors that robots with gaps between theirs keep."""
+    if answer.choice is None:
+        return []
+    each = answer.choice.sectors.items()
+    kept = "; ".join(f"{name} {sector_words(sector)}" for name, sector in each)
+    return [("Sectors kept", f"{kept}; robots may change sectors, which is not counted")]
+
+
 def _beside(first: Placement, last: Placement, unit: Unit) -> list[tuple[str, str]]:
     """Say by what criterion the quality is meant, and how it changes as things stand."""
     criterion = first.problem.criterion
@@ -218,6 +229,8 @@ def _sure(answer: Placement, unit: Unit, *, bound: bool = True) -> str:
             else f"no allowed place exceeds {unit.text(answer.upper_bound)}"
         )
     early = "; the search stopped before the gap asked for" if answer.stopped_early else ""
+    if answer.choice is not None:
+        early = ", whatever sectors robots push in"
     return f"{said} (upper bound {unit.text(answer.upper_bound)}){early}" if bound else said + early
 
 

@@ -16,6 +16,7 @@ from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.ranges import gap_faults
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 from swarmgrasp.swarm.robot import RIGHT_ANGLE
+from swarmgrasp.swarm.swarm import check_gaps
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,6 +223,8 @@ def best_move(
         If no robot may move, or a name is of none or of a mounted one; all faults at once.
     NowhereToAttach
         If none has anywhere to go.
+    ForceSetUnsupported
+        If robots have sectors with gaps between.
     ProblemInvalid
         If it is neither a `Problem` nor a `Swarm`, or `gap` is outside its range.
 
@@ -242,6 +245,7 @@ def best_move(
         problem = Problem(problem, Newcomer())
     refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap)))
     swarm = problem.swarm
+    check_gaps(swarm, "the best move")
     before = quality(swarm, **problem.criterion.terms)
     found, stuck = [], []
     for robot in _movable(problem, robots):
