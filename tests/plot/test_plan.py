@@ -247,3 +247,40 @@ def test_thrusters_are_named_at_their_contacts():
     starboard = Robot((0, -0.6), 1.5, 1.0, "starboard", mounted=True)
     labels = by_gid(plan(Swarm(hull, [port, starboard])), "robot-label")
     assert [math.copysign(1.0, t.get_position()[1]) for t in labels] == [1.0, -1.0]
+
+
+def test_zones_inside_are_drawn_and_told():
+    """An area, a line and a spot, each named, and none of them for a newcomer on the boundary."""
+    hull = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    bay = [(-20, -5), (-10, -5), (-10, 5), (-20, 5)]
+    zones = [
+        Zone(area=area, name=name)
+        for name, area in (("bay", bay), ("keel", [(10, 0), (25, 0)]), ("well", [(0, 5)]))
+    ]
+    figure = plan(Swarm(hull, [Robot((40, 0), np.pi)]), zones=zones)
+    drawn = by_gid(figure, "area")
+    np.testing.assert_allclose(drawn[0].get_xy()[:-1], bay)
+    assert len(drawn) == 2
+    assert by_gid(figure, "spot")[0].get_xydata().tolist() == [[0.0, 5.0]]
+    assert {text.get_text() for text in by_gid(figure, "area-label")} == {"bay", "keel", "well"}
+    words = {text.get_text() for text in figure.findobj(Text)}
+    assert {"zone inside", "spot inside"} < words
+    assert not {"zone", "bollard"} & words
+
+
+def test_labels_keep_off_the_circles_of_azimuth_thrusters():
+    """Where the page has room for that."""
+    hull = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    crew = [
+        Robot((x, y), 0.0, steers=math.pi, mounted=True, name=f"thruster {x} {y}")
+        for x in (-30, 30)
+        for y in (-4, 4)
+    ]
+    figure = plan(Swarm(hull, crew))
+    figure.draw_without_rendering()
+    (areas,) = by_gid(figure, "thruster-area")
+    to_page = figure.axes[0].transData
+    for text in by_gid(figure, "robot-label"):
+        box = text.get_window_extent()
+        for path in areas.get_paths():
+            assert not any(box.contains(*point) for point in to_page.transform(path.vertices))

@@ -15,18 +15,10 @@ from swarmgrasp.forces import Forces
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn, has_area
 from swarmgrasp.plot.labels import Page
-from swarmgrasp.plot.plan import (
-    FEW,
-    HEAD,
-    LEAST_PART,
-    MOST_LABELS,
-    WEAKEST_SIZES,
-    draw_object,
-    in_view,
-    label_edges,
-    outer_spots,
-)
+from swarmgrasp.plot.plan import draw_object, in_view, label_edges
+from swarmgrasp.plot.robots import FEW, HEAD, MOST_LABELS, outer_spots
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
+from swarmgrasp.plot.weakest import LEAST_PART, WEAKEST_SIZES
 from swarmgrasp.words import wrench_words
 
 LIMIT: Final = "#C3D3E0"

@@ -28,6 +28,10 @@ LEADER: Final = 14.0
 CROWDED: Final = 6.0
 """Price from which on a label that may be left out is left out, and another looks farther."""
 
+LINE: Final = 1.5
+FAINT: Final = 0.15
+"""Price of a sample of a line, and of a faint one, below a label."""
+
 ALONG: Final = 7.0
 """Gap [pt] between a line and a label along it: the line may be half of a strip."""
 
@@ -48,12 +52,15 @@ class Page:
         Its limits and place on the figure are final.
     points : list of (k, 2) [px, px]
         Samples of the lines to keep clear of.
+    faint : list of (k, 2) [px, px]
+        Of those that a label may lie across where there is no better place.
     boxes : list of tuple [px, px, px, px]
         Labels already placed: left, bottom, right, top.
     """
 
     ax: Axes
     points: list[Vector] = field(default_factory=list)
+    faint: list[Vector] = field(default_factory=list)
     boxes: list[tuple[float, float, float, float]] = field(default_factory=list)
 
     @property
@@ -61,7 +68,9 @@ class Page:
         """One typographic point [px]."""
         return float(self.ax.get_figure(root=True).dpi) / 72.0  # type: ignore[union-attr]
 
-    def keep_clear(self, start: ArrayLike, end: ArrayLike, breadth: float = 0.0) -> None:
+    def keep_clear(
+        self, start: ArrayLike, end: ArrayLike, breadth: float = 0.0, is_faint: bool = False
+    ) -> None:
         """Note a straight line as taken, or a dot.
 
         Parameters
@@ -69,12 +78,15 @@ class Page:
         start, end : (2,) [m, m]
         breadth : float [pt]
             Of the line; 0 for a thin one. Of the dot where start and end are the same.
+        is_faint : bool
+            Whether a label may lie across it where there is no better place.
         """
+        points = self.faint if is_faint else self.points
         ends = self.ax.transData.transform(np.array([start, end], dtype=float))
         way = ends[1] - ends[0]
         if breadth and not way.any():
             radius = 0.5 * breadth * self.point_size
-            self.points.append(ends[0] + radius * ROUND)
+            points.append(ends[0] + radius * ROUND)
             return
         count = 2 + int(np.linalg.norm(way) / (2.5 * self.point_size))
         line = np.linspace(ends[0], ends[1], count)
@@ -82,7 +94,7 @@ class Page:
             across = np.array([-way[1], way[0]]) / max(float(np.hypot(*way)), 1e-9)
             side = 0.5 * breadth * self.point_size * across
             line = np.concatenate([line - side, line + side])
-        self.points.append(line)
+        points.append(line)
 
     def label(
         self,
@@ -225,8 +237,12 @@ class Page:
         """Return the price of a label's box: lines and labels under it, and the frame."""
         c, s = math.cos(tilt), math.sin(tilt)
         half = size / 2.0 + 2.0 * self.point_size
-        within = np.abs((taken - centre) @ np.array([[c, -s], [s, c]])) < half
-        price = 1.5 * np.count_nonzero(within.all(axis=1))
+        turn = np.array([[c, -s], [s, c]])
+        prices = ((LINE, taken), (FAINT, np.concatenate([np.empty((0, 2)), *self.faint])))
+        price = sum(
+            each * np.count_nonzero((np.abs((points - centre) @ turn) < half).all(axis=1))
+            for each, points in prices
+        )
         half = np.abs([[c, -s], [s, c]]) @ half
         (left, bottom), (right, top) = centre - half, centre + half
         apart = 4.0 * self.point_size  # more between two labels, lest they read as one

@@ -16,16 +16,10 @@ from swarmgrasp.outline import Outline
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows
 from swarmgrasp.plot.labels import Page
-from swarmgrasp.plot.plan import (
-    LOOKS,
-    draw_object,
-    draw_robots,
-    draw_weakest,
-    in_view,
-    label_edges,
-    label_robots,
-)
+from swarmgrasp.plot.plan import draw_object, in_view, label_edges
+from swarmgrasp.plot.robots import LOOKS, draw_robots, label_robots
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
+from swarmgrasp.plot.weakest import draw_weakest
 from swarmgrasp.quality import Sensitivities
 from swarmgrasp.swarm import Robot
 

@@ -1,4 +1,4 @@
-"""Zones and no-go stretches as strips along the boundary."""
+"""Zones and no-go stretches as strips along the boundary, and zones in the legend."""
 
 import itertools
 import math
@@ -6,11 +6,15 @@ from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.plot import style
+from swarmgrasp.plot.areas import AREA, SPOT
 from swarmgrasp.plot.labels import Page
+from swarmgrasp.swarm import Zone
 
 STRIP: Final[dict[str, Any]] = {
     "linewidth": 9.0,
@@ -23,14 +27,6 @@ STRIPE: Final = 0.3
 """Breadth of a no-go stripe and of the gap to the next, relative to the strip's width."""
 
 STRIPES: Final[dict[str, Any]] = {"color": style.INK, "linestyle": (0, (STRIPE, STRIPE))}
-BOLLARD: Final[dict[str, Any]] = {
-    "marker": "o",
-    "linestyle": "none",
-    "markersize": 6.5,
-    "color": style.GREEN,
-    "markeredgecolor": "white",
-    "markeredgewidth": 0.8,
-}
 
 MOST_NAMES: Final = 16
 """With more bollards, or more strips, than this none is named."""
@@ -67,8 +63,8 @@ def draw_strips(
     for kind, stretch in _kinds(zones, no_go):
         path = stretch_path(outline, stretch)
         if kind == "bollard":
-            page.ax.plot(*path[0], **BOLLARD, zorder=4.5, gid=kind)
-            page.keep_clear(path[0], path[0], breadth=BOLLARD["markersize"])
+            page.ax.plot(*path[0], **SPOT, zorder=4.5, gid=kind)
+            page.keep_clear(path[0], path[0], breadth=SPOT["markersize"])
             continue
         for start, end in itertools.pairwise(path):
             page.keep_clear(start, end, breadth=STRIP["linewidth"])
@@ -120,6 +116,25 @@ def name_strips(
             middle = 0.5 * (start + end)
             outward = outline.at_point(middle).inward + math.pi
             page.label(stretch.name, [middle], outward, optional=True, reach=REACH, **look)
+
+
+def zone_entries(zones: Sequence[Zone], no_go: Sequence[Stretch]) -> list[Any]:
+    """Return the legend entries of zones and no-go stretches."""
+    strip: dict[str, Any] = STRIP | {"linewidth": 6.0}
+    stretches = [zone.stretch for zone in zones if zone.stretch is not None]
+    areas = [zone.area for zone in zones if zone.area is not None]
+    entries: list[Any] = []
+    if any(not stretch.is_point for stretch in stretches):
+        entries.append(Line2D([], [], **strip, color=style.GREEN, label="zone"))
+    if any(len(area) > 1 for area in areas):
+        entries.append(Patch(**AREA, label="zone inside"))
+    if any(stretch.is_point for stretch in stretches):
+        entries.append(Line2D([], [], **SPOT, label="bollard"))
+    if any(len(area) == 1 for area in areas):
+        entries.append(Line2D([], [], **SPOT, label="spot inside"))
+    if no_go:
+        entries.append(Line2D([], [], **strip, **STRIPES, label="no-go"))
+    return entries
 
 
 def _edge_names(outline: Outline) -> set[str]:
