@@ -6,6 +6,11 @@ makes along n does, divided by D(n). Robots whose best force jumps at n exert a 
 forces beside it, such that the wrenches add up; where several mixtures do, the slope is the
 greatest over them. Of several weakest normals, of machines that may be lost instead of others, and
 of vertices that a task has there, the least slope counts.
+
+At quality 0 there are no slopes here. The normals along which the swarm makes nothing then fill a
+convex cone, with a border that may be round, and the slope is the least over all of it. Rays have a
+list of normals that are enough, those across two generators or across one and its move; what round
+sets have is not a list, and a search that misses one would call a swarm force closed that is not.
 """
 
 import itertools
