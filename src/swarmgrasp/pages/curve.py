@@ -122,7 +122,7 @@ def _needed(curve: Curve) -> list[Statement]:
 
 def _helps(curve: Curve) -> list[Statement]:
     """State what some words are worth."""
-    every = curve.every
+    every, push = curve.every, curve.kind(PUSH)
     lost_medians = [1.0, *(every[lost(share)].median for share in LOST)]
     near = {count: every[nearest(count)].median for count in NEAREST}
     others = [line for line in every.lines if line.known != EVEN]
@@ -147,11 +147,15 @@ def _helps(curve: Curve) -> list[Statement]:
             all(a > b for a, b in pairwise(lost_medians)),
         ),
         Statement(
-            "Knowing the neighbours only is worse than knowing nobody: each counters its "
-            f"neighbours, and all do so. With the {listed(list(near))} nearest swarms end at "
-            f"{listed([_percent(m) for m in near.values()])}, with nobody at "
-            f"{_percent(every[NOTHING].median)}.",
-            near[4] < every[NOTHING].median and near[2] < every[NOTHING].median,
+            "Neighbours alone do not do, the less the fewer: with the "
+            f"{listed(list(near))} nearest swarms end at "
+            f"{listed([_percent(m) for m in near.values()])}. Each counters its neighbours, and "
+            f"all do so: robots that push within {OFF_NORMAL} rad of the normal end lower with the "
+            f"2 nearest ({_percent(push[nearest(2)].median)}) than with nobody "
+            f"({_percent(push[NOTHING].median)}) or at random places "
+            f"({_percent(push[RANDOM].median)}).",
+            all(a > b for a, b in pairwise(near.values()))
+            and push[nearest(2)].median < min(push[NOTHING].median, push[RANDOM].median),
         ),
         Statement(
             "To take those not heard for evenly spread is the worst of all beliefs (T33): swarms "

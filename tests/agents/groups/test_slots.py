@@ -165,7 +165,7 @@ def test_what_no_groups_can_be_made_of():
     slots = Slots(problem.swarm, parts)
     steering = sg.Problem(problem.swarm, sg.Newcomer(1.0, "push", 0.5, steers=True))
     cautious = sg.Problem(problem.swarm, problem.newcomer, criterion=sg.Criterion(losing=1))
-    with pytest.raises(AgentInvalid, match="summaries are of robots that push along one ray"):
+    with pytest.raises(AgentInvalid, match="groups are for robots that push along one ray"):
         GroupPlanner(steering, slots, 0)
     with pytest.raises(AgentInvalid, match="groups know the nominal quality only"):
         GroupPlanner(cautious, slots, 0)

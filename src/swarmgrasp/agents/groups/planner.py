@@ -139,7 +139,7 @@ def check_mission(problem: Problem) -> None:
         faults.append("groups know the nominal quality only: leave out the criterion")
     if not problem.newcomer.is_ray or not problem.swarm.has_rays_only:
         faults.append(
-            "summaries are of robots that push along one ray each: leave out the groups, or what "
+            "groups are for robots that push along one ray each: leave out the groups, or what "
             "the robots steer, reverse or have of friction"
         )
     if faults:

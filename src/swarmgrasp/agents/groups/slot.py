@@ -38,7 +38,7 @@ class Slot(msgspec.Struct, frozen=True, array_like=True):
         function. The quality of all together is at least the sum of qualities, and at most that of
         the others and this largest (T29).
     summary : bytes
-        Of the robots that push along one ray each.
+        Of the robots that push along one ray each: 18 bytes for each, at most 11 kB.
     """
 
     group: int

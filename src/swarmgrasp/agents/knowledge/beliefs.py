@@ -129,8 +129,9 @@ KNOWN: Mapping[str, Known] = MappingProxyType(
 def known_in(case: Case) -> tuple[str, ...]:
     """Return what is asked of a case.
 
-    Summaries are of rays. Who steers has no direction to be seen or not, and of who pushes in any
-    direction nothing is left in the worst.
+    Beside a summary places are known how to find of newcomers that push along one ray. Who steers
+    has no direction to be seen or not, and of who pushes in any direction nothing is left in the
+    worst.
     """
     left_out = {STEER: {*map(summary_of, BINS), WORST}, FREE: {WORST}}.get(case.kind, set())
     return tuple(name for name in KNOWN if name not in left_out)
