@@ -292,8 +292,9 @@ def _method(curve: Curve) -> list[Block]:
             "Lost: each newcomer misses each record with that probability, for good. Nearest: "
             "around the object from where it comes to it. For the worst: the quality in the worst "
             "of all directions within 0.5 rad of the normals. Evenly spread: as many robots at "
-            "equal distances, along the normals. Robots that steer are left out of summaries, "
-            "which are of robots that push along one direction, and of planning for the worst."
+            "equal distances, along the normals. Robots that steer are left out where summaries "
+            "are told, beside which places are known how to find of robots that push along one "
+            "direction, and of planning for the worst: what they can do is seen."
         ),
         Paragraph(
             f"Seed {curve.seed}; the same seed gives the same numbers. Metric: torques over the "
