@@ -17,7 +17,7 @@ from swarmgrasp.plot import save
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "benchmarks.md"
 IMAGES = ROOT / "docs" / "images"
-PACKAGES = ("swarmgrasp", "numpy", "scipy", "pycapacity")
+PACKAGES = ("swarmgrasp", "numpy", "scipy", "pycapacity", "clarabel")
 TITLE = """# Benchmarks
 
 Written by `make bench`. Every comparison is a ratio of medians measured in one run: the two sides

@@ -16,6 +16,7 @@ import families
 import force_sets
 import growth
 import page
+import push
 import startup
 
 import placement
@@ -27,6 +28,7 @@ SECTIONS = {
     "families": families,
     "growth": growth,
     "force-sets": force_sets,
+    "push": push,
     "startup": startup,
 }
 
