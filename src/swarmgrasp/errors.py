@@ -114,6 +114,10 @@ class NetworkFailed(SwarmGraspError):
     """The network cannot be opened as asked, or this process may not be on it."""
 
 
+class ScheduleInvalid(SwarmGraspError):
+    """A schedule of a simulated network is impossible, or written as none."""
+
+
 class NotInThePaper(SwarmGraspError):
     """The source paper's algorithm is asked for something it does not know."""
 

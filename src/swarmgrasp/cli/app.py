@@ -51,8 +51,8 @@ is in radians.
 """
 
 STATUS = """
-Exit status: 0 done; 1 an answer was refused (verify only); 2 wrong input or usage;
-130 interrupted with Ctrl-C.
+Exit status: 0 done; 1 an answer was refused (verify) or an invariant broke (agents simulate);
+2 wrong input or usage; 130 interrupted with Ctrl-C.
 """
 
 
@@ -100,8 +100,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status = build()(given)
         sys.stdout.flush()
     except CycloptsError as error:
-        known = {"agents", *(command.__name__ for command in COMMANDS)}
-        command = next((word for word in given[:1] if word in known), "")
+        command = _command_of(given)
         complain(
             [shown(str(error)), f"For help: swarmgrasp {command + ' ' if command else ''}--help"]
         )
@@ -124,6 +123,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def run() -> NoReturn:
     """Run the process's command."""
     sys.exit(main())
+
+
+def _command_of(given: Sequence[str]) -> str:
+    """Return the command that arguments begin with; "" if they begin with none."""
+    known = {command.__name__ for command in COMMANDS} | {"agents"}
+    within = {command.__name__ for command in agents.COMMANDS}
+    words = [word for word in given[:1] if word in known]
+    if words == ["agents"]:
+        words += [word for word in given[1:2] if word in within]
+    return " ".join(words)
 
 
 def _has_streams() -> bool:

@@ -122,6 +122,30 @@ def test_a_newborn_listens_before_it_fastens():
     assert crew["R1"].phase is Phase.FASTENING
 
 
+def test_listening_begins_with_the_process_whatever_its_clock_shows():
+    """A clock that begins at a million, or before 0: it listens first, and gives signs of life."""
+    for begin in (1e6, -1e6):
+        agent = Agent("R1", planner(), Settings(gather=0.0, ask=0.001))
+        agent.handle(begin, ev.Start())
+        agent.handle(begin, ev.Join())
+        agent.handle(begin + 0.01, ev.Tick())
+        effects = agent.handle(begin + 0.02, ev.AtPlace())
+        assert agent.record.phase is Phase.ARRIVED
+        for k in range(1, 5):
+            assert not any(isinstance(e, ev.Fasten) for e in effects)
+            effects = agent.handle(begin + 0.9 * k, ev.Tick())
+        assert any(isinstance(e, ev.Fasten) for e in effects)
+
+
+def test_what_was_remembered_counts_until_it_has_been_silent():
+    """A new life does not forget at once who was on its way when the former ended."""
+    crew = Crew("R1", "R2")
+    crew.join("R1", "R2")
+    again = Agent("R2", crew.planner, incarnation=2 * LIVES, state=crew.agents["R2"].state)
+    again.handle(1e6, ev.Start())
+    assert "R1" in [record.id for record in again.view.movers]
+
+
 def test_a_process_that_was_stopped_takes_its_own_deafness_for_nobody_s_silence():
     """After a gap confirmations are void, listening starts anew, and the heard are still asked."""
     crew = Crew("R1", "R2")
@@ -284,6 +308,26 @@ def test_one_moves_at_a_time():
     crew.deliver()
     assert crew["R1"].phase is Phase.COMING
     assert crew["R1"].ticket > before
+
+
+def test_who_lets_go_confirms_no_other_s_move():
+    """Not even that of one before it in the order: that one asks again, and sees it under way."""
+    crew = Crew("R1", "R2")
+    crew.join("R1", "R2")
+    crew.attach("R1")
+    crew.attach("R2")
+    crew.wait(5.0)
+    crew.tell("R2", ev.Move())
+    crew.deliver()
+    assert "Loosen" in kinds(crew.effects["R2"])
+    assert "asks" in told(crew.tell("R1", ev.Move()))
+    crew.deliver()
+    crew.wait(2.0)
+    assert crew["R1"].phase is Phase.ASKING
+    crew.tell("R2", ev.Loosened())
+    crew.deliver()
+    crew.wait(1.0)
+    assert crew["R1"].phase is Phase.ATTACHED
 
 
 def test_nobody_lets_go_below_the_floor():

@@ -346,7 +346,8 @@ class Agent:
         self._learn(record)
         is_newest = self.memory.get(record.id) == record
         attached = self.record.phase is Phase.ATTACHED and len(self.memory) >= self.settings.many
-        if record.asks and is_newest and (is_direct or not attached):
+        lets_go = record.phase is Phase.ASKING and self._decisions.may_loosen  # nobody else may
+        if record.asks and is_newest and not lets_go and (is_direct or not attached):
             self._acks[record.id] = record.asks_for
 
     def _beat(self, sender: str, clock: int, digest: bytes) -> None:

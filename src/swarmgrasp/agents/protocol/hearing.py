@@ -29,7 +29,9 @@ class Hearing:
 
         A clock that goes back, or ahead by more than half of `silent` at once, tells so.
         """
-        last = clock if self._last is None else self._last
+        if self._last is None:  # it begins to listen now, at 0, whatever the clock shows
+            self._last = self._lost = clock
+        last = self._last
         missed = not 0.0 <= clock - last <= 0.5 * self._silent
         if missed:
             self._lost += clock - last

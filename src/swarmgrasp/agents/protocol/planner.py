@@ -20,7 +20,7 @@ from swarmgrasp.swarm import Newcomer, Robot, Swarm
 REMEMBERED = 4096
 """Answers that are kept for the next question."""
 EFFORT = 400
-"""Steps of a joint search for a plan."""
+"""Steps of a joint search for a plan, unless told otherwise."""
 
 Rows = tuple[Row, ...]
 
@@ -96,6 +96,8 @@ class ProblemPlanner:
     problem : Problem
         The object, the robots attached from the start, the newcomers, zones and criterion. The
         newcomer is what a robot is that says nothing else.
+    effort : int
+        Steps of a joint search for a plan.
 
     Raises
     ------
@@ -103,14 +105,16 @@ class ProblemPlanner:
         If no such newcomer can be placed beside such robots.
     """
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, effort: int = EFFORT) -> None:
         check_newcomer(problem)
-        self.problem = problem
+        self.problem, self._effort = problem, effort
         self._base = {robot.name: robot for robot in problem.swarm}
         self._near = SLIVER * problem.swarm.outline.extent
         self._robot = lru_cache(REMEMBERED)(self._made)
         self._places = lru_cache(REMEMBERED)(self._placed)
         self._lowers = lru_cache(REMEMBERED)(self._quality)
+        self._faults = lru_cache(REMEMBERED)(self._fault)
+        self._plans = lru_cache(REMEMBERED)(self._planned)
 
     @property
     def mission(self) -> str:
@@ -164,13 +168,17 @@ class ProblemPlanner:
 
     def fault(self, record: Record) -> str:
         """Return why no robot of the mission can be what a record says; "" if one can."""
-        places = [record.place] if record.place else []
-        places += [place for _, place in record.plan.places] if record.plan else []
+        return self._faults(self.who(record), record.kind, record.place, record.plan)
+
+    def _fault(self, who: Who, kind: Kind | None, place: Place | None, plan: Plan | None) -> str:
+        """Find why no robot can be so."""
+        places = [place] if place else []
+        places += [planned for _, planned in plan.places] if plan else []
+        outline = self.problem.swarm.outline
         try:
-            self._newcomer(self.who(record))
+            self._newcomer(who)
             for where in places:
-                outline = self.problem.swarm.outline
-                robot = self._robot(Row(record.id, 0, where, record.kind))
+                robot = self._robot(Row(who.name or "it", 0, where, kind))
                 if not robot.mounted:
                     outline.at_point(robot.contact)
                 elif not outline.contains(robot.contact):
@@ -181,8 +189,12 @@ class ProblemPlanner:
 
     def plan(self, rows: Rows, names: Sequence[str], who: Who) -> Plan | None:
         """Return places for several robots together, beside others; None if they are no help."""
+        return self._plans(rows, tuple(names), who)
+
+    def _planned(self, rows: Rows, names: tuple[str, ...], who: Who) -> Plan | None:
+        """Find places for several robots together."""
         try:
-            found = place_together(self._asked(rows, (), who), len(names), effort=EFFORT)
+            found = place_together(self._asked(rows, (), who), len(names), effort=self._effort)
         except SwarmGraspError:
             return None
         if not found.improves:

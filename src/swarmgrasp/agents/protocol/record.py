@@ -2,6 +2,7 @@
 
 import math
 from enum import IntEnum
+from functools import lru_cache
 
 import msgspec
 
@@ -217,6 +218,7 @@ def record_fault(record: Record) -> str:
     return faults[0] if faults else _kind_fault(record.kind)
 
 
+@lru_cache(4096)  # it is asked of every name in every message
 def id_fault(name: str) -> str:
     """Return what is wrong with a robot's name, as the rest of a sentence; "" if nothing is.
 

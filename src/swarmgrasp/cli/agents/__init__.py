@@ -5,8 +5,9 @@ from cyclopts import App
 from swarmgrasp.cli.agents.curve import curve
 from swarmgrasp.cli.agents.demo import demo
 from swarmgrasp.cli.agents.ros2 import ros2
+from swarmgrasp.cli.agents.simulate import simulate
 
-COMMANDS = (curve, demo, ros2)
+COMMANDS = (curve, demo, ros2, simulate)
 HELP = "Run, watch, try and study swarms of robots that decide for themselves."
 
 

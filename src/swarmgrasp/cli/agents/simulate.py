@@ -1,0 +1,224 @@
+"""`swarmgrasp agents simulate`: robots that agree on a network where everything goes wrong."""
+
+import re
+import shlex
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.inputs import (
+    blaming,
+    json_faults,
+    read_scenario,
+    source_of,
+    whole_faults,
+)
+from swarmgrasp.cli.progress import shown_progress
+from swarmgrasp.cli.question import check_newcomer
+from swarmgrasp.errors import SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.agents.protocol import Planner
+    from swarmgrasp.agents.simulator import Mode, Outcome, Schedule
+
+BROKEN = 1
+"""Exit status when an invariant does not hold."""
+MOST_SEEDS = 1_000_000
+MODES = ("main", "roster", "moves", "resolve", "dead", "hangs", "cold", "one-way", "burst")
+
+
+def simulate(
+    file: Dashed,
+    /,
+    *,
+    seeds: Annotated[str, Parameter(metavar="FIRST:LAST")] = "1:100",
+    mode: Annotated[str, Parameter(metavar="MODES")] = "main",
+    robots: Annotated[str | None, Parameter(metavar="INT")] = None,
+    loss: float | None = None,
+    doubled: float | None = None,
+    delay: Annotated[float | None, Parameter(metavar="SECONDS")] = None,
+    missed: Annotated[float | None, Parameter(metavar="METRES")] = None,
+    turned: Annotated[float | None, Parameter(metavar="RADIANS")] = None,
+    locks: Annotated[bool, Parameter(negative="")] = False,
+    faults: Annotated[str | None, Parameter(metavar="TEXT")] = None,
+    calm: Annotated[float | None, Parameter(metavar="SECONDS")] = None,
+    shrink: Annotated[bool, Parameter(negative="")] = False,
+    json: Dashed | None = None,
+) -> int:
+    """Let robots agree on simulated networks that fail, and check that nothing goes wrong.
+
+    Each seed draws a schedule: who joins when, which messages are lost, late or doubled, who
+    hangs, is killed or falls off, how the network splits. Then it is calm, and all must settle.
+    The invariants are checked after every event. The first schedule in which one breaks is told
+    with the command that repeats it, and the exit status is 1.
+
+    Example: swarmgrasp agents simulate deck-barge --seeds 1:1000 --shrink
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge.
+    seeds
+        Which schedules, such as 1:1000, or a single one, such as 17.
+    mode
+        What kinds, with commas: main (everything mixed), roster, moves, resolve, dead (the killed
+        never return), hangs, cold (nobody is there at first), one-way (one never hears another),
+        burst (10 to 20 at once); or all.
+    robots
+        How many join; drawn too unless given.
+    loss
+        Share of messages that are lost, 0 to 1, instead of what is drawn.
+    doubled
+        Share of messages that come twice.
+    delay
+        How long a message takes, at the mean.
+    missed
+        How far robots attach from where they should, at most.
+    turned
+        How far their directions are from what they should be, at most.
+    locks
+        A robot sees that its place is taken before it touches.
+    faults
+        What happens, instead of what is drawn: such as "join@0:R1; hang@2-7:R1; cut@3-9:R1,R2".
+    calm
+        With --faults: when calm begins.
+    shrink
+        Make a failing schedule as small as it gets.
+    json
+        Also write what came of each schedule to this .json file; "-" prints it and nothing else.
+    """
+    wrong = _seeds_faults(seeds) + _mode_faults(mode) + json_faults(json)
+    wrong += whole_faults("--robots", robots, 1, 1000)
+    wrong += _number_faults(loss=loss, doubled=doubled, delay=delay, missed=missed, turned=turned)
+    wrong += _text_faults(faults, calm, robots)
+    scenario = read_scenario(file, wrong)
+    check_newcomer(scenario, file, "agents simulate")
+    from swarmgrasp.agents import simulator
+
+    with blaming(file):
+        problem = scenario.problem()
+        kinds = [simulator.Mode(each) for each in _modes(mode)]
+        planners = {kind: simulator.mission_of(problem, kind) for kind in kinds}
+    given = {"loss": loss, "doubled": doubled, "delay": delay, "missed": missed, "turned": turned}
+    fixed: dict[str, Any] = {what: value for what, value in given.items() if value is not None}
+    fixed |= {"locks": True} if locks else {}
+
+    def schedule_of(kind: "Mode", seed: int, planner: "Planner") -> "Schedule":
+        """Return a schedule as asked for."""
+        if faults is None:
+            first = [row.id for row in planner.present]
+            count = None if robots is None else int(robots)
+            return simulator.draw(kind, seed, robots=count, first=first, **fixed)
+        told = simulator.Schedule(kind, seed, simulator.read_faults(faults), **fixed)
+        return told if calm is None else replace(told, calm=calm)
+
+    numbers = _seeds(seeds)
+    done: list[Outcome] = []
+    with shown_progress(len(numbers) * len(kinds), "simulating") as told:
+        for kind, seed in _each(kinds, numbers):
+            run = _runner(planners[kind])
+            done.append(run(schedule_of(kind, seed, planners[kind])))
+            if told is not None:
+                told(len(done))
+            if done[-1].broken:
+                break
+    last = done[-1]
+    if shrink and last.broken:
+        with shown_progress(simulator.MOST_RUNS, "shrinking") as told:
+            last = simulator.shrink(last, run, told)
+    from swarmgrasp.cli.show.simulation import document_of, show
+
+    command = _command(source_of(file), last.schedule)
+    document = document_of(done, last, command)
+    deliver(json, document, lambda: show(done, last, command))
+    return BROKEN if last.broken else 0
+
+
+def _runner(planner: "Planner") -> "Callable[[Schedule], Outcome]":
+    """Return what runs schedules of one mission."""
+    from swarmgrasp.agents.simulator import simulate as run
+
+    return lambda schedule: run(planner, schedule)
+
+
+def _each(kinds: "list[Mode]", numbers: range) -> "Iterator[tuple[Mode, int]]":
+    """Yield what is to be simulated: every mode of a seed before the next seed."""
+    return ((kind, seed) for seed in numbers for kind in kinds)
+
+
+def _command(file: str, schedule: "Schedule") -> str:
+    """Return the command that repeats a schedule."""
+    words = ["swarmgrasp", "agents", "simulate", file, "--mode", schedule.mode.value]
+    words += ["--seeds", str(schedule.seed), "--faults", schedule.text]
+    usual = {field: getattr(type(schedule), field) for field in _FIELDS}
+    for what, value in usual.items():
+        if getattr(schedule, what) != value:
+            words += [f"--{what}", f"{getattr(schedule, what):.9g}"]
+    words += ["--locks"] if schedule.locks else []
+    return shlex.join(words)
+
+
+_FIELDS = ("loss", "doubled", "delay", "missed", "turned", "calm")
+
+
+def _modes(mode: str) -> list[str]:
+    """Return the modes that are asked for."""
+    return list(MODES) if mode == "all" else list(dict.fromkeys(mode.split(",")))
+
+
+def _mode_faults(mode: str) -> list[str]:
+    """Return what is wrong with the modes."""
+    return [
+        f"--mode is {each}; it should be all, or of {', '.join(MODES)}"
+        for each in _modes(mode)
+        if each not in MODES
+    ]
+
+
+def _seeds(seeds: str) -> range:
+    """Return the seeds that are asked for."""
+    first, _, last = seeds.partition(":")
+    return range(int(first), int(last or first) + 1)
+
+
+def _seeds_faults(seeds: str) -> list[str]:
+    """Return what is wrong with the seeds."""
+    match = re.fullmatch(r"([0-9]{1,15})(?::([0-9]{1,15}))?", seeds)
+    if match is None or not 1 <= len(_seeds(seeds)) <= MOST_SEEDS:
+        return [
+            f"--seeds is {seeds}; it should be a number, or two such as 1:1000, the first not "
+            f"above the last, at most {MOST_SEEDS} of them"
+        ]
+    return []
+
+
+def _number_faults(**values: float | None) -> list[str]:
+    """Return what is wrong with the numbers of a schedule."""
+    from swarmgrasp.agents.simulator import number_faults
+
+    given = {what: value for what, value in values.items() if value is not None}
+    return [f"--{fault}" for fault in number_faults(given)]
+
+
+def _text_faults(faults: str | None, calm: float | None, robots: str | None) -> list[str]:
+    """Return what is wrong with faults given as text."""
+    wrong = []
+    if faults is None:
+        if calm is not None:
+            wrong.append("--calm is of --faults; without them it is drawn")
+        return wrong
+    from swarmgrasp.agents.simulator import number_faults, read_faults
+
+    if robots is not None:
+        wrong.append("--robots is not for --faults, which say who joins")
+    if calm is not None:
+        wrong += [f"--{fault}" for fault in number_faults({"calm": calm})]
+    try:
+        read_faults(faults)
+    except SwarmGraspError as error:
+        wrong += [f"--faults: {fault}" for fault in error.faults]
+    return wrong
