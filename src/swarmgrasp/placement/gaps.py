@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from swarmgrasp.placement.answer import Placement
 from swarmgrasp.placement.problem import Problem
-from swarmgrasp.quality.max_transfer import quality
+from swarmgrasp.quality.max_transfer import best_choice, quality
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm.choices import Choice
 
@@ -38,15 +38,16 @@ def beside_gaps(problem: Problem, place_on: Callable[[Problem], Placement]) -> P
         kept = {swarm.index(name): sector for name, sector in choice.sectors.items()}
         return place_on(problem.with_swarm(swarm.choosing(kept)))
 
-    now = quality(swarm, **terms)
+    held, choice, _ = best_choice(swarm, problem.criterion)
+    now = quality(held, **terms)
     filled = place_on(problem.with_swarm(swarm.filled))
-    choice = choice_before = _chosen(now.choice)
+    choice_before = choice
     best = beside(choice)
     robots = [best.robot, filled.robot]
     for _ in range(TURNS):
         if not robots:
             break
-        other = _chosen(quality(swarm.with_robot(robots.pop(0)), **terms).choice)
+        _, other, _ = best_choice(swarm.with_robot(robots.pop(0)), problem.criterion)
         if other.sectors == choice.sectors:
             continue
         found = beside(other)
@@ -67,9 +68,3 @@ def beside_gaps(problem: Problem, place_on: Callable[[Problem], Placement]) -> P
         _found=filled._found,
         _held=best,
     )
-
-
-def _chosen(choice: Choice | None) -> Choice:
-    """Return a choice, which there is."""
-    assert choice is not None
-    return choice

@@ -53,8 +53,7 @@ def explain_quality(found: "Quality", swarm: "Swarm") -> str:
     unit = found.criterion.unit(found.value or found.noise, figures=FIGURES)
     return "\n".join(
         [
-            _headline(found, swarm, unit),
-            *_choice_sentences(found, unit),
+            *_headline(found, swarm, unit),
             *limit_sentences(found, swarm, unit),
             *_work_sentences(found, swarm),
             *loss_sentences(found),
@@ -113,41 +112,47 @@ def loss_sentences(found: "Quality") -> list[str]:
     return said
 
 
-def _headline(found: "Quality", swarm: "Swarm", unit: Unit) -> str:
+def _headline(found: "Quality", swarm: "Swarm", unit: Unit) -> list[str]:
     """Say what the swarm can do in every direction."""
     words = found.criterion.words(swarm)
     given = f"{words[0].upper()}{words[1:]}, the swarm" if words else "The swarm"
+    if found.choice is not None:
+        return _choice_sentences(found, given)
     if 0.0 < found.value <= found.noise:
-        return (
+        return [
             f"{given} has {unit.text(found.value)}, and that may be rounding: the decimals of the "
             f"outline's coordinates tell it to {unit.text(found.noise)} only."
-        )
+        ]
     if found.value > 0.0:
         value = unit.text(found.value)
         if found.criterion.task is not None:
-            return f"{given} manages {value}."
-        return f"{given} exerts at least {value} in every direction, turning included."
-    if str(found.force_closure) == "open":
-        return f"{given} keeps no choice of sectors that exerts something in every direction."
+            return [f"{given} manages {value}."]
+        return [f"{given} exerts at least {value} in every direction, turning included."]
     if found.is_force_closure:
-        return f"{given} has nothing to spare: it does not hold the load."
+        return [f"{given} has nothing to spare: it does not hold the load."]
     if str(found.force_closure) == "marginal":
-        return f"{given} is on the border of force closure: the outline's rounding decides."
-    return f"{given} has no force closure: in some directions it exerts nothing."
+        return [f"{given} is on the border of force closure: the outline's rounding decides."]
+    return [f"{given} has no force closure: in some directions it exerts nothing."]
 
 
-def _choice_sentences(found: "Quality", unit: Unit) -> list[str]:
-    """Say which sectors robots with gaps keep, and how much more changing them may give."""
-    if found.choice is None:
-        return []
-    kept = [f"{name} in {sector_words(each)}" for name, each in found.choice.sectors.items()]
+def _choice_sentences(found: "Quality", given: str) -> list[str]:
+    """Say what robots do that change between sectors with gaps, and which ones it is best to keep.
+
+    What follows is of a swarm that keeps them.
+    """
+    unit = found.criterion.unit(found.upper_bound or found.noise, figures=FIGURES)
+    choice = found.choice
+    assert choice is not None
+    kept = [f"{name} in {sector_words(each)}" for name, each in choice.sectors.items()]
     if len(kept) > MOST_NAMED:
-        kept = [f"one sector of each of {len(kept)} robots"]
-    best = "" if found.choice.is_best else ", the best choice that was found"
-    return [
-        f"That is with {list_words(kept)}{best}; changing between sectors, it is at most "
-        f"{unit.text(found.upper_bound)}."
-    ]
+        kept = [f"{len(kept)} robots in one sector each"]
+    best = "the best choice" if choice.is_best else "the best choice that was found"
+    least, most = unit.text(found.bound), unit.text(found.upper_bound)
+    if found.upper_bound == 0.0:
+        said = f"{given} exerts nothing in some directions, whatever sectors robots push in."
+    else:
+        said = f"{given} has from {least} to {most}, as robots may change between sectors."
+    return [said, f"Keeping {list_words(kept)}, {best}, it has {unit.text(found.value)}."]
 
 
 def _work_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
@@ -231,7 +236,7 @@ def _opposite_sentences(found: "Quality", swarm: "Swarm") -> list[str]:
 def _bound_sentences(found: "Quality", unit: Unit) -> list[str]:
     """Say how near the quality is to what is proven."""
     said = []
-    if unit.text(found.bound) != unit.text(found.value):
+    if found.choice is None and unit.text(found.bound) != unit.text(found.value):
         said.append(f"It is proven to be {unit.text(found.bound)} or more.")
     if found.value > 0.0 and found.criterion.is_nominal:
         share, ceiling = percent(found.efficiency), unit.text(found.ceiling)

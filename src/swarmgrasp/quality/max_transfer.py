@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked, plain
 from swarmgrasp.quality.aim import Aim
+from swarmgrasp.quality.changing import changing_bounds
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
@@ -38,8 +39,9 @@ class ForceClosure(StrEnum):
 class Quality(Frozen, Answer):
     """The quality of a swarm by a criterion, and what limits it.
 
-    If robots have sectors with gaps between, all that is told here is of the swarm that keeps the
-    best choice of one sector for each, and `upper_bound` says how much more it may be (T28).
+    If robots have sectors with gaps between, the value and what limits it are of the swarm that
+    keeps the best choice of one sector for each. As robots may change between sectors from wrench
+    to wrench, its quality is more: it lies between `bound` and `upper_bound` (T28).
 
     Attributes
     ----------
@@ -48,9 +50,10 @@ class Quality(Frozen, Answer):
         factor by which it may grow, without a unit.
     bound : float [N]
         What the quality is at least: the value itself, or next to it with uncertain poses; less if
-        the search ran out of its budget of work.
+        the search ran out of its budget of work. Of robots that change between sectors it is more.
     upper_bound : float [N]
-        What it is at most: the value itself, or the quality with the gaps between sectors filled.
+        What it is at most: the value itself; with gaps between sectors, no more than the quality
+        with these filled.
     direction : (3,)
         Unit normal of the weakest facet, in the metric's coordinates.
     criterion : Criterion
@@ -133,12 +136,13 @@ class Quality(Frozen, Answer):
         if self.criterion.task is not None or self.criterion.has_load:
             terms = self.criterion.terms | {"load": (0.0, 0.0, 0.0), "task": None}
             return quality(self._swarm, **terms).force_closure
-        if self.value > 0.0:
-            return ForceClosure.YES if self.value > self.noise else ForceClosure.MARGINAL
+        most = max(self.value, self.bound)
+        if most > 0.0:
+            return ForceClosure.YES if most > self.noise else ForceClosure.MARGINAL
         if self.upper_bound > 0.0:
             return ForceClosure.OPEN
         if self.choice is not None:
-            return quality(self._swarm.filled, **self.criterion.terms).force_closure
+            return ForceClosure.MARGINAL if self.noise else ForceClosure.NO
         swarm = self._held if self.criterion.is_nominal else self.worst_swarm
         return ForceClosure.NO if is_opposed(swarm) else ForceClosure.MARGINAL
 
@@ -159,7 +163,7 @@ class Quality(Frozen, Answer):
     @property
     def efficiency(self) -> float:
         """Quality as a share of its ceiling, within [0, 1]; nan for a task."""
-        return self.value / self.ceiling if self.ceiling != 0.0 else 0.0
+        return max(self.value, self.bound) / self.ceiling if self.ceiling != 0.0 else 0.0
 
     @property
     def explanation(self) -> str:
@@ -213,6 +217,8 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     Of robots whose sectors have gaps between it is known to lie between two bounds (T28): what the
     swarm has that keeps the best choice of one sector for each, and what it has with the gaps
     filled. Up to 4096 choices, whole and in part, are asked for; those that cannot be best are not.
+    As things stand, and for up to 64 choices, the bounds are those of robots that change between
+    sectors, within 1 % of each other where the work suffices.
 
     Parameters
     ----------
@@ -257,7 +263,10 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     if swarm.rare.gaps:
         held, choice, most = best_choice(swarm, criterion)
     found, bound = _weakest(held, criterion)
-    upper_bound = found.quality if most is None else max(most, found.quality)
+    upper_bound = found.quality
+    if most is not None:
+        least, most = changing_bounds(swarm, most) if criterion.is_nominal else (0.0, most)
+        bound, upper_bound = max(bound, least), max(most, found.quality)
     return Quality(
         found.quality, bound, upper_bound, np.array(found.normal), criterion, choice, swarm, held
     )

@@ -24,11 +24,11 @@ def show(
 ) -> None:
     """Write a quality for people."""
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
-    unit = criterion.unit(found.value or max((r.limit for r in swarm.robots), default=0.0))
+    unit = criterion.unit(found.upper_bound or max((r.limit for r in swarm.robots), default=0.0))
     words = criterion.words(swarm)
     report.headline(
         f"{scenario.name}: quality {unit.text(found.value)} {words}".rstrip(),
-        "good" if found.value > found.noise else "bad",
+        "good" if max(found.value, found.bound) > found.noise else "bad",
     )
     report.blank()
     facts = [
@@ -51,16 +51,23 @@ def show(
     report.small_print(swarm)
 
 
+def _told(found: Quality, unit: Unit) -> str:
+    """Return the quality as text, or its bounds if robots may change between sectors."""
+    if found.choice is None or unit.number(found.bound) == unit.number(found.upper_bound):
+        return unit.text(found.upper_bound)
+    return f"{unit.number(found.bound)} to {unit.text(found.upper_bound)}"
+
+
 def _kept(found: Quality, unit: Unit) -> list[tuple[str, str]]:
     """Tell the sectors that robots with gaps between theirs keep, and what changing them may do."""
     if found.choice is None:
         return []
     kept = "; ".join(f"{name} {sector_words(at)}" for name, at in found.choice.sectors.items())
     known = "the best choice" if found.choice.is_best else "the best choice found"
-    most = unit.text(found.upper_bound)
+    least, most = unit.text(found.bound), unit.text(found.upper_bound)
     return [
-        ("Sectors kept", f"{kept}: {known}, which has this quality"),
-        ("At most", f"{most}, with the gaps between sectors filled; robots may change sectors"),
+        ("Sectors kept", f"{kept}: {known}, which has {unit.text(found.value)}"),
+        ("Changing them", f"from {least} to {most}, as robots may change between sectors"),
     ]
 
 
@@ -172,7 +179,7 @@ def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
     if not len(swarm):
         return [("Weakest", "there are no robots")]
 
-    words = found.weakest_words
+    words = found.weakest_words + (", keeping these sectors" if found.choice is not None else "")
     if found.value > 0.0:
         who = "robots and load come to" if found.criterion.has_load else "the robots exert"
         told = _parts(swarm, found.weakest_wrench.tolist())
