@@ -265,3 +265,61 @@ def test_many_questions_are_proven(first):
         assert verdict, (seed, verdict.faults)
         beaten = best_on_grid(answer, 5, 7)
         assert beaten <= answer.upper_bound * (1.0 + 1e-8) + 1e-10, seed
+
+
+ONE, OTHER = Robot((2, 0.3), 2.9), Robot((-2, -0.4), 0.3)
+BOTH_WAYS = Robot((1, 1), -1.4, reverse_limit=0.7)
+FLAT = {
+    "nobody": ([], {}),
+    "nobody, a load": ([], {"load": (0.0, 0.2, 0.1)}),
+    "a ray": ([ONE], {}),
+    "a ray, a load": ([ONE], {"load": (0.1, 0.2, 0.1)}),
+    "one both ways": ([BOTH_WAYS], {}),
+    "two rays": ([ONE, OTHER], {}),
+    "a ray and one both ways": ([ONE, BOTH_WAYS], {}),
+    "two both ways, one lost": ([BOTH_WAYS, replace(BOTH_WAYS, contact=(-1, 1))], {"losing": 1}),
+    "three rays, one lost": ([ONE, OTHER, Robot((0.5, -1), 1.3)], {"losing": 1}),
+}
+
+
+def flat_document(name):
+    """Return the document of a newcomer that reverses, beside few."""
+    crew, terms = FLAT[name]
+    return document_of(place(Swarm(RECTANGLE, crew), Newcomer(reverse_limit=1.0), **terms))
+
+
+@pytest.mark.parametrize("name", FLAT)
+def test_beside_few_a_two_way_newcomer_proves_to_give_nothing(name):
+    """Their wrenches fill no more than half a plane: a box for each piece and quarter turn."""
+    document = flat_document(name)
+    (claim,) = document["placements"]
+    assert (claim["quality"], claim["upper_bound"], claim["stopped_early"]) == (0.0, 0.0, False)
+    assert len(claim["boxes"]) == 8
+    verdict = verify_document(document)
+    assert verdict, verdict.faults
+    assert verdict.upper_bounds == (pytest.approx(0.0, abs=1e-14),)
+
+
+def test_two_that_reverse_are_not_flat():
+    """They fill a plane: a third closes the grasp."""
+    crew = [BOTH_WAYS, Robot((-1.5, -1), 1.1, reverse_limit=1.0)]
+    answer = place(Swarm(RECTANGLE, crew), Newcomer(reverse_limit=1.0), gap=1e-2)
+    assert answer.quality > 0.3
+    assert answer.verify()
+
+
+@pytest.mark.parametrize("spoil", ["no opposite", "parallel", "lost", "alone"])
+def test_a_flat_proof_of_another_kind_is_refused(spoil):
+    """A normal that is not across everything, two that are one, too many lost, one alone."""
+    document = flat_document("two rays")
+    for box in document["placements"][0]["boxes"]:
+        if spoil == "no opposite":
+            box["vectors"].reverse()
+        elif spoil == "parallel":
+            box["vectors"][1] = box["vectors"][0]
+        elif spoil == "lost":
+            box["lost"] = [["R1"], ["R1"]]
+        else:
+            box.update({key: box[key][:1] for key in ("kinds", "vectors", "weights", "lost")})
+    document["digest"] = digest_of(document)
+    assert verify_document(document).faults[0].startswith("the proofs show an upper bound of")

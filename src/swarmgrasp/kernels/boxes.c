@@ -26,6 +26,8 @@
 #define TURNED_OFF 0.02 /* of the mean, up to which a travelling normal may all but vanish */
 #define MIDDLE 0.2      /* share of a box within which it is not cut near its ends */
 #define FEW_POINTS 4    /* corners of a force set up to which all lines between them are edges */
+#define FLATS 16        /* wrenches that differ, up to which a flat swarm is looked for */
+#define NOTHING 1e-13   /* of all wrenches together: what counts as none where it is */
 #define PASS 2.0        /* units of work that a normal takes in a box */
 
 /* -- what is known ------------------------------------------------------------------------------ */
@@ -70,6 +72,81 @@ static Status list_kinks(BoxSearch *s) {
     return SOLVED;
 }
 
+static void find_lost(BoxSearch *s, const double *normal, int *lost);
+static double height_without(const Sets *sets, const int *lost, const double *normal);
+
+/* Tell whether h is nothing at a normal m, its opposite, and another across it, without those machines
+ * that add most at one of them; keep them if so. */
+static int keep_flat(BoxSearch *s, const double *m, const double *across) {
+    const double *probe[2] = {m, across}, back[3] = {-m[0], -m[1], -m[2]};
+    double nothing = NOTHING * s->pool.size;
+    for (int k = 0; k < 3 && !s->is_flat; k++) {
+        int lost[LOST];
+        find_lost(s, k < 2 ? probe[k] : back, lost);
+        s->is_flat = height_without(s->pool.sets, lost, m) <= nothing
+                     && height_without(s->pool.sets, lost, back) <= nothing
+                     && height_without(s->pool.sets, lost, across) <= nothing;
+        for (int i = 0; i < 2; i++) {
+            s->flat[i] = (Term){.kind = FLAT, .weight = 1.0};
+            memcpy(s->flat[i].vector, probe[i], sizeof s->flat[i].vector);
+            memcpy(s->flat[i].lost, lost, sizeof lost);
+        }
+    }
+    return s->is_flat;
+}
+
+/* Set `across` to a unit vector at right angles to two; returns whether there is one. */
+static int unit_across(const double *a, const double *b, double sign, double *across) {
+    cross(a, b, across);
+    double size = length(across);
+    for (int c = 0; c < 3; c++)
+        across[c] *= size > 0.0 ? sign / size : 0.0;
+    return size > PARALLEL;
+}
+
+/* Look for normals by which no newcomer gives any quality: across the wrenches of the robots that are
+ * left, of which there are few, and across the load. */
+static Status find_flat(BoxSearch *s) {
+    const Sets *sets = s->pool.sets;
+    double way[FLATS + 4][3], load = length(sets->load), m[3], across[3];
+    int ways = 0;
+    if (!s->is_convex || sets->tasks || s->pool.quality > ZERO * s->pool.size)
+        return SOLVED;
+    for (int k = 0; k < s->kinks && ways <= FLATS; k++) {
+        int is_new = 1;
+        for (int j = 0; j < ways && is_new; j++)
+            is_new = unit_across(way[j], s->kink + 3 * (ptrdiff_t)k, 1.0, m);
+        if (is_new)
+            memcpy(way[ways++], s->kink + 3 * (ptrdiff_t)k, sizeof way[0]);
+    }
+    if (ways > FLATS)
+        return SOLVED;
+    for (int c = 0; c < 3 && load > 0.0; c++)
+        way[ways][c] = sets->load[c] / load;
+    ways += load > 0.0;
+    for (int k = 0; k < 3; k++, ways++)
+        for (int c = 0; c < 3; c++)
+            way[ways][c] = c == k;
+    for (int i = 0; i < ways; i++)
+        for (int j = 0; j < i; j++) {
+            double height, cap, back[3];
+            if (!unit_across(way[i], way[j], 1.0, m))
+                continue;
+            for (int c = 0; c < 3; c++)
+                back[c] = -m[c];
+            Status status = sets_height(sets, m, NULL, &height, &cap);
+            if (status != SOLVED || height > NOTHING * s->pool.size)
+                continue;
+            status = sets_height(sets, back, NULL, &height, &cap);
+            if (status != SOLVED || height > NOTHING * s->pool.size)
+                continue;
+            for (int k = 0; k < 2 * ways; k++)
+                if (unit_across(m, way[k / 2], k & 1 ? -1.0 : 1.0, across) && keep_flat(s, m, across))
+                    return SOLVED;
+        }
+    return SOLVED;
+}
+
 Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int many, double limit,
                    double reverse, double units, int (*interrupted)(void)) {
     double most = 0.0;
@@ -87,7 +164,9 @@ Status boxes_begin(BoxSearch *s, const Sets *sets, const double *pieces, int man
     if (status == SOLVED)
         status = list_kinks(s);
     s->exerted = malloc(((size_t)sets->machines + 1) * sizeof *s->exerted);
-    return s->exerted ? status : NO_MEMORY;
+    if (!s->exerted)
+        return NO_MEMORY;
+    return status == SOLVED ? find_flat(s) : status;
 }
 
 void boxes_end(BoxSearch *s) {
@@ -518,6 +597,13 @@ static Status bound_box(BoxSearch *s, Box *box, double level, double enough) {
     double weight[CORNERS], share[CORNERS];
     int chosen[CORNERS], found, befores = box->terms, many;
     Term before[CORNERS], term[TRAVELLERS];
+    if (s->is_flat) {
+        box->bound = 0.0;
+        box->known = s->pool.count;
+        box->terms = 2;
+        memcpy(box->term, s->flat, sizeof s->flat);
+        return SOLVED;
+    }
     if (s->pool.count + TRAVELLERS > s->rows_room && !make_room(s, 2 * (size_t)s->pool.count + TRAVELLERS))
         return NO_MEMORY;
     memcpy(before, box->term, sizeof before);

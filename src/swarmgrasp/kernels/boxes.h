@@ -8,7 +8,9 @@
  *   DEMANDED    If H(n) <= t D(n), a one-way newcomer that betters t pushes along n, and phi is linear.
  *   TRAVELLING  n(b) = b x g, to which the newcomer adds nothing: t D(n(b)) <= h(n(b)), where h is
  *               convex: what is left of H without machines that may be lost, those that add most.
- * A convex combination of them, from a matrix game, bounds the box. A search has up to some thousands
+ *   FLAT        m, and another across it: h is nothing along both and along -m, and so along all between,
+ *               of which one is across whatever b: no newcomer gives the swarm any quality.
+ * A convex combination of the others, from a matrix game, bounds the box. A search has up to some thousands
  * of boxes; each costs a pass over the normals met, and a few hundred heights. */
 #ifndef SWARMGRASP_BOXES_H
 #define SWARMGRASP_BOXES_H
@@ -21,13 +23,13 @@
 #define ENOUGH 400   /* exact qualities after which a search stops whose bound is */
 #define CLOSE 1e-4   /* so near, relatively */
 
-typedef enum { MET, DEMANDED, TRAVELLING } Kind;
+typedef enum { MET, DEMANDED, TRAVELLING, FLAT } Kind;
 
 typedef struct {
     Kind kind;
     double vector[3]; /* the unit normal, in the metric's coordinates, or g */
     double weight;
-    int lost[LOST];   /* machines that a travelling one goes without, or -1 */
+    int lost[LOST];   /* machines that a travelling or flat one goes without, or -1 */
 } Term;
 
 /* Robots of a piece between two contacts, and two directions at most a right angle apart. */
@@ -53,6 +55,8 @@ typedef struct {
     int many;
     double limit, reverse;      /* of the newcomer [N] */
     int is_convex;              /* whether h is: no failures, few losses, known poses */
+    int is_flat;                /* whether h is nothing on half of a great circle, and */
+    Term flat[2];               /* its end and its middle */
     double *kink;               /* (kinks, 3) wrenches across which h may have an edge */
     int kinks;
     Box *box;                   /* (boxes,) that cover all chosen pieces */

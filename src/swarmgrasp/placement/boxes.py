@@ -25,14 +25,15 @@ from swarmgrasp.swarm.sectors import SAME_ANGLE
 Array = NDArray[np.float64]
 PIECE, FROM, TO, LO, HI, BOUND, TERMS = range(7)
 """Columns of the kernel's boxes."""
-KINDS: tuple[Literal["met"], Literal["demanded"], Literal["travelling"]] = (
+KINDS: tuple[Literal["met"], Literal["demanded"], Literal["travelling"], Literal["flat"]] = (
     "met",
     "demanded",
     "travelling",
+    "flat",
 )
 """What the terms are, by the kernel's numbers,"""
-TRAVELLING = KINDS.index("travelling")
-"""and of one."""
+WITHOUT = (KINDS.index("travelling"), KINDS.index("flat"))
+"""and of those that go without some robots."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +80,7 @@ class BoxOptimum(Optimum[Best]):
 
     def _robots_of(self, term: list[float]) -> tuple[str, ...]:
         """Return the robots that a term goes without."""
-        if int(term[0]) != TRAVELLING:
+        if int(term[0]) not in WITHOUT:
             return ()
         return tuple(name for m in term[5:] if m >= 0.0 for name in self._machines[int(m)])
 

@@ -45,6 +45,8 @@ class BoxProof(Frozen, Plain):
 
     - "met", a unit normal n: t D(n) <= H(n) + phi(n . b);
     - "demanded", if n has H(n) <= t D(n) and the newcomer is one-way: t D(n) <= H(n) + limit n . b;
+    - "flat", twice, of unit normals m and k across it, without a task: H is nothing along m, -m and
+      k, and so along a normal between them across whatever b: t is 0;
     - "travelling", g: t D(n) <= H(n) for the normal n = b x g across b, where H is no more than
       what robots exert without those lost. There is none for named failures and uncertain poses.
 
@@ -60,14 +62,14 @@ class BoxProof(Frozen, Plain):
     weights : (m,)
         Positive; of any sum.
     lost : tuple of tuple of str
-        Of each vector, the robots lost; none but for a travelling one.
+        Of each vector, the robots lost; none but for a travelling or flat one.
     """
 
     start: tuple[float, float]
     end: tuple[float, float]
     lo: float
     hi: float
-    kinds: tuple[Literal["met", "demanded", "travelling"], ...]
+    kinds: tuple[Literal["met", "demanded", "travelling", "flat"], ...]
     vectors: NDArray[np.float64]
     weights: NDArray[np.float64]
     lost: tuple[tuple[str, ...], ...]

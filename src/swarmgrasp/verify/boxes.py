@@ -16,8 +16,11 @@ gives
 After failures and losses h is what robots exert without those that one failure takes, and some that
 may be lost beside: H is no more, and h is convex.
 
-So any convex combination of these bounds t: by its greatest right side over the six, if that is
-above L.
+Without a task two normals are "flat" if H is as good as nothing along m, -m and k: then t is too,
+for any newcomer.
+
+So any convex combination of the others bounds t: by its greatest right side over the six, if that
+is above L.
 """
 
 import math
@@ -86,6 +89,7 @@ class Boxes:
     def _bounds(self, claims: "tuple[BoxClaim, ...]") -> tuple[Array, Array]:
         """Return bounds of each box [N], less and more what rounding hides."""
         count = len(claims)
+        flat = np.full(count, np.inf)
         sums, asked, hidden = np.zeros((count, CORNERS)), np.zeros(count), np.zeros(count)
         capped, is_proof = np.full(count, np.inf), np.zeros(count, dtype=bool)
         owner, kinds, vectors, weights = [], [], [], []
@@ -97,6 +101,9 @@ class Boxes:
             fits = len(sizes) == 1 and (own > 0.0).all()
             if units is None or not fits or not 0.0 <= width <= WIDEST:
                 continue
+            if "flat" in claim.kinds:
+                flat[k] = self._flat(claim.kinds, units, claim.lost)
+                continue
             is_proof[k] = True
             owner += [k] * len(own)
             kinds += claim.kinds
@@ -105,7 +112,7 @@ class Boxes:
             own = own / own.max()
             weights.append(own / own.sum())
         if not owner:
-            return np.full(count, np.inf), np.full(count, np.inf)
+            return flat / self._judge.unit, flat / self._judge.unit
         box, kind = np.array(owner), np.array(kinds)
         vector, weight = np.concatenate(vectors), np.concatenate(weights)
         travels = kind == "travelling"
@@ -129,8 +136,23 @@ class Boxes:
         found[unasked] = np.where(most[unasked] < -self._rounding, 0.0, np.inf)
         hidden[unasked] = 0.0
         found = np.minimum(np.maximum(found, self._level), capped)
-        found[~is_proof] = np.inf
+        found[~is_proof], hidden[~is_proof] = flat[~is_proof], 0.0
         return (found - hidden) / self._judge.unit, (found + hidden) / self._judge.unit
+
+    def _flat(self, kinds: Sequence[str], units: Array, lost: Sequence[list[str]]) -> float:
+        """Return what no newcomer of one line exceeds by two normals and the opposite of one [N].
+
+        Between m, k and -m there is a normal across any wrench, and h, convex, is at most the sum
+        of what it is at k and at m or -m, over the sine of the angle between m and k.
+        """
+        left = self._without(tuple(lost[0]))
+        sine = float(np.linalg.norm(np.cross(units[0], units[-1])))
+        is_pair = list(kinds) == ["flat", "flat"] and lost[0] == lost[1] and sine > 0.5
+        if not is_pair or left is None or self._judge.has_task:
+            return math.inf
+        m, k = units
+        ahead, back, across = self._judge.height(left, np.array([m, -m, k])).tolist()
+        return float(max(max(ahead, back, 0.0) + max(across, 0.0), 0.0) / sine)
 
     def _met(
         self, box: NDArray[np.intp], kind: NDArray[np.str_], normals: Array, gone: tuple[str, ...]

@@ -198,7 +198,7 @@ class BoxClaim(_Form):
     end: Point
     lo: Angle
     hi: Angle
-    kinds: list[Literal["met", "demanded", "travelling"]]
+    kinds: list[Literal["met", "demanded", "travelling", "flat"]]
     vectors: list[Wrench] = Field(min_length=1)
     weights: list[Number]
     lost: list[list[str]]

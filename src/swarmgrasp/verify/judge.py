@@ -95,6 +95,11 @@ class Judge:
         is_whole = asked.losing == 0 and not self.failures
         return is_whole and asked.task is None and not self.load.any()
 
+    @property
+    def has_task(self) -> bool:
+        """Whether D is not 1."""
+        return self._criterion.task is not None
+
     def team(self, robots: "Iterable[RobotClaim]") -> Team:
         """Return robots by what they contribute."""
         worst_case = self._criterion.worst_case
