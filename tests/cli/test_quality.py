@@ -157,3 +157,34 @@ def test_what_each_robot_can_exert_is_told(run, tmp_path):
     )
     for forces in told:
         assert re.sub(" +", " ", forces) in re.sub(" +", " ", said)
+
+
+SIDES = """\
+name: Abreast
+units: {force: kN, angle: deg}
+outline: {vertices: [[-40, -10], [40, -10], [40, 10], [-40, 10]]}
+robots:
+  - {name: bow, contact: [30, 0], limit: 90, mounted: true, sectors: [[20, 160], [200, 340]]}
+  - {name: mid, contact: [0, 0], limit: 90, mounted: true, sectors: [[20, 160], [200, 340]]}
+  - {name: stern, contact: [-30, 0], limit: 90, mounted: true, sectors: [[-150, 150]]}
+newcomer: {limit: 60, attachment: push}
+"""
+
+
+def test_sectors_with_gaps_are_told_by_every_command(run, tmp_path):
+    """The quality's bounds and the sectors kept; a place beside them; and forces in sectors."""
+    file = tmp_path / "abreast.yaml"
+    file.write_text(SIDES)
+    _, said, complaints = run("quality", file)
+    assert re.match(r"Abreast: quality 129\.\d+ to 130\.97 kN\n", said), said
+    assert complaints == ""
+    assert "Sectors kept    bow " in said
+    assert "90 kN from 20 to 160 deg or 200 to 340 deg" in said
+    _, said, _ = run("place", file)
+    assert "best found place for newcomer" in said
+    assert "whatever sectors robots push in" in said
+    _, said, _ = run("forces", file, "--wrench", "60", "0", "0")
+    assert "at the end of a sector" in said
+    status, _, complaints = run("quality", file, "--sensitivities")
+    assert status != 0
+    assert "sectors have gaps between: bow, mid, stern" in complaints

@@ -19,7 +19,7 @@ from swarmgrasp.swarm.choices import Choices
 Array = NDArray[np.float64]
 NEAR = 0.01
 """Relative difference of the two bounds that is near enough."""
-MOST_CHOICES, MOST_ASKED = 64, 20_000
+MOST_CHOICES, MOST_ASKED = 256, 60_000
 """Choices up to which this is asked for, and wrenches that they are asked for in all."""
 ROUNDED = 5e-6
 """Share of how far a choice reaches that the kernel may be off."""

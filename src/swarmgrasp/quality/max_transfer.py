@@ -217,7 +217,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     Of robots whose sectors have gaps between it is known to lie between two bounds (T28): what the
     swarm has that keeps the best choice of one sector for each, and what it has with the gaps
     filled. Up to 4096 choices, whole and in part, are asked for; those that cannot be best are not.
-    As things stand, and for up to 64 choices, the bounds are those of robots that change between
+    As things stand, and for up to 256 choices, the bounds are those of robots that change between
     sectors, within 1 % of each other where the work suffices.
 
     Parameters

@@ -27,7 +27,7 @@ def show(
     unit = criterion.unit(found.upper_bound or max((r.limit for r in swarm.robots), default=0.0))
     words = criterion.words(swarm)
     report.headline(
-        f"{scenario.name}: quality {unit.text(found.value)} {words}".rstrip(),
+        f"{scenario.name}: quality {_told(found, unit)} {words}".rstrip(),
         "good" if max(found.value, found.bound) > found.noise else "bad",
     )
     report.blank()
