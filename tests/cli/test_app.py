@@ -6,7 +6,7 @@ import pytest
 
 COMMANDS = [
     "place", "move", "count", "quality", "capability", "verify", "plot", "paper", "examples",
-    "schema",
+    "schema", "agent",
 ]  # fmt: skip
 
 

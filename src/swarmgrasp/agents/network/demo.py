@@ -4,7 +4,6 @@ import json
 import signal
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 from swarmgrasp.agents.network.fleet import Fleet, Main, Member, free_ports
 from swarmgrasp.agents.network.keys import own_keys
@@ -115,7 +114,7 @@ class Demo:
         self._await_attached(names)
         self.say(f"All are attached after {steady_clock() - begin:.1f} s:")
         for member in sorted((self._robot(n) for n in names), key=lambda m: m.record["ticket"]):
-            self.say(f"    {member.reports('fastens')[-1]}")
+            self.say(f"    {_short(member.reports('fastens')[-1], 'confirmed by ', ' ')}")
 
     def _kill_and_hang(self) -> None:
         """Kill one process and stop another; both come back."""
@@ -162,7 +161,7 @@ class Demo:
         where = "the very same place" if is_same else "their places"
         self.say(f"Neither knows of the other: both are at {where}. But they wait:")
         for robot in robots:
-            self.say(f"    {_short(robot.reports('waits')[-1])}")
+            self.say(f"    {_short(robot.reports('waits')[-1], 'waits for ', ', ')}")
         begin = steady_clock()
         self._link()
         self._await_attached(self.late)
@@ -292,7 +291,16 @@ def _waits_for_the_unheard(robot: Member) -> bool:
     return robot.phase == "arrived" and bool(waits) and "(heard)" not in waits[-1]
 
 
-def _short(words: str) -> str:
-    """Return a sentence that lists many robots, shortened."""
-    parts: list[Any] = words.split(", ")
-    return words if len(parts) <= 4 else f"{', '.join(parts[:3])} and {len(parts) - 3} others"
+def _short(words: str, before: str, between: str) -> str:
+    """Return a sentence that ends with many robots, with the first three of them.
+
+    Examples
+    --------
+    >>> _short("Ajax waits for A (heard), B, C, D, E", "waits for ", ", ")
+    'Ajax waits for A (heard), B, C and 2 others'
+    """
+    head, _, tail = words.partition(before)
+    robots = tail.split(between)
+    if len(robots) <= 4:
+        return words
+    return f"{head}{before}{', '.join(robots[:3])} and {len(robots) - 3} others"

@@ -67,6 +67,17 @@ def own_keys(mission: str, name: str) -> Keys:
     return Keys(str(PROTOCOL), mission, name)
 
 
+def every(key: str) -> str:
+    """Return a key with any robot at its end.
+
+    Examples
+    --------
+    >>> every(own_keys("a1", "Ajax").to_all)
+    'swarmgrasp/1/a1/all/*'
+    """
+    return f"{key.rpartition('/')[0]}/*"
+
+
 def router_key(identity: str) -> str:
     """Return the token that is there while a router is."""
     return f"{ROOT}/{PROTOCOL}/router/{identity}"

@@ -15,8 +15,9 @@ from threading import Thread
 from typing import Any
 
 from swarmgrasp.agents.network.body import Body, order_data
+from swarmgrasp.agents.network.ears import Item
 from swarmgrasp.agents.network.plain import record_data
-from swarmgrasp.agents.network.transport import Item, Transport
+from swarmgrasp.agents.network.transport import Transport
 from swarmgrasp.agents.protocol.agent import Agent
 from swarmgrasp.agents.protocol.events import (
     Cut,

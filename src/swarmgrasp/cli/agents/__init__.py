@@ -4,10 +4,12 @@ from cyclopts import App
 
 from swarmgrasp.cli.agents.curve import curve
 from swarmgrasp.cli.agents.demo import demo
+from swarmgrasp.cli.agents.keys import keys
 from swarmgrasp.cli.agents.ros2 import ros2
 from swarmgrasp.cli.agents.simulate import simulate
+from swarmgrasp.cli.agents.watch import watch
 
-COMMANDS = (curve, demo, ros2, simulate)
+COMMANDS = (curve, demo, keys, ros2, simulate, watch)
 HELP = "Run, watch, try and study swarms of robots that decide for themselves."
 
 
