@@ -246,3 +246,22 @@ def test_a_faulty_area_is_told_with_its_place(zone: str) -> None:
     with pytest.raises(ScenarioInvalid) as caught:
         parse_scenario(f"{HEAD}{MOUNTED}zones: [{zone}]", "a.yaml")
     assert list(caught.value.faults) == [f"a.yaml:{AREAS[zone]}"]
+
+
+def test_sectors_are_written_as_they_are_read() -> None:
+    """Degrees where these lose nothing, the direction left out; and the schema takes them."""
+    line = "{contact: [4, 1], limit: 5, sectors: [[20, 160], [200, 340]]}"
+    found = parse_scenario(f"{HEAD}robots: [{line}]\nnewcomer: {{limit: 5}}")
+    text = scenario_text(found)
+    assert "limit: 5, sectors: [[20, 160], [200, 340]]}" in text
+    assert parse_scenario(text).swarm == found.swarm
+    turned = parse_scenario(f"{HEAD}robots: [{line.replace('200, 340', '-160, -20')}]\n").swarm
+    for one, other in zip(found.swarm.robots[0].sectors, turned.robots[0].sectors, strict=True):
+        assert one == pytest.approx(other)
+    robot = {"contact": [4, 1], "limit": 5, "sectors": [[20, 160], [200, 340]]}
+    outline = {"vertices": [[0, 0], [4, 0], [4, 2], [0, 2]]}
+    jsonschema.validate({"outline": outline, "robots": [robot]}, scenario_schema())
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(
+            {"outline": outline, "robots": [robot | {"sectors": [[20]]}]}, scenario_schema()
+        )
