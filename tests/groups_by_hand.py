@@ -2,7 +2,7 @@
 
 import heapq
 import math
-from collections import Counter
+from collections import Counter, defaultdict
 
 import numpy as np
 
@@ -45,6 +45,7 @@ class World:
         self.rng = np.random.default_rng(seed)
         self.members, self.post, self.clock, self.count = {}, [], 0.0, 0
         self.sent, self.received, self.reports = Counter(), Counter(), []
+        self.due, self.groups = {}, defaultdict(dict)
 
     def add(self, name, attached=None):
         """Start a robot's process."""
@@ -58,21 +59,31 @@ class World:
 
     def crash(self, name):
         """End a robot's process."""
-        del self.members[name]
+        group = self.members.pop(name).group
+        self.groups[group].pop(name, None)
 
     def run(self, until):
         """Let everything happen up to a time [s]."""
         while self.post and self.post[0][0] <= until:
             self.clock, _, name, event = heapq.heappop(self.post)
             member = self.members.get(name)
-            is_early = isinstance(event, ev.Tick) and member and self.clock < member.wake - 1e-9
-            if member is None or is_early:
+            if isinstance(event, ev.Tick) and self.due.get(name) != self.clock:
+                continue  # it was to wake earlier, and has
+            if member is None:
                 continue
             if isinstance(event, ev.AtPlace) and member.agent.record.phase != 2:
                 continue
-            for effect in member.handle(self.clock, event):
+            group = member.group
+            effects = member.handle(self.clock, event)
+            if member.group != group:
+                self.groups[group].pop(name, None)
+                self.groups[member.group][name] = member
+            for effect in effects:
                 self.act(name, effect)
-            self.put(max(member.wake, self.clock + 1e-3), name, ev.Tick())
+            due = max(member.wake, self.clock + 1e-3)
+            if not self.clock < self.due.get(name, -1.0) <= due:
+                self.due[name] = due
+                self.put(due, name, ev.Tick())
         self.clock = until
 
     def act(self, name, effect):
@@ -80,8 +91,7 @@ class World:
         match effect:
             case mb.Within(group, ev.Send(to, message)):
                 data = encode(message)
-                peers = [n for n, m in self.members.items() if m.group == group and n != name]
-                peers = self.chosen(peers, to)
+                peers = self.chosen([n for n in self.groups[group] if n != name], to)
                 self.deliver(name, data, peers, mb.Heard(
                     group, ev.Received(name, decode(data), to != ev.EVERYONE)
                 ))  # fmt: skip

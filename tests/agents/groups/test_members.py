@@ -1,9 +1,11 @@
 """Robots in groups that share summaries."""
 
 import pytest
+from msgspec.structs import replace
 
 import swarmgrasp as sg
 from groups_by_hand import begun
+from swarmgrasp.agents.groups.member import Tell, Told
 from swarmgrasp.agents.protocol import events as ev
 from swarmgrasp.agents.protocol.record import Phase
 
@@ -73,6 +75,31 @@ def test_a_full_group_is_left_for_another():
     assert phases == {Phase.ATTACHED}
     assert len({m.group for n, m in world.members.items() if n.startswith("J")}) == 2
     assert world.nearest() >= world.problem.spacing - 1e-6
+
+
+def test_a_clock_that_jumps_silences_nobody():
+    """The writer tells its slot again, an hour earlier and two days later; others may go on."""
+    writer = begun(2, 4).members["G00N00"]
+    for start in (-3600.0, 2.0e5):
+        effects = []
+        for step in range(20):
+            clock = start + 0.5 * step
+            effects += writer.handle(clock, ev.Tick())
+            assert clock <= writer.wake <= clock + 1.0 + 1e-6
+        told = [effect for effect in effects if isinstance(effect, Tell)]
+        assert 2 <= len(told) <= 4
+        assert {slot.count for effect in told for slot in effect.slots} == {4}
+
+
+def test_what_no_sound_robot_tells_is_reported():
+    """A slot of no group is dropped, the others are kept."""
+    world = begun(2, 4)
+    slot = world.members["G00N00"].slots.get(0)
+    newer, none = (replace(slot, sequence=9), replace(slot, group=7))
+    watcher = world.members["G01N01"]
+    effects = watcher.handle(world.clock, Told("G00N01", (none, newer)))
+    assert [e.what for e in effects if isinstance(e, ev.Report)] == ["refused"]
+    assert watcher.slots.get(0) == newer
 
 
 @pytest.mark.long

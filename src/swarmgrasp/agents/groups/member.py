@@ -23,6 +23,7 @@ from swarmgrasp.agents.protocol.events import (
     Send,
     Start,
 )
+from swarmgrasp.agents.protocol.hearing import Hearing
 from swarmgrasp.agents.protocol.order import in_order
 from swarmgrasp.agents.protocol.planner import basis_of
 from swarmgrasp.agents.protocol.record import LIVES, Phase
@@ -113,17 +114,16 @@ class Member:
         self._planner: GroupPlanner | None = None
         self._full: dict[int, int] = {}
         self._wants, self._ready_by = False, NEVER
+        self._time = Hearing(self.settings.silent)
         self._next_look, self._next_tell = 0.0, 0.0
 
     @property
     def wake(self) -> float:
         """When to send a `Tick` at the latest, by the given clock [s]."""
-        times = [self._next_look]
         if self.agent is not None:
-            times.append(self.agent.wake)
-        if self._wants and self.agent is None:
-            times.append(self._ready_by)
-        return min(times)
+            return min(self._time.clock_at(self._next_look), self.agent.wake)
+        times = [self._next_look, self._ready_by] if self._wants else [self._next_look]
+        return self._time.clock_at(min(times))
 
     def handle(self, clock: float, event: MemberEvent) -> list[MemberEffect]:
         """Take an event, and return what is to be done about it.
@@ -134,11 +134,12 @@ class Member:
             By any steady clock of this robot's own.
         event : MemberEvent
         """
-        out: list[MemberEffect] = []
+        self._time.advance(clock)
+        now, out = self._time.now, list[MemberEffect]()
         match event:
             case Told(sender, slots):
                 out += self._take(sender, slots)
-                self._ready_by = min(self._ready_by, clock)
+                self._ready_by = min(self._ready_by, now)
             case Wondered(sender):
                 out.append(Tell(sender, tuple(self.slots)))
             case Heard(group, received):
@@ -146,7 +147,7 @@ class Member:
                     out += self._pass(clock, received)
             case Start(attached):
                 out.append(Wonder())
-                self._ready_by = clock + self.settings.ask
+                self._ready_by = now + self.settings.ask
                 if attached is not None:
                     self._wants = True
                     self._enter(self.slots.parts.at((attached.x, attached.y)))
@@ -159,12 +160,12 @@ class Member:
                 out += self._pass(clock, event)
             case _:
                 out += self._pass(clock, event)
-        if self._wants and self.agent is None and clock >= self._ready_by:
+        if self._wants and self.agent is None and now >= self._ready_by:
             out += self._join(clock)
-        if clock >= self._next_look:
-            self._next_look = clock + self.settings.beat
+        if now >= self._next_look:
+            self._next_look = now + self.settings.beat
             out += self._move_on(clock)
-            out += self._write(clock)
+            out += self._write()
         return out
 
     def _take(self, sender: str, slots: tuple[Slot, ...]) -> list[MemberEffect]:
@@ -196,7 +197,7 @@ class Member:
         """Join the group in whose part the best place is."""
         group = self._best_group()
         if group is None:
-            self._ready_by = clock + self.settings.beat
+            self._ready_by = self._time.now + self.settings.beat
             return []
         self._enter(group)
         return [*self._pass(clock, Start()), *self._pass(clock, Join())]
@@ -236,10 +237,10 @@ class Member:
         if not any(self._has_room(group) for group in range(len(self.slots.parts))):
             return []
         out = self._pass(clock, Leave())
-        self.agent, self.group, self._ready_by = None, -1, clock
+        self.agent, self.group, self._ready_by = None, -1, self._time.now
         return [*out, *self._join(clock)]
 
-    def _write(self, clock: float) -> list[MemberEffect]:
+    def _write(self) -> list[MemberEffect]:
         """Write the group's slot, if that is this robot's task, and tell it again now and then."""
         agent, planner = self.agent, self._planner
         if agent is None or planner is None or not agent.hearing.has_listened:
@@ -258,7 +259,7 @@ class Member:
             sequence = 0 if known is None else known.sequence + 1
             known = planner.slot(holding, self.name, turn, sequence)
             self.slots.merge(known)
-        elif clock < self._next_tell:
+        elif self._time.now < self._next_tell:
             return []
-        self._next_tell = clock + self.settings.silent
+        self._next_tell = self._time.now + self.settings.silent
         return [Tell(EVERYONE, (known,))]
