@@ -129,7 +129,6 @@ RAYS_ONLY = {
     "count": lambda: sg.how_many(sg.Problem(STEERING, Newcomer()), 1.0),
     "together": lambda: sg.place_together(sg.Problem(STEERING, Newcomer()), 2),
     "summary": lambda: sg.Summary.of(FIXED, 12).place(SQUARE, Newcomer(steers=True)),
-    "mounted steering newcomer": lambda: sg.place(FIXED, Newcomer(steers=True, mounted=True)),
 }
 """What knows rays only."""
 

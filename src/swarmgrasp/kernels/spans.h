@@ -5,7 +5,7 @@
  * task's part, a quality t at c obeys two kinds of bounds:
  *   CHORDS     t D(n) <= H(n) + sigma(p_n(c)) for each normal n met, which lies below its chord; a
  *              mixture of two chords is highest at an end.
- *   TRAVELLING for two unit normals a and b whose torques have one sign, without losses: on the way n
+ *   TRAVELLING for two unit normals a and b whose torques have one sign, without losses and failures: on the way n
  *              turns from a to b so that p_n(c) is linear in c, and D(n) is at least d . n, d the task's
  *              wrench farthest along a + b. So t <= max(v_a D(a) / d . a, v_b D(b) / d . b), v_a what a
  *              leaves at the first end relative to D, v_b what b leaves at the last. Of the unit ball

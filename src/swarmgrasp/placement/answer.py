@@ -192,6 +192,7 @@ class Placement(Frozen, Answer):
             "proofs": plain(self.certificate.proofs),
             "boxes": plain(self.certificate.boxes),
             "spans": plain(self.certificate.spans),
+            "patches": plain(self.certificate.patches),
         }  # fmt: skip
 
 

@@ -1,7 +1,8 @@
 """Places of a mounted newcomer: areas inside the outline (T24).
 
-For one direction all points of an area on one line of action are the same wrench, and only the two
-corners outermost across the direction matter. So an area is as many pieces as there are sectors of
+One that keeps its force set may be anywhere on them: they are cut into triangles. For a fixed
+direction all points of an area on one line of action are the same wrench, and only the two corners
+outermost across the direction matter. So an area is as many pieces as there are sectors of
 directions with the same two corners, each from one of them to the other.
 """
 
@@ -79,6 +80,67 @@ class Areas:
         corners = self.corners[self.each[index].area]
         x, y = (_middle_on_line(corners, c, s, torque) + self.outline.origin).tolist()
         return (x, y), math.atan2(s, c)
+
+
+class Deck(NamedTuple):
+    """An area, and the sector that a newcomer keeps there.
+
+    Attributes
+    ----------
+    place : str
+        The zone's name.
+    lo, hi : float [rad]
+    parts : tuple of (k, 2) [m, m]
+        Moment arms of the corners of triangles, or of a line or a spot, that together make it.
+    """
+
+    place: str
+    lo: float
+    hi: float
+    parts: tuple[Array, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Decks:
+    """All areas that a mounted newcomer may be put on which keeps its force set."""
+
+    outline: Outline
+    each: tuple[Deck, ...]
+
+    @property
+    def places(self) -> list[str]:
+        """The place of each."""
+        return [deck.place for deck in self.each]
+
+
+def decks_of(outline: Outline, zones: Sequence[Zone] | None) -> Decks:
+    """List the areas of a mounted newcomer that keeps its force set.
+
+    Parameters
+    ----------
+    outline : Outline
+    zones : sequence of Zone, optional
+        With areas; the whole inside of the outline when left out.
+    """
+    if not zones:
+        return Decks(outline, (Deck(INSIDE, -math.pi, math.pi, _parts(outline.vertices, outline)),))
+    return Decks(
+        outline,
+        tuple(
+            Deck(label, *zone.turns(0.0), _parts(np.array(zone.area), outline))
+            for zone, label in zip(zones, zone_labels(zones), strict=True)
+        ),
+    )
+
+
+def _parts(corners: Array, outline: Outline) -> tuple[Array, ...]:
+    """Cut an area into triangles, of moment arms; a line and a spot are as they are."""
+    if len(corners) <= 3:
+        return (corners - outline.origin,)
+    from shapely import Polygon, constrained_delaunay_triangles, get_coordinates
+
+    found = constrained_delaunay_triangles(Polygon(corners))
+    return tuple(get_coordinates(part)[:3] - outline.origin for part in found.geoms)
 
 
 def areas_of(outline: Outline, zones: Sequence[Zone] | None) -> Areas:

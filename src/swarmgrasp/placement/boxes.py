@@ -57,7 +57,7 @@ class BoxOptimum(Optimum[Best]):
     @cached_property
     def certificate(self) -> Certificate:
         """The proofs of all bounds."""
-        return Certificate((), tuple(self._proofs()), (), self.upper_bound)
+        return Certificate((), tuple(self._proofs()), (), (), self.upper_bound)
 
     def _proofs(self) -> Iterator[BoxProof]:
         """Yield the proof of each box."""

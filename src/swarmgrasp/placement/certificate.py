@@ -113,6 +113,38 @@ class SpanProof(Frozen, Plain):
     weights: NDArray[np.float64]
 
 
+@dataclass(frozen=True, eq=False)
+class PatchProof(Frozen, Plain):
+    """Directions that bound a patch of contacts inside, for a newcomer that keeps its force set.
+
+    As for `SpanProof`, with v_n(c) at the corners c_j of a triangle, or of a line or a spot:
+
+    - "chords": t is at most the greatest of sum l_k v_k(c_j), with weights l_k that sum to 1;
+    - "travelling", of one normal n_j for each corner, with torque parts of one sign, without losses
+      and uncertain poses: t is at most the greatest of v_j(c_j) D(n_j) / d . n_j, d the wrench of
+      the task that is farthest along the sum of the normals.
+
+    Attributes
+    ----------
+    corners : tuple of tuple of float [m, m]
+        One to three contacts, whose hull the patch is.
+    lo, hi : float [rad]
+        The sector that the newcomer keeps there.
+    kind : str
+    normals : (m, 3)
+        In the metric's coordinates, one to three.
+    weights : (m,)
+        Positive; of any sum.
+    """
+
+    corners: tuple[tuple[float, float], ...]
+    lo: float
+    hi: float
+    kind: Literal["chords", "travelling"]
+    normals: NDArray[np.float64]
+    weights: NDArray[np.float64]
+
+
 @dataclass(frozen=True)
 class Certificate:
     """Proofs that together bound every piece.
@@ -124,7 +156,9 @@ class Certificate:
     boxes : tuple of BoxProof
         or else these cover it,
     spans : tuple of SpanProof
-        or these, for a newcomer that keeps its force set.
+        or these, for a newcomer that keeps its force set,
+    patches : tuple of PatchProof
+        or these, for such a one inside.
     upper_bound : float [N]
         The greatest of the pieces' bounds; without a unit for a task.
     """
@@ -132,4 +166,5 @@ class Certificate:
     proofs: tuple[Proof, ...]
     boxes: tuple[BoxProof, ...]
     spans: tuple[SpanProof, ...]
+    patches: tuple[PatchProof, ...]
     upper_bound: float

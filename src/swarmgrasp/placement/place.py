@@ -7,8 +7,10 @@ from typing import Any, Protocol, Unpack, overload
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
+from swarmgrasp.placement.areas import Decks
 from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
 from swarmgrasp.placement.gaps import beside_gaps
+from swarmgrasp.placement.patches import Berth, PatchSearch, robot_in
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import Best, Optimum, RayOptimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
@@ -248,6 +250,8 @@ class _Placing:
 
     def begin(self) -> Seeking:
         """Return the search of the problem."""
+        if isinstance(self.pieces, Decks):
+            return PatchSearch(self.problem, self.pieces)
         if self.problem.newcomer.steers or self.problem.newcomer.friction:
             return SpanSearch(self.problem, self.problem.pieces())
         if self.problem.has_rays_only:
@@ -301,6 +305,7 @@ class _Placing:
         self.problem = self.problem.with_swarm(answer.swarm_after)
         self.pieces = self.problem.places()
         if isinstance(self.search, Search) and self.search.aim is None:
+            assert not isinstance(self.pieces, Decks)  # which have another search
             self.search.join(*self.wrench(answer.robot), self.pieces.rows)
         else:
             self.search = self.begin()
@@ -336,11 +341,14 @@ class _Placing:
             return 0.0  # without a look at every robot
         return problem.criterion.noise(problem.swarm.with_robot(found.robot), after.normal)
 
-    def candidate(self, best: Best | Stand, name: str) -> tuple[RunnerUp, Weakest]:
+    def candidate(self, best: Best | Stand | Berth, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn what a search has found into a robot in contact, with its quality."""
         if isinstance(best, Stand):
             robot = robot_on(self.problem, self.problem.pieces(), best.piece, best.share, name)
+        elif isinstance(best, Berth):
+            robot = robot_in(self.problem, best, name)
         else:
+            assert not isinstance(self.pieces, Decks)  # where all are berths
             contact, angle = self.pieces.robot_at(best.piece, best.c, best.s, best.torque)
             robot = self.robot(contact, angle, name)
         if isinstance(self.search, Search) and self.search.aim is None:

@@ -13,7 +13,7 @@ from swarmgrasp.errors import (
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_within
-from swarmgrasp.placement.areas import Areas, areas_of
+from swarmgrasp.placement.areas import Areas, Decks, areas_of, decks_of
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
@@ -151,7 +151,7 @@ class Problem(Frozen, Plain):
         crowd = swarm.contacts[~swarm.mounted] if self.spacing > 0.0 else None
         return pieces_of(swarm.outline, self.newcomer, self.zones, self.no_go, crowd, self.spacing)
 
-    def places(self) -> Pieces | Areas:
+    def places(self) -> Pieces | Areas | Decks:
         """List the pieces of the boundary, or of areas inside, that are left to the newcomer.
 
         Raises
@@ -159,7 +159,10 @@ class Problem(Frozen, Plain):
         NowhereToAttach
             If there are none.
         """
-        return areas_of(self.swarm.outline, self.zones) if self.newcomer.mounted else self.pieces()
+        if not self.newcomer.mounted:
+            return self.pieces()
+        list_all = decks_of if self.newcomer.steers else areas_of
+        return list_all(self.swarm.outline, self.zones)
 
     def with_swarm(self, swarm: Swarm) -> "Problem":
         """Return the same question for another swarm on the same outline."""
@@ -219,11 +222,6 @@ def check_several(problem: Problem, what: str) -> None:
 def check_newcomer(problem: Problem) -> None:
     """Raise `ForceSetUnsupported` for a newcomer whose place is not known how to find."""
     newcomer = problem.newcomer
-    if newcomer.mounted and (newcomer.steers or newcomer.friction):
-        raise ForceSetUnsupported(
-            "placement inside is for a newcomer that pushes along one line: leave out what it "
-            "steers and its friction, or that it is mounted"
-        )
     if problem.is_tolerant and (newcomer.mounted or not newcomer.is_ray):
         raise ForceSetUnsupported(
             "where a newcomer ends up is known how to bound of one that pushes along one ray only, "

@@ -96,7 +96,7 @@ class RayOptimum(Optimum[Best]):
             key = (tuple(row[used]), tuple(share[used]))
             if key not in proofs:
                 proofs[key] = Proof(normals[row[used]], share[used])
-        return Certificate(tuple(proofs.values()), (), (), self.upper_bound)
+        return Certificate(tuple(proofs.values()), (), (), (), self.upper_bound)
 
 
 class Search:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from swarmgrasp.placement.areas import Areas
+from swarmgrasp.placement.areas import Areas, Decks
 from swarmgrasp.placement.pieces import SLIVER, Pieces
 
 SMOOTH = math.radians(20.0)
@@ -37,18 +37,18 @@ class Parts(NamedTuple):
     touching: list[tuple[int, int]]
 
 
-def parts_of(pieces: Pieces | Areas) -> Parts:
+def parts_of(pieces: Pieces | Areas | Decks) -> Parts:
     """Part the boundary: a zone or a named edge is one part, a smooth side has many.
 
     Parameters
     ----------
-    pieces : Pieces or Areas
+    pieces : Pieces, Areas or Decks
         An area is one part.
     """
     places: dict[str, list[int]] = {}
     for k, place in enumerate(pieces.places):
         places.setdefault(place, []).append(k)
-    if isinstance(pieces, Areas):
+    if isinstance(pieces, Areas | Decks):
         return Parts(list(places.values()), [])
     outline, plain = pieces.outline, {}
     for place, members in list(places.items()):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, SpanProof
+from swarmgrasp.placement.kept import CHECKED, TRIED, kept_robot
 from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import WORK, Optimum
@@ -27,8 +28,6 @@ KINDS: tuple[Literal["chords"], Literal["travelling"]] = ("chords", "travelling"
 """What bounds a span, by the kernel's numbers."""
 NEAR = 1e-3
 """Share of a piece within which two stands are one."""
-TRIED, CHECKED = 160, 12
-"""Contacts that are compared, and those of them whose quality is computed."""
 
 
 class Stand(NamedTuple):
@@ -55,7 +54,7 @@ class SpanOptimum(Optimum[Stand]):
     @cached_property
     def certificate(self) -> Certificate:
         """The proofs of all bounds."""
-        return Certificate((), (), tuple(self._proofs()), self.upper_bound)
+        return Certificate((), (), tuple(self._proofs()), (), self.upper_bound)
 
     def _proofs(self) -> Iterator[SpanProof]:
         """Yield the proof of each span."""
@@ -165,16 +164,5 @@ def _columns_on(problem: Problem, pieces: Pieces) -> Columns:
 
 def robot_on(problem: Problem, pieces: Pieces, index: int, share: float, name: str = "") -> Robot:
     """Return a newcomer that keeps its force set, at a share of the way along a piece."""
-    newcomer, piece = problem.newcomer, pieces.each[index]
-    half = 0.5 * (piece.hi - piece.lo)
-    direction = math.remainder(0.5 * (piece.lo + piece.hi), math.tau)
-    if newcomer.friction:
-        return Robot(
-            pieces.point_at(index, share), direction, newcomer.limit, name,
-            friction=newcomer.friction, tolerance=newcomer.tolerance,
-        )  # fmt: skip
-    return Robot(
-        pieces.point_at(index, share), direction, problem.newcomer.limit, name,
-        steers=min(half, math.pi), tolerance=newcomer.tolerance,
-        reverse_limit=newcomer.reverse_limit,
-    )  # fmt: skip
+    piece = pieces.each[index]
+    return kept_robot(problem.newcomer, pieces.point_at(index, share), piece.lo, piece.hi, name)

@@ -21,6 +21,7 @@ from swarmgrasp.verify.recompute import (
     hull_of,
     labels_of,
     sides_of,
+    whole_turn,
     within,
 )
 
@@ -91,12 +92,17 @@ class Allowed:
                         yield Piece(place, start, end, lo, hi, 0.0 < b - a <= sliver * (1.0 + NEXT))
 
     def inside(self, zone: "ZoneClaim | None", label: str) -> Iterator[Piece]:
-        """Yield pieces of an area, or of all inside.
+        """Yield pieces of an area, or of all inside: of what steers, the area itself.
 
         Between the directions of the edges of its hull, the same corners are those of the least
         and of the greatest torque.
         """
         area = self.boundary.corners if zone is None else np.array(zone.area)
+        if self.asked.newcomer.steers:
+            yield Piece(
+                label if zone else INSIDE, area[0], area[0], *whole_turn(zone, 0.0), False, area
+            )
+            return
         corners = hull_of(area)
         steps = np.diff(np.vstack([corners, corners[:1]]), axis=0)
         turns = np.arctan2(steps[:, 1], steps[:, 0])

@@ -216,6 +216,17 @@ class SpanClaim(_Form):
     weights: list[Number]
 
 
+class PatchClaim(_Form):
+    """Directions that bound a patch of contacts."""
+
+    corners: list[Point] = Field(min_length=1, max_length=3)
+    lo: Angle
+    hi: Angle
+    kind: Literal["chords", "travelling"]
+    normals: list[Wrench] = Field(min_length=1)
+    weights: list[Number]
+
+
 class PlacementClaim(_Form):
     """What is said of one newcomer."""
 
@@ -235,6 +246,7 @@ class PlacementClaim(_Form):
     proofs: list[ProofClaim]
     boxes: list[BoxClaim]
     spans: list[SpanClaim]
+    patches: list[PatchClaim]
 
 
 class OutlineClaim(_Form):

@@ -23,6 +23,7 @@ from swarmgrasp.verify.boundary import Boundary
 from swarmgrasp.verify.boxes import Boxes
 from swarmgrasp.verify.digest import digest_of
 from swarmgrasp.verify.judge import MOST_LISTED, MOST_SWEPT, ROUNDED, UNASKED, Judge, over
+from swarmgrasp.verify.patches import Patches
 from swarmgrasp.verify.recompute import (
     ABSOLUTE,
     ANGLE,
@@ -149,6 +150,7 @@ class _Check:
             ]
             units.append(units_of(met) if met else None)
         units += [units_of(span.normals) for span in claim.spans]
+        units += [units_of(patch.normals) for patch in claim.patches]
         rows = np.concatenate([np.empty((0, 3)), *(u for u in units if u is not None)])
         self.normals = np.unique(rows, axis=0)
         self.surely, self.bound = self.upper_bounds()
@@ -356,11 +358,15 @@ class _Check:
         return max(float(surely.max()), 0.0), max(float(bounds.max()), 0.0)
 
     def span_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
-        """Do the same by the spans, which should cover the pieces."""
-        spans = Spans(
-            self.judge, self.base, self.claim.spans, self.asked.newcomer, self.certain_limit,
-            self.boundary.origin, self.rounding * self.judge.unit,
+        """Do the same by the spans, or the patches, which should cover the pieces."""
+        rest = (
+            self.asked.newcomer, self.certain_limit, self.boundary.origin,
+            self.rounding * self.judge.unit,
         )  # fmt: skip
+        if self.asked.newcomer.mounted:
+            patches = Patches(self.judge, self.base, self.claim.patches, *rest)
+            return patches.bounds(pieces, self.boundary.sliver)
+        spans = Spans(self.judge, self.base, self.claim.spans, *rest)
         return spans.bounds(pieces, self.boundary.sliver)
 
     def box_bounds(self, pieces: list[Piece]) -> tuple[float, float]:

@@ -27,7 +27,69 @@ from swarmgrasp.verify.recompute import ANGLE, Array, units_of
 from swarmgrasp.verify.team import Forces, Team, kept_arcs
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import NewcomerClaim, SpanClaim
+    from swarmgrasp.verify.claims import NewcomerClaim, PatchClaim, SpanClaim
+
+
+class Kept:
+    """What directions prove of a newcomer that keeps its force set.
+
+    Parameters
+    ----------
+    judge, team, newcomer, limit, rounding
+        As for `Spans`.
+    """
+
+    def __init__(
+        self, judge: Judge, team: Team, newcomer: "NewcomerClaim", limit: float, rounding: float
+    ) -> None:
+        self._judge, self._team, self._newcomer = judge, team, newcomer
+        self._limit, self._rounding = limit, rounding
+
+    def bound(
+        self, claim: "SpanClaim | PatchClaim", arms: Array, lo: float, hi: float
+    ) -> tuple[float, float]:
+        """Bound the quality with the newcomer in the hull of moment arms (k, 2) [m].
+
+        Less and more what rounding hides.
+        """
+        normals, weights = units_of(claim.normals), np.array(claim.weights)
+        if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
+            return math.inf, math.inf
+        height, cap, extent = self._judge.held(self._team, normals)
+        arcs = kept_arcs(self._newcomer, self._limit, lo, hi)
+        gains = np.array(
+            [Forces(arm[None], arcs).along(normals * self._judge.scale) for arm in arms]
+        )
+        least = float(extent.min())
+        if least == 0.0:  # it bounds nothing, unless a load is not held
+            unheld = (height + gains).max(axis=0) < -self._rounding
+            found = 0.0 if bool((unheld & (extent == 0.0)).any()) else math.inf
+            return found, found
+        values = (height + gains) / extent
+        if claim.kind == "travelling":
+            least, found = self._travelling(normals, values * extent)
+        else:
+            weights = weights / weights.max()
+            found = float((values @ (weights / weights.sum())).max())
+        found = min(max(found, 0.0), max(float((cap / extent).min()), 0.0))
+        hidden = self._rounding / least
+        return found - hidden, found + hidden
+
+    def _travelling(self, normals: Array, sides: Array) -> tuple[float, float]:
+        """Bound it by a normal that turns on the way from each corner to the others.
+
+        The right sides (k, k) are those at the corners, a row each. Returns the least of what
+        divides them, and the bound.
+        """
+        judge = self._judge
+        if len(normals) != len(sides) or not judge.is_convex(self._team):
+            return 1.0, math.inf
+        along = normals @ judge.farthest(normals.sum(axis=0)[None])[0]
+        turns = normals[:, 2]
+        if not ((turns > 0.0).all() or (turns < 0.0).all()) or not along.min() > UNASKED:
+            return 1.0, math.inf
+        along = along * judge.unit
+        return float(along.min()), float((np.maximum(np.diag(sides), 0.0) / along).max())
 
 
 class Spans:
@@ -52,12 +114,10 @@ class Spans:
         self, judge: Judge, team: Team, claims: "Iterable[SpanClaim]", newcomer: "NewcomerClaim",
         limit: float, origin: Array, rounding: float,
     ) -> None:  # fmt: skip
-        self._judge, self._team, self._newcomer = judge, team, newcomer
-        self._limit, self._origin, self._rounding = limit, origin, rounding
-        self._claims = tuple(claims)
+        self._kept = Kept(judge, team, newcomer, limit, rounding)
+        self._origin, self._claims = origin, tuple(claims)
         self.ends = np.array([(span.start, span.end) for span in self._claims]).reshape(-1, 2, 2)
         self.sectors = np.array([(span.lo, span.hi) for span in self._claims]).reshape(-1, 2)
-        self._units = [units_of(span.normals) for span in self._claims]
 
     def bounds(self, pieces: Iterable[Piece], sliver: float) -> tuple[float, float]:
         """Bound the quality with the newcomer on pieces, less and more what rounding hides.
@@ -76,50 +136,9 @@ class Spans:
                 return math.inf, math.inf
             for k, ends in shares:
                 arms = piece.p + ends[:, None] * (piece.q - piece.p) - self._origin
-                low, high = self._bound(k, arms, piece.lo, piece.hi)
+                low, high = self._kept.bound(self._claims[k], arms, piece.lo, piece.hi)
                 surely, bound = max(surely, low), max(bound, high)
         return surely, bound
-
-    def _bound(self, k: int, arms: Array, lo: float, hi: float) -> tuple[float, float]:
-        """Bound the quality with the newcomer between two moment arms (2, 2) [m]."""
-        span, normals = self._claims[k], self._units[k]
-        weights = np.array(span.weights)
-        if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
-            return math.inf, math.inf
-        height, cap, extent = self._judge.held(self._team, normals)
-        arcs = kept_arcs(self._newcomer, self._limit, lo, hi)
-        gains = np.array(
-            [Forces(arm[None], arcs).along(normals * self._judge.scale) for arm in arms]
-        )
-        least = float(extent.min())
-        if least == 0.0:  # it bounds nothing, unless a load is not held
-            unheld = (height + gains).max(axis=0) < -self._rounding
-            found = 0.0 if bool((unheld & (extent == 0.0)).any()) else math.inf
-            return found, found
-        values = (height + gains) / extent
-        if span.kind == "travelling":
-            least, found = self._travelling(normals, values * extent)
-        else:
-            weights = weights / weights.max()
-            found = float((values @ (weights / weights.sum())).max())
-        found = min(max(found, 0.0), max(float((cap / extent).min()), 0.0))
-        hidden = self._rounding / least
-        return found - hidden, found + hidden
-
-    def _travelling(self, normals: Array, sides: Array) -> tuple[float, float]:
-        """Bound it by a normal that turns from the first to the second on the way.
-
-        The right sides (2, 2) are those at the start and at the end. Returns the least of what
-        divides them, and the bound.
-        """
-        judge = self._judge
-        if len(normals) != 2 or not judge.is_convex(self._team):
-            return 1.0, math.inf
-        along = normals @ judge.farthest(normals.sum(axis=0)[None])[0]
-        if not normals[0, 2] * normals[1, 2] > 0.0 or not along.min() > UNASKED:
-            return 1.0, math.inf
-        along = along * judge.unit
-        return float(along.min()), float((np.maximum(np.diag(sides), 0.0) / along).max())
 
     def _shares(self, piece: Piece, sliver: float) -> list[tuple[int, Array]]:
         """Return the spans beside a piece for its sector, and the shares of it at their ends."""

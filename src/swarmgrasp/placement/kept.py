@@ -1,0 +1,67 @@
+"""What a newcomer adds that keeps all it can exert: it steers, or has friction (T20, T22)."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.placement.ties import SoftMinimum
+from swarmgrasp.quality.aim import Aim
+from swarmgrasp.swarm import Newcomer, Robot
+
+Array = NDArray[np.float64]
+TRIED, CHECKED = 160, 12
+"""Contacts that are compared, and those of them whose quality is computed."""
+
+
+class Kept:
+    """A newcomer that keeps its force set, beside a swarm.
+
+    Parameters
+    ----------
+    aim : Aim
+        The swarm's.
+    newcomer : Newcomer
+    limit : float [N]
+        What it can exert for certain.
+    """
+
+    def __init__(self, aim: Aim, newcomer: Newcomer, limit: float) -> None:
+        self._aim, self._newcomer, self._limit = aim, newcomer, limit
+
+    def gains(self, arms: Array, sectors: Array, normals: Array) -> Array:
+        """Return what it adds at moment arms (c, 2) along normals (m, 3): (c, m) [N].
+
+        It keeps the sectors (c, 2) [rad] there.
+        """
+        u, v, turn = (normals * self._aim.swarm.scale).T
+        px, py = u - turn * arms[:, 1:], v + turn * arms[:, :1]
+        middle, half = sectors.mean(axis=1)[:, None], 0.5 * np.ptp(sectors, axis=1)[:, None]
+        c, s = np.cos(middle), np.sin(middle)
+        ahead, side = px * c + py * s, np.abs(px * s - py * c)
+        limit, friction = self._limit, self._newcomer.friction
+        if friction:
+            return np.asarray(limit * np.maximum(ahead + friction * side, 0.0))
+        size, back = np.hypot(px, py), self._newcomer.reverse_limit
+        c, s = np.cos(half), np.sin(half)
+        worths = [
+            most * np.where(way >= size * c, size, np.maximum(way * c + side * s, 0.0))
+            for most, way in ((limit, ahead), (back, -ahead))
+        ]
+        return np.asarray(np.maximum(*worths))
+
+    def scores(self, arms: Array, sectors: Array) -> Array:
+        """Return what the soft minimum makes of it at moment arms and in sectors (c, 2): (c,)."""
+        least = SoftMinimum(self._aim, self._limit)
+        return least.scores(self.gains(arms, sectors, least.normals))
+
+
+def kept_robot(
+    newcomer: Newcomer, contact: tuple[float, float], lo: float, hi: float, name: str = ""
+) -> Robot:
+    """Return a newcomer in contact that keeps its force set in a sector [rad]."""
+    steers = 0.0 if newcomer.friction else min(0.5 * (hi - lo), math.pi)
+    return Robot(
+        contact, math.remainder(0.5 * (lo + hi), math.tau), newcomer.limit, name,
+        newcomer.mounted, newcomer.tolerance, newcomer.reverse_limit, steers, newcomer.friction,
+    )  # fmt: skip
