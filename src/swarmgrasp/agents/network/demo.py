@@ -1,16 +1,12 @@
 """A swarm of processes on this machine, through what goes wrong, and a check of the end."""
 
-import json
 import signal
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from swarmgrasp.agents.network.fleet import Fleet, Main, Member, free_ports
-from swarmgrasp.agents.network.keys import own_keys
+from swarmgrasp.agents.network.fleet import Fleet, Main, Member, ask, free_ports
 from swarmgrasp.agents.network.plain import place_data
 from swarmgrasp.agents.network.process import steady_clock
-from swarmgrasp.agents.network.session import open_session
-from swarmgrasp.agents.network.settings import NetworkSettings
 from swarmgrasp.agents.protocol.planner import ProblemPlanner
 from swarmgrasp.agents.protocol.record import Phase, Place, Record, Row
 from swarmgrasp.errors import AgentInvalid
@@ -245,12 +241,7 @@ class Demo:
     def _ask(self, names: Sequence[str], event: str) -> None:
         """Tell robots something, each through its own router."""
         for end in self._ends[:2]:
-            session = open_session(NetworkSettings(mode="client", connect=(end,)))
-            for name in names:
-                if self._end_of(name) == end:
-                    key = own_keys(self.planner.mission, name).event
-                    session.put(key, json.dumps({"event": event}))
-            session.close()
+            ask(end, self.planner.mission, [n for n in names if self._end_of(n) == end], event)
 
     def _await_attached(self, names: Sequence[str]) -> None:
         """Wait until robots are attached, and everyone knows it."""

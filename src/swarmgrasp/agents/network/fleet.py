@@ -16,7 +16,10 @@ from multiprocessing.context import ForkServerProcess
 from threading import Condition, Thread
 from typing import Any, Self
 
+from swarmgrasp.agents.network.keys import own_keys
 from swarmgrasp.agents.network.process import steady_clock
+from swarmgrasp.agents.network.session import open_session
+from swarmgrasp.agents.network.settings import NetworkSettings
 from swarmgrasp.errors import NetworkFailed
 
 Main = Callable[[Sequence[str]], int]
@@ -177,6 +180,8 @@ class Fleet:
 
     def end(self) -> None:
         """End all processes: the robots', then the routers that they speak through."""
+        if self._ends:
+            return
         for routers in (False, True):
             ending = [m.process for m in self.members.values() if m.is_router is routers]
             for process in ending:
@@ -253,6 +258,14 @@ def _send(process: ForkServerProcess, number: int) -> None:
     if process.pid is not None and process.is_alive():
         with suppress(ProcessLookupError):
             os.kill(process.pid, number)
+
+
+def ask(router: str, mission: str, names: Iterable[str], event: str) -> None:
+    """Tell robots behind a router of an event without more to say, as "join"."""
+    session = open_session(NetworkSettings(mode="client", connect=(router,)))
+    for name in names:
+        session.put(own_keys(mission, name).event, json.dumps({"event": event}))
+    session.close()
 
 
 def free_ports(count: int) -> list[int]:

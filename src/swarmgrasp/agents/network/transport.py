@@ -63,7 +63,8 @@ class Transport:
 
     def is_taken(self) -> bool:
         """Tell whether a process of this robot is on the network already."""
-        return any(True for _ in self._session.liveliness().get(self.keys.alive, timeout=GREETING))
+        replies = self._session.liveliness().get(self.keys.alive, timeout=GREETING)
+        return any(reply.ok is not None for reply in replies)  # others say that time is up
 
     def begin(self) -> None:
         """Listen, find out who is there, and be there."""

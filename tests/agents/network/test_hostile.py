@@ -1,0 +1,93 @@
+"""What comes from outside and should not: told in words, and nothing attaches wrongly."""
+
+import msgspec
+import pytest
+
+from swarmgrasp.agents.network import NetworkSettings
+from swarmgrasp.agents.network.fleet import free_ports
+from swarmgrasp.agents.network.keys import Keys, own_keys
+from swarmgrasp.agents.network.session import open_session
+from swarmgrasp.agents.protocol import Phase, Place, ProblemPlanner, Record
+from swarmgrasp.agents.protocol.record import LIVES, MOST_TICKET
+from swarmgrasp.agents.protocol.wire import MOST_BYTES, Beat, Put, encode
+from swarmgrasp.scenario import load_example
+
+FILE = "deck-barge"
+MISSION = ProblemPlanner(load_example(FILE).problem()).mission
+HERE = Place(-12.192, 10.9728, -1.97)
+
+
+@pytest.fixture
+def victim(fleet):
+    """Run a robot that waits to be asked, and give a way in without any certificate."""
+    end = f"tcp/127.0.0.1:{free_ports(1)[0]}"
+    router = fleet.start("router", "--listen", end)
+    fleet.wait(lambda: bool(router.told), "a router")
+    robot = fleet.start("Fortuna", "--mode", "client", "--connect", end, "--speed", 40,
+                        "--worth", 0, "--waits", file=FILE)  # fmt: skip
+    with open_session(NetworkSettings(mode="client", connect=(end,))) as session:
+        token = session.liveliness().declare_token(own_keys(MISSION, "Mallory").alive)
+        fleet.wait(lambda: "Mallory" in robot.sees, "that it sees Mallory")
+        token.undeclare()
+        yield robot, session
+
+
+def refused(robot, words):
+    """Tell whether a robot has told that it refused something."""
+    return any(words in each for each in robot.reports("refused"))
+
+
+def test_garbage_is_dropped_counted_and_told(fleet, victim):
+    """Noise, truncation, NaN, giants, forgeries, absurd tickets; then it attaches as ever."""
+    robot, session = victim
+    key = own_keys(MISSION, "Mallory").to_all
+    sound = Record("Mallory", LIVES, 1, Phase.COMING, 1, place=HERE)
+    change = msgspec.structs.replace
+    nan = change(sound, place=Place(float("nan"), 0.0, 0.0))
+    bad = [
+        b"\xff" * 40, b"", encode(Put(sound))[:-3], encode(Put(nan)), b"\x00" * (MOST_BYTES + 1),
+        encode(Put(change(sound, id="Ajax"))), encode(Put(change(sound, ticket=MOST_TICKET - 1))),
+        encode(Put(change(sound, place=Place(0.0, 0.0, 0.0)))),
+        encode(Beat("Mallory", 2**61, b"x" * 8)),
+    ]  # fmt: skip
+    for data in bad:
+        session.put(key, data)
+    fleet.wait(lambda: refused(robot, "(8 so far)"), "that eight are refused")
+    assert refused(robot, "sends what is no message")
+    assert "Mallory" not in robot.heard
+    session.put(robot_key("event"), b'{"event": "join"}')
+    fleet.wait(lambda: robot.phase == "attached", "that it attaches")
+    assert robot.record["place"]["x"] == pytest.approx(-12.192)
+
+
+def test_a_robot_that_tells_two_stories_is_told_of(fleet, victim):
+    """One version with two contents; it is asked whether the name is in use twice."""
+    robot, session = victim
+    one = Record("Mallory", LIVES, 1, Phase.WAITING, 1)
+    for record in (one, msgspec.structs.replace(one, ticket=2)):
+        session.put(own_keys(MISSION, "Mallory").to_all, encode(Put(record)))
+    fleet.wait(lambda: bool(robot.reports("two stories")), "that two stories are noticed")
+    assert robot.reports("two stories")[0].startswith("Mallory tells two stories")
+
+
+def test_one_that_speaks_in_a_robot_s_name_is_refuted(fleet, victim):
+    """What it never said is answered with a higher version; it goes on."""
+    robot, session = victim
+    said = Record("Fortuna", LIVES * 9, 7, Phase.LEFT)
+    session.put(own_keys(MISSION, "Fortuna").to_all, encode(Put(said)))
+    fleet.wait(lambda: robot.record["incarnation"] > LIVES * 9, "that it is refuted")
+    assert "someone else speaks as Fortuna" in robot.reports("refuted")[0]
+
+
+def test_other_protocols_are_told_of(fleet, victim):
+    """Robots of another version do not hear each other, and know why."""
+    robot, session = victim
+    token = session.liveliness().declare_token(Keys("99", MISSION, "Zephyr").alive)
+    fleet.wait(lambda: bool(robot.reports("stranger")), "that a stranger is noticed")
+    assert "by protocol 99" in robot.reports("stranger")[0]
+    token.undeclare()
+
+
+def robot_key(what):
+    """Return a key of the robot's body."""
+    return getattr(own_keys(MISSION, "Fortuna"), what)
