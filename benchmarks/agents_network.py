@@ -11,7 +11,6 @@ import argparse
 import os
 import signal
 import statistics
-import tempfile
 import time
 from pathlib import Path
 
@@ -25,21 +24,7 @@ PATIENCE = 400.0
 BEAT = 23
 """Bytes of a sign of life of a robot with a name of seven letters."""
 
-LONG = """\
-name: Long raft
-units: {angle: deg}
-outline: {vertices: [[-300, -20], [300, -20], [300, 20], [-300, 20]]}
-robots:
-  - {name: A1, contact: [-200, -20], direction: 60, limit: 1000}
-  - {name: A2, contact: [-180, -20], direction: 120, limit: 1000}
-  - {name: A3, contact: [190, -20], direction: 75, limit: 1000}
-  - {name: A4, contact: [-150, 20], direction: -60, limit: 1000}
-  - {name: A5, contact: [150, 20], direction: -110, limit: 1000}
-  - {name: A6, contact: [-300, 5], direction: 10, limit: 1000}
-  - {name: A7, contact: [300, -6], direction: 175, limit: 1000}
-newcomer: {name: E, limit: 1000, attachment: push, half_angle: 30}
-spacing: 4
-"""
+FILE = Path(__file__).parent / "raft.yaml"
 
 
 def at(member, name, phase):
@@ -120,7 +105,7 @@ def measure(fleet, file, robots, kill, lease, silent):
     took = time.monotonic() - begin
     fleet.end()
     sent = [t["traffic"]["sent_bytes"] for m in members for t in m.told if "traffic" in t]
-    beats = BEAT * took
+    beats = BEAT * took * 3.5 / silent
     each = (statistics.median(sent) - beats) / robots
     print(f"sent by a robot for each join: {each:.0f} bytes, beside {beats:.0f} of signs of life")
     load = ", ".join(f"{value:.1f}" for value in os.getloadavg())
@@ -145,10 +130,8 @@ def run():
     parser.add_argument("--lease", type=float, default=3.0)
     parser.add_argument("--silent", type=float, default=3.5)
     asked = parser.parse_args()
-    with tempfile.TemporaryDirectory() as folder, Fleet(main) as fleet:
-        file = Path(folder) / "raft.yaml"
-        file.write_text(LONG, encoding="utf-8")
-        measure(fleet, str(file), asked.robots, asked.kill, asked.lease, asked.silent)
+    with Fleet(main) as fleet:
+        measure(fleet, str(FILE), asked.robots, asked.kill, asked.lease, asked.silent)
 
 
 if __name__ == "__main__":

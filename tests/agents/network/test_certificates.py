@@ -4,6 +4,7 @@ import json
 from queue import SimpleQueue
 
 import pytest
+from mcap.reader import make_reader
 
 from swarmgrasp.agents.network import NetworkSettings, Router, make_papers
 from swarmgrasp.agents.network import settings as settings_module
@@ -120,8 +121,8 @@ def test_keys_on_the_command_line(run, tmp_path):
     assert (status, "nothing was overwritten" in complaint) == (2, True)
 
 
-def test_robots_with_certificates_attach_and_are_watched(fleet, papers, run):
-    """The whole way: a router, two robots, a watcher, over mutual TLS."""
+def test_robots_with_certificates_attach_and_are_watched(fleet, papers, run, tmp_path):
+    """The whole way: a router, two robots, a watcher that records, over mutual TLS."""
     end = f"tls/127.0.0.1:{free_ports(1)[0]}"
     fleet.start("router", "--listen", end, "--tls", papers)
     for name in ("Ajax", "Boreas"):
@@ -129,10 +130,13 @@ def test_robots_with_certificates_attach_and_are_watched(fleet, papers, run):
     members = [fleet.members[name] for name in ("Ajax", "Boreas")]
     fleet.wait(lambda: all(m.heard for m in members), "that they hear each other")
     status, said, _ = run("agents", "watch", "harbour-tugs", "--connect", end, "--tls", papers,
-                          "--seconds", 3, "--json")  # fmt: skip
+                          "--seconds", 3, "--json", "--mcap", tmp_path / "a.mcap")  # fmt: skip
     last = json.loads(said.splitlines()[-1])
     assert status == 0
     assert [(r["name"], r["phase"], r["running"]) for r in last["robots"]] == [
         ("Ajax", "attached", True), ("Boreas", "attached", True),
     ]  # fmt: skip
     assert last["alone"] == ["Castor", "Dione"]
+    with (tmp_path / "a.mcap").open("rb") as file:
+        recorded = [json.loads(message.data) for *_, message in make_reader(file).iter_messages()]
+    assert recorded == [json.loads(line) for line in said.splitlines()]

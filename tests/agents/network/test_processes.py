@@ -5,25 +5,28 @@ import math
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from swarmgrasp.agents.network.demo import Demo
-from swarmgrasp.agents.network.fleet import free_ports
+from swarmgrasp.agents.network.fleet import ask, free_ports
 from swarmgrasp.agents.network.plain import place_data
 from swarmgrasp.agents.protocol import Phase, Place, ProblemPlanner, Record, Row
 from swarmgrasp.cli import main
-from swarmgrasp.scenario import load_example
+from swarmgrasp.scenario import load_example, load_scenario
 
 FILE = "deck-barge"
 SPACING = 7.62
+RAFT = Path(__file__).parents[3] / "benchmarks" / "raft.yaml"
 
 
 class Trial:
     """Robots behind one router, and what may be waited for."""
 
-    def __init__(self, fleet, folder, *, lease=2.0, silent=3.5):
+    def __init__(self, fleet, folder, *, lease=2.0, silent=3.5, file=FILE):
         [port] = free_ports(1)
+        self.file = file
         self.fleet, self.folder, self.end = fleet, folder, f"tcp/127.0.0.1:{port}"
         self.options = ("--lease", lease, "--silent", silent, "--worth", 0, "--speed", 40,
                         "--fastening", 0.2)  # fmt: skip
@@ -34,7 +37,7 @@ class Trial:
         """Start a robot's process."""
         kept = ("--state", self.folder / f"{name}.state") if state else ()
         return self.fleet.start(name, "--mode", "client", "--connect", self.end, *self.options,
-                                *kept, *options, file=FILE)  # fmt: skip
+                                *kept, *options, file=str(self.file))  # fmt: skip
 
     @property
     def robots(self):
@@ -69,7 +72,7 @@ class Trial:
             f"that {name} is seen to have ended",
         )
 
-    def check(self, planner):
+    def check(self, planner, spacing=SPACING):
         """Check the logs: no word goes back, nobody is too close, all know all, all as central."""
         for robot in self.robots:
             versions = {}
@@ -88,7 +91,7 @@ class Trial:
             }
         places = [r["place"] for r in records.values()]
         assert all(
-            math.dist((a["x"], a["y"]), (b["x"], b["y"])) >= SPACING - 1e-6
+            math.dist((a["x"], a["y"]), (b["x"], b["y"])) >= spacing - 1e-6
             for k, a in enumerate(places)
             for b in places[:k]
         )
@@ -140,6 +143,24 @@ def test_six_processes_through_kills_hangs_and_restarts(fleet, tmp_path):
     trial.attached("Ajax", "Fortuna", "Galatea", "Hector", "Iris", "Jason")
     assert fleet.members["Fortuna"].record["place"] == place
     assert not any(m.reports("too close") for m in trial.robots)
+
+
+def test_peers_need_no_router(fleet):
+    """Each to each: the third learns of the second from the first."""
+    end = f"tcp/127.0.0.1:{free_ports(1)[0]}"
+    names = ("Fortuna", "Galatea", "Hector")
+    for k, name in enumerate(names):
+        fleet.start(name, "--listen" if k == 0 else "--connect", end, "--speed", 40, file=FILE)
+    members = [fleet.members[name] for name in names]
+    fleet.wait(
+        lambda: all(
+            m.phase == "attached"
+            and all(m.heard.get(o.name) == o.record for o in members if o is not m)
+            for m in members
+        ),
+        "that all attach and know all",
+    )
+    assert len({m.record["place"]["x"] for m in members}) == 3
 
 
 def test_two_processes_of_one_name(fleet, tmp_path, capfd):
@@ -209,6 +230,42 @@ def tell(process, event, **more):
     """Tell a robot something as its software does."""
     process.stdin.write(json.dumps({"event": event, **more}) + "\n")
     process.stdin.flush()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("robots", "lease", "silent"), [(20, 3, 3.5), (100, 10, 16)])
+def test_many_processes(fleet, tmp_path, robots, lease, silent):
+    """They join by tens and attach; a tenth is killed; none is lost, doubled or misplaced."""
+    trial = Trial(fleet, tmp_path, lease=lease, silent=silent, file=RAFT)
+    planner = ProblemPlanner(load_scenario(RAFT).problem())
+    names = [f"Robot{k:02}" for k in range(robots)]
+    for name in names:
+        trial.start(name, "--waits", state=False)
+    fleet.wait(lambda: all(len(m.sees) == robots - 1 for m in trial.robots), "that all see all",
+               patience=600.0)  # fmt: skip
+    for k in range(0, robots, 10):
+        ask(trial.end, planner.mission, names[k : k + 10], "join")
+        trial.attached(*names[k : k + 10])
+    trial.check(planner, spacing=4.0)
+    for name in names[: robots // 10]:
+        trial.seen_ended(name, fleet.kill(name))
+    trial.attached(*names)
+    trial.check(planner, spacing=4.0)
+
+
+LOSSY = "ip link set lo up && tc qdisc add dev lo root netem delay 20ms 5ms loss 5%"
+
+
+@pytest.mark.long
+def test_the_demo_on_a_network_that_loses_and_delays():
+    """In a network namespace of its own, where the machine allows one."""
+    alone = ["unshare", "-n", "sh", "-c"]
+    tried = subprocess.run([*alone, LOSSY], capture_output=True, text=True, check=False)
+    if tried.returncode:
+        pytest.skip(f"this machine makes no lossy network: {tried.stderr.strip()}")
+    demo = f"{LOSSY} && exec {sys.executable} -m swarmgrasp agents demo"
+    done = subprocess.run([*alone, demo], capture_output=True, text=True, check=False, timeout=600)
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 @pytest.mark.long
