@@ -194,14 +194,12 @@ class Book:
         """Check that what a robot knows of another never gets older."""
         assert node.agent is not None
         known, versions = node.agent.memory.get(record.id), self.pages[node.name].versions
-        before = versions.get(record.id, (-1, -1))
-        if known is None or known.version < before:
-            raise Broken(
-                "versions never go back",
-                f"{node.name} knew version {before} of {record.id}, and now "
-                f"{known and known.version}",
-            )
-        versions[record.id] = known.version
+        before, now = versions.get(record.id), known.version if known else None
+        if before is not None and (now is None or now < before):
+            words = f"{node.name} knew version {before} of {record.id}, and now {now}"
+            raise Broken("versions never go back", words)
+        if now is not None:
+            versions[record.id] = now
 
     def _check_word(self, record: Record) -> None:
         """Check that a robot says one thing only with one version."""
