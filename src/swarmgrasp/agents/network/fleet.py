@@ -16,6 +16,8 @@ from multiprocessing.context import ForkServerProcess
 from threading import Condition, Thread
 from typing import Any, Self
 
+import zenoh
+
 from swarmgrasp.agents.network.keys import own_keys
 from swarmgrasp.agents.network.process import steady_clock
 from swarmgrasp.agents.network.session import open_session
@@ -263,8 +265,10 @@ def _send(process: ForkServerProcess, number: int) -> None:
 def ask(router: str, mission: str, names: Iterable[str], event: str) -> None:
     """Tell robots behind a router of an event without more to say, as "join"."""
     session = open_session(NetworkSettings(mode="client", connect=(router,)))
+    block = zenoh.CongestionControl.BLOCK  # a busy router would drop some otherwise
     for name in names:
-        session.put(own_keys(mission, name).event, json.dumps({"event": event}))
+        told = json.dumps({"event": event})
+        session.put(own_keys(mission, name).event, told, congestion_control=block)
     session.close()
 
 
