@@ -141,26 +141,26 @@ class Search:
         for to, number in mail:
             sender, message, direct = self._messages[number]
             event = ev.Received(sender, message, direct)
-            left = set(mail) - {(to, number)}
+            left = mail - {(to, number)}
             yield (DELIVER, to, number), self._after(state, to, event, left)
         for k, (agent, is_under_way, claim, holds, again) in enumerate(robots):
-            box = set(mail)
             record = self._agents[agent].record
             if is_under_way:
-                yield (ARRIVE, k), self._after(state, k, ev.AtPlace(), box)
+                yield (ARRIVE, k), self._after(state, k, ev.AtPlace(), mail)
             if claim is not None and not holds:
-                yield (TOUCH, k), self._after(state, k, ev.Fastened(claim), box)
+                yield (TOUCH, k), self._after(state, k, ev.Fastened(claim), mail)
             if again and record.asks:
-                yield (ASK_AGAIN, k), self._after(state, k, None, box)
+                yield (ASK_AGAIN, k), self._after(state, k, None, mail)
             if crashes:
                 for forgets in (False, True):
                     for completes in {False, claim is not None and not holds}:
-                        after = self._crashed(state, k, box, forgets=forgets, completes=completes)
+                        after = self._crashed(state, k, mail, forgets=forgets, completes=completes)
                         yield (FORGET if forgets else CRASH, k, completes), after
 
     def _after(self, state, k, event, mail):
         """Return the state after a robot has taken an event."""
         robots, _, crashes, starts = state
+        mail = set(mail)
         agent, is_under_way, claim, holds, again = robots[k]
         again -= event is None
         new, effects = self._handle(agent, event)
@@ -197,6 +197,7 @@ class Search:
     def _crashed(self, state, k, mail, *, forgets, completes):
         """Return the state after a robot's process was killed and began again."""
         robots, _, crashes, starts = state
+        mail = set(mail)
         agent, _, claim, holds, again = robots[k]
         holds = holds or completes
         claim = claim if holds else None
