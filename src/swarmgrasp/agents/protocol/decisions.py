@@ -10,6 +10,7 @@ from swarmgrasp.agents.protocol.order import (
     View,
     choices,
     conflicts_of,
+    cut_off_by,
     in_order,
     is_surprised,
     plan_wanted,
@@ -17,7 +18,7 @@ from swarmgrasp.agents.protocol.order import (
     too_close,
 )
 from swarmgrasp.agents.protocol.planner import Planner, Rows
-from swarmgrasp.agents.protocol.record import Phase, Place
+from swarmgrasp.agents.protocol.record import Phase, Place, Record
 from swarmgrasp.agents.protocol.reports import Reports
 from swarmgrasp.agents.protocol.settings import Settings
 from swarmgrasp.agents.protocol.word import Word
@@ -82,17 +83,28 @@ class Decisions:
         """Take the best place beside all with an earlier ticket (R1 to R3)."""
         surprise = is_surprised(self._word.now, self.view, self.reckoned)
         if surprise is not None:
-            self._word.change(ticket=self._knowledge.next_ticket())
-            words = f"{surprise.id} did not reckon with {self.name}, which takes a new ticket"
-            self._reports.tell("new ticket", words, surprise.id)
+            self._go_behind(surprise)
         view = self.view
         self._drop_plan(view)
         self._ask_for_plan(view)
-        choice = choices(view, self._planner, self.name, self._blocked)[self.name]
+        choice = self._choice()
+        while other := cut_off_by(self._word.now, choice, self.view, self._planner, self._blocked):
+            self._go_behind(other)
+            choice = self._choice()
         if choice.place is None:
             self.find_no_room()
         else:
             self._head_for(self._kept(choice) or choice.place, choice)
+
+    def _choice(self) -> Choice:
+        """Return the place that the rule gives it now (R1)."""
+        return choices(self.view, self._planner, self.name, self._blocked)[self.name]
+
+    def _go_behind(self, other: Record) -> None:
+        """Take a new ticket, behind a robot that did not reckon with this one (R2)."""
+        self._word.change(ticket=self._knowledge.next_ticket())
+        words = f"{other.id} did not reckon with {self.name}, which takes a new ticket"
+        self._reports.tell("new ticket", words, other.id)
 
     def find_no_room(self) -> None:
         """Wait where it is."""

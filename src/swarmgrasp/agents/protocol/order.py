@@ -228,6 +228,23 @@ def is_surprised(
     return None
 
 
+def cut_off_by(
+    me: Record, choice: Choice, view: View, planner: Planner, blocked: Sequence[Place] = ()
+) -> Record | None:
+    """Return a robot with a later ticket that stands where this one should, if there is one.
+
+    It did not reckon with this one when it went there: it had not heard of it yet.
+    """
+    later = [r for r in view.settled if r.order > me.order and r.place is not None]
+    if not later or choice.plan is not None:
+        return None
+    best = planner.place(choice.rows, tuple(blocked), planner.who(me))
+    if best is None:
+        return None
+    near = (r for r in later if r.place and not planner.is_clear(best, [r.place]))
+    return next(near, None)
+
+
 def conflicts_of(me: Record, view: View, planner: Planner) -> list[Record]:
     """Return who is so near to a robot at its place that it must give way.
 
