@@ -158,7 +158,8 @@ class Decisions:
     def reason_to_stay(self) -> str:
         """Return why this robot may not let go now; "" if it may (R10)."""
         view = self.view
-        under_way = [*view.movers, *(r for r in view.settled if r.phase < Phase.ATTACHED)]
+        under_way = [r for r in view.movers if r.phase is Phase.COMING]
+        under_way += [r for r in view.settled if r.phase < Phase.ATTACHED]
         if under_way:
             return f"{under_way[0].id} is under way"
         for record in view.settled:
