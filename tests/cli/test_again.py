@@ -57,7 +57,7 @@ def test_every_command_that_reads_a_question_is_asked():
     """But those without an answer file: of pictures, and of a check."""
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
-        "examples", "paper", "plot", "schema", "verify"
+        "agent", "examples", "paper", "plot", "schema", "verify"
     }  # fmt: skip
 
 

@@ -38,6 +38,6 @@ def test_standard_output_is_one_json_document(command: str) -> None:
 
 
 def test_every_command_with_json_is_asked() -> None:
-    """A new command is added to the list above."""
+    """A new command is added to the list above; a robot prints lines as it goes, not an answer."""
     with_json = {c.__name__ for c in COMMANDS if "json" in inspect.signature(c).parameters}
-    assert with_json == {command.split()[0] for command in ASKED}
+    assert with_json - {"agent"} == {command.split()[0] for command in ASKED}
