@@ -179,13 +179,11 @@ class Book:
                 self.turns += 1
         if record.phase in {Phase.ATTACHED, Phase.WAITING}:
             page.is_moving = False  # it has settled, if only for want of room
-        if record.phase is Phase.ATTACHED:
-            if isinstance(event, ev.Fastened) or (
-                isinstance(event, ev.Start) and event.attached is not None
-            ):
-                page.lower = record.lower
-                page.counted = {row.id: row.place for row in agent.view.holding}
-                self._check_quality(node)
+        begins_attached = isinstance(event, ev.Start) and event.attached is not None
+        if record.phase is Phase.ATTACHED and (begins_attached or isinstance(event, ev.Fastened)):
+            page.lower = record.lower
+            page.counted = {row.id: row.place for row in agent.view.holding}
+            self._check_quality(node)
 
     def told(self, node: "Node", what: str, about: tuple[str, ...]) -> None:
         """Note what a robot has told people."""
