@@ -1,7 +1,6 @@
 """`swarmgrasp agent`: one robot that decides for itself, or a router between such robots."""
 
 import json as text
-import signal
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,6 +12,7 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, read_scenario
+from swarmgrasp.cli.lasting import end_on_signals, say
 from swarmgrasp.cli.show.report import clean
 from swarmgrasp.files import target_faults
 
@@ -146,9 +146,9 @@ def _be_router(here: "NetworkSettings", json: bool) -> None:
     from swarmgrasp.agents.network import Router
 
     router = Router(here)
-    _on_signals(router.stop)
+    end_on_signals(router.stop)
     words = f"router at {' and '.join(here.listen)}"
-    print(text.dumps({"router": here.listen}) if json else words, flush=True)
+    say(text.dumps({"router": here.listen}) if json else words)
     router.run()
 
 
@@ -176,7 +176,7 @@ def _be_robot(
             f"{here.lease:g} s if it has just ended"
         )
     process = Process(robot, transport, hull, _teller(name, json, body[0]), store=store)
-    _on_signals(process.stop)
+    end_on_signals(process.stop)
     if body[0] == "stdio":
         Thread(target=_listen, args=(transport, process), daemon=True).start()
     transport.begin()
@@ -249,16 +249,10 @@ def _teller(name: str, json: bool, body: str) -> Callable[[dict[str, Any]], None
     def tell(told: dict[str, Any]) -> None:
         if json or (aside and "order" in told):
             line = {"robot": name, "clock": steady_clock(), **told}
-            print(text.dumps(line), flush=True)
+            say(text.dumps(line))
         elif "words" in told:
             print(
                 f"{steady_clock() - begin:7.1f} s  {clean(told['words'])}", file=words, flush=True
             )
 
     return tell
-
-
-def _on_signals(stop: Callable[[], None]) -> None:
-    """End in order when a signal asks to."""
-    for each in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(each, lambda *_: stop())

@@ -8,6 +8,7 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, read_scenario, whole_faults
+from swarmgrasp.cli.lasting import say
 
 DIFFERS = 1
 
@@ -51,15 +52,10 @@ def demo(
     with blaming(file):
         planner = ProblemPlanner(scenario.problem())
     with TemporaryDirectory() as folder:
-        story = Demo(file, planner, int(robots), main, Path(folder), _say)
+        story = Demo(file, planner, int(robots), main, Path(folder), say)
         differences = story.run()
     for difference in differences:
-        _say(f"DIFFERS: {difference}.")
+        say(f"DIFFERS: {difference}.")
     if not differences:
-        _say("All places are those of one robot placed after the other, to the last bit.")
+        say("All places are those of one robot placed after the other, to the last bit.")
     return DIFFERS if differences else 0
-
-
-def _say(words: str) -> None:
-    """Tell the story as it goes."""
-    print(words, flush=True)

@@ -1,12 +1,12 @@
 """`swarmgrasp agents ros2`: a robot's software on ROS 2."""
 
-import signal
 from typing import Annotated
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.inputs import blaming, read_scenario, whole_faults
+from swarmgrasp.cli.inputs import UsageFault, blaming, read_scenario, whole_faults
+from swarmgrasp.cli.lasting import end_on_signals, say
 
 
 def ros2(
@@ -42,7 +42,6 @@ def ros2(
         Of ROS 2, as in ROS_DOMAIN_ID.
     """
     from swarmgrasp.agents.packages import check_installed
-    from swarmgrasp.cli.inputs import UsageFault
 
     check_installed("msgspec", "zenoh", "rosbags", extra="ros2", purpose="The bridge to ROS 2")
     faults = whole_faults("--domain", domain)
@@ -58,14 +57,8 @@ def ros2(
     with blaming(file):
         keys = own_keys(ProblemPlanner(scenario.problem()).mission, check_id(name))
     here, there = (NetworkSettings(mode="client", connect=ends) for ends in (connect, ros))
-    bridge = Ros2Bridge(here, there, keys, int(domain), _say)
-    for each in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(each, lambda *_: bridge.stop())
+    bridge = Ros2Bridge(here, there, keys, int(domain), say)
+    end_on_signals(bridge.stop)
     bridge.begin()
-    _say(f"{name} is carried to ROS 2 under /swarmgrasp")
+    say(f"{name} is carried to ROS 2 under /swarmgrasp")
     bridge.run()
-
-
-def _say(words: str) -> None:
-    """Tell a person."""
-    print(words, flush=True)

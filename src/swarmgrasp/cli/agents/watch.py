@@ -12,6 +12,7 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, output_faults, read_scenario
+from swarmgrasp.cli.lasting import say
 from swarmgrasp.cli.show.report import clean
 from swarmgrasp.words import Lengths, Unit, list_words, turned
 
@@ -95,7 +96,7 @@ def watch(
 
 def _shown_as_json(data: dict[str, Any]) -> None:
     """Print the swarm as a line of JSON."""
-    print(text.dumps(data), flush=True)
+    say(text.dumps(data))
 
 
 @contextmanager
