@@ -1,5 +1,6 @@
 import json
 import shlex
+import sys
 
 import pytest
 
@@ -75,3 +76,21 @@ def test_wrong_usage_points_to_the_help_of_the_command(run):
     status, _, complaints = run("agents", "simulate", "--lonely")
     assert status == 2
     assert complaints.splitlines()[1] == "For help: swarmgrasp agents simulate --help"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["agent", "deck-barge", "--name", "Fortuna"],
+        ["agents", "demo"],
+        ["agents", "keys", "none", "Ajax"],
+        ["agents", "simulate", "deck-barge"],
+        ["agents", "watch", "deck-barge"],
+    ],
+)
+def test_without_the_extra_the_remedy_is_told(run, monkeypatch, words):
+    """What robots speak with is an extra: each command that needs it says how to install it."""
+    monkeypatch.setitem(sys.modules, "msgspec", None)
+    status, said, complaints = run(*words)
+    assert (status, said) == (2, "")
+    assert "needs msgspec; install it with: pip install 'swarmgrasp[agents]'" in complaints

@@ -3,7 +3,6 @@
 import re
 import shlex
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
@@ -28,7 +27,8 @@ if TYPE_CHECKING:
 BROKEN = 1
 """Exit status when an invariant does not hold."""
 MOST_SEEDS = 1_000_000
-MODES = ("main", "roster", "moves", "resolve", "dead", "hangs", "cold", "one-way", "burst")
+FIELDS = ("loss", "doubled", "delay", "missed", "turned", "calm")
+"""Numbers of a schedule that have an option of the same name."""
 
 
 def simulate(
@@ -91,6 +91,9 @@ def simulate(
     json
         Also write what came of each schedule to this .json file; "-" prints it and nothing else.
     """
+    from swarmgrasp.agents.packages import check_installed
+
+    check_installed("msgspec", purpose="Simulating robots on a network")
     wrong = _seeds_faults(seeds) + _mode_faults(mode) + json_faults(json)
     wrong += whole_faults("--robots", robots, 1, 1000)
     wrong += _number_faults(loss=loss, doubled=doubled, delay=delay, missed=missed, turned=turned)
@@ -103,25 +106,15 @@ def simulate(
         problem = scenario.problem()
         kinds = [simulator.Mode(each) for each in _modes(mode)]
         planners = {kind: simulator.mission_of(problem, kind) for kind in kinds}
-    given = {"loss": loss, "doubled": doubled, "delay": delay, "missed": missed, "turned": turned}
-    fixed: dict[str, Any] = {what: value for what, value in given.items() if value is not None}
-    fixed |= {"locks": True} if locks else {}
-
-    def schedule_of(kind: "Mode", seed: int, planner: "Planner") -> "Schedule":
-        """Return a schedule as asked for."""
-        if faults is None:
-            first = [row.id for row in planner.present]
-            count = None if robots is None else int(robots)
-            return simulator.draw(kind, seed, robots=count, first=first, **fixed)
-        told = simulator.Schedule(kind, seed, simulator.read_faults(faults), **fixed)
-        return told if calm is None else replace(told, calm=calm)
-
+    given: dict[str, Any] = {"loss": loss, "doubled": doubled, "delay": delay, "missed": missed,
+                             "turned": turned, "calm": calm, "locks": locks or None}  # fmt: skip
+    fixed = {what: value for what, value in given.items() if value is not None}
     numbers = _seeds(seeds)
     done: list[Outcome] = []
     with shown_progress(len(numbers) * len(kinds), "simulating") as told:
         for kind, seed in _each(kinds, numbers):
             run = _runner(planners[kind])
-            done.append(run(schedule_of(kind, seed, planners[kind])))
+            done.append(run(_schedule(kind, seed, planners[kind], robots, faults, fixed)))
             if told is not None:
                 told(len(done))
             if done[-1].broken:
@@ -136,6 +129,20 @@ def simulate(
     document = document_of(done, last, command)
     deliver(json, document, lambda: show(done, last, command))
     return BROKEN if last.broken else 0
+
+
+def _schedule(
+    kind: "Mode", seed: int, planner: "Planner", robots: str | None, faults: str | None,
+    fixed: dict[str, Any],
+) -> "Schedule":  # fmt: skip
+    """Return a schedule as asked for: drawn, or of faults given as text."""
+    from swarmgrasp.agents import simulator
+
+    if faults is not None:
+        return simulator.Schedule(kind, seed, simulator.read_faults(faults), **fixed)
+    first = [row.id for row in planner.present]
+    count = None if robots is None else int(robots)
+    return simulator.draw(kind, seed, robots=count, first=first, **fixed)
 
 
 def _runner(planner: "Planner") -> "Callable[[Schedule], Outcome]":
@@ -154,7 +161,7 @@ def _command(file: str, schedule: "Schedule") -> str:
     """Return the command that repeats a schedule."""
     words = ["swarmgrasp", "agents", "simulate", file, "--mode", schedule.mode.value]
     words += ["--seeds", str(schedule.seed), "--faults", schedule.text]
-    usual = {field: getattr(type(schedule), field) for field in _FIELDS}
+    usual = {field: getattr(type(schedule), field) for field in FIELDS}
     for what, value in usual.items():
         if getattr(schedule, what) != value:
             words += [f"--{what}", f"{getattr(schedule, what):.9g}"]
@@ -162,20 +169,21 @@ def _command(file: str, schedule: "Schedule") -> str:
     return shlex.join(words)
 
 
-_FIELDS = ("loss", "doubled", "delay", "missed", "turned", "calm")
-
-
 def _modes(mode: str) -> list[str]:
     """Return the modes that are asked for."""
-    return list(MODES) if mode == "all" else list(dict.fromkeys(mode.split(",")))
+    from swarmgrasp.agents.simulator import Mode
+
+    return [*Mode] if mode == "all" else list(dict.fromkeys(mode.split(",")))
 
 
 def _mode_faults(mode: str) -> list[str]:
     """Return what is wrong with the modes."""
+    from swarmgrasp.agents.simulator import Mode
+
     return [
-        f"--mode is {each}; it should be all, or of {', '.join(MODES)}"
+        f"--mode is {each}; it should be all, or of {', '.join(Mode)}"
         for each in _modes(mode)
-        if each not in MODES
+        if each not in [*Mode]
     ]
 
 
