@@ -44,7 +44,7 @@ class Summary(Content):
     >>> north, south = (Summary.from_generators(rng.normal(size=(5000, 3))) for _ in range(2))
     >>> both = north + south
     >>> both.count, both.bins, len(both.to_bytes())
-    (10000, 972, 17600)
+    (10000, 972, 17604)
     >>> bounds = both.quality()
     >>> bounds.is_force_closure, bool(bounds.width < 0.01 * bounds.lower)
     (True, True)
