@@ -442,3 +442,22 @@ def test_no_normal_travels_from_one_failure_to_another():
     assert answer.quality == pytest.approx(1.649131, abs=1e-5)  # 1.584808 was said to be the most
     verdict = answer.verify()
     assert verdict, verdict.faults
+
+
+@pytest.mark.parametrize("terms", [{}, {"losing": 1}, {"load": (5.0, 0.0, 0.0)}])
+@pytest.mark.parametrize(
+    "newcomer",
+    [
+        Newcomer(0.3, "push", 0.3, steers=True),
+        Newcomer(0.3, "push", friction=0.1),
+        Newcomer(0.3, "push", 0.3, reverse_limit=0.1),
+        Newcomer(0.3, steers=True, mounted=True),
+    ],
+)
+def test_where_all_bounds_would_be_below_0_a_place_is_given_with_0(newcomer, terms):
+    """What always exerts a least force leaves H below 0 wherever a weak newcomer goes."""
+    cable = Robot((1.0, 1.0), -math.pi / 2, 1.0, least=0.5)
+    answer = place(Swarm(RECTANGLE, [cable]), newcomer, **terms)
+    assert answer.quality == answer.upper_bound == 0.0
+    verdict = answer.verify()
+    assert verdict, verdict.faults

@@ -68,10 +68,11 @@ class SetSearch(Generic[Kernel]):
     def _bounded(self, found: bytes, width: int, bound: int) -> tuple[Array, Array]:
         """Return the kernel's parts (m, width), and what bounds each piece (k,) [N].
 
-        The parts begin with their pieces, and `bound` is the column of what bounds them.
+        The parts begin with their pieces, and `bound` is the column of what bounds them: never
+        below 0, as no quality is.
         """
         parts = np.frombuffer(found).reshape(-1, width).copy()
-        parts[:, bound] /= self._unit
+        parts[:, bound] = np.maximum(parts[:, bound] / self._unit, 0.0)
         bounds = np.zeros(len(self._rows))
         np.maximum.at(bounds, parts[:, 0].astype(int), parts[:, bound])
         return parts, bounds
