@@ -260,6 +260,25 @@ def test_a_place_that_is_seen_to_be_taken_is_left():
     assert crew.agents["R2"].memory.get("R1").place == second
 
 
+def test_a_place_that_was_seen_to_be_taken_is_tried_again_when_someone_goes():
+    """Who waits because its only place was taken comes when the robot that took it leaves."""
+    crew = Crew("R1", "R2", mission=planner(zone=(0.0, 3.0)))
+    for name in ("R2", "R1"):
+        crew.tell(name, ev.Join())
+        crew.wait(5.0, among=[])
+        if name == "R2":
+            crew.tell(name, ev.AtPlace())
+            crew.wait(5.0, among=[])
+            crew.tell(name, ev.Fastened(crew[name].place))
+    crew.tell("R1", ev.Refused())
+    crew.wait(2.0)
+    assert crew["R1"].phase is Phase.WAITING
+    crew.tell("R2", ev.Leave())
+    crew.tell("R2", ev.Loosened())
+    crew.wait(2.0)
+    assert crew["R1"].phase is Phase.COMING
+
+
 def test_robots_at_their_place_are_never_forgotten_and_those_under_way_are():
     """Silence takes a claim that is on its way; who is at the object stays (R9)."""
     crew = Crew("R1", "R2", "R3")

@@ -51,6 +51,7 @@ class Decisions:
         self.may_loosen = False
         """Whether everyone has agreed that it lets go."""
         self._blocked: list[Place] = []
+        self._settled: frozenset[str] = frozenset()
         self._is_planning = False
         self._planned_for: tuple[Rows, tuple[str, ...]] | None = None
         self._quiet_since = 0.0
@@ -68,6 +69,10 @@ class Decisions:
     def decide(self) -> None:
         """Act upon what has changed."""
         self._quiet_since = self._knowledge.hearing.now
+        settled = frozenset(record.id for record in self.view.settled)
+        if self._settled - settled:
+            self._blocked.clear()  # who has gone may have been what was seen there
+        self._settled = settled
         match self._word.now.phase:
             case Phase.WAITING | Phase.COMING:
                 self.choose()
