@@ -134,7 +134,14 @@ class Curve(Told):
 
 
 def tasks_of(size: Size, seed: int) -> list[Task]:
-    """Return all draws of a study."""
+    """Return all draws of a study.
+
+    Parameters
+    ----------
+    size : Size
+    seed : int
+        Of the random draws, at least 0.
+    """
     return [Task(case, seed, k) for case, count in size.draws.items() for k in range(count)]
 
 

@@ -140,7 +140,15 @@ class Store:
 
 
 def incarnation_of(state: State | None, name: str) -> int:
-    """Return the number of this start: one more than the last, and twenty bits of chance."""
+    """Return the number of this start: one more than the last, and twenty bits of chance.
+
+    Parameters
+    ----------
+    state : State, optional
+        What the former life has kept.
+    name : str
+        The robot's.
+    """
     records = state.records if state else ()
     last = max((record.incarnation for record in records if record.id == name), default=0)
     return (last // LIVES + 1) * LIVES + int.from_bytes(os.urandom(4), "big") % LIVES

@@ -56,7 +56,17 @@ class Planner(Protocol):
         """Robots below which the quality is 0 wherever they are."""
 
     def place(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Place | None:
-        """Return the best place beside robots, clear of obstacles; None if there is no room."""
+        """Return the best place beside robots, clear of obstacles; None if there is no room.
+
+        Parameters
+        ----------
+        rows : tuple of Row
+            The robots that are reckoned with, in order.
+        obstacles : tuple of Place
+            Where others are, or will be, that are only kept clear of.
+        who : Who
+            What robot goes there.
+        """
 
     def lower(self, rows: Rows) -> float:
         """Return the certified quality [N] of robots."""
@@ -74,10 +84,32 @@ class Planner(Protocol):
         """Return why no robot of the mission can be what a record says; "" if one can."""
 
     def plan(self, rows: Rows, names: Sequence[str], who: Who) -> Plan | None:
-        """Return places for several robots together, beside others; None if they are no help."""
+        """Return places for several robots together, beside others; None if they are no help.
+
+        Parameters
+        ----------
+        rows : tuple of Row
+            The robots that they go beside, in order.
+        names : sequence of str
+            Of the robots that go together.
+        who : Who
+            What robot each of them is.
+        """
 
     def mover(self, rows: Rows, names: Sequence[str], floor: float, gain: float) -> str:
-        """Return who should move to raise the quality by a share of it; "" for nobody."""
+        """Return who should move to raise the quality by a share of it; "" for nobody.
+
+        Parameters
+        ----------
+        rows : tuple of Row
+            The robots that hold the object, in order.
+        names : sequence of str
+            Of those that may move.
+        floor : float [N]
+            Quality below which nobody lets go.
+        gain : float
+            Least gain, as a share of the quality now.
+        """
 
 
 def basis_of(rows: Iterable[Row]) -> bytes:
@@ -101,8 +133,8 @@ class ProblemPlanner:
 
     Raises
     ------
-    SwarmGraspError
-        If no such newcomer can be placed beside such robots.
+    ForceSetUnsupported
+        If it is not known how to place such a newcomer.
     """
 
     def __init__(self, problem: Problem, effort: int = EFFORT) -> None:

@@ -34,12 +34,26 @@ class _Kept(msgspec.Struct, frozen=True):
 
 
 def state_bytes(state: State, mission: str, name: str) -> bytes:
-    """Return a state as bytes, for one robot in one mission."""
+    """Return a state as bytes, for one robot in one mission.
+
+    Parameters
+    ----------
+    state : State
+    mission, name : str
+        The digest of the mission, and the robot's name.
+    """
     return msgspec.msgpack.encode(_Kept(FORMAT, mission, name, state))
 
 
 def read_state(data: bytes, mission: str, name: str) -> State:
     """Return the state that bytes hold.
+
+    Parameters
+    ----------
+    data : bytes
+        As `state_bytes` returns them.
+    mission, name : str
+        Whose state it should be.
 
     Raises
     ------

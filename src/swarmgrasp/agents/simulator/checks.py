@@ -8,7 +8,6 @@ import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from swarmgrasp.agents.protocol import Phase, Place, Planner, Record, Row, Settings
 from swarmgrasp.agents.protocol import events as ev
@@ -16,9 +15,7 @@ from swarmgrasp.agents.protocol.order import in_order
 from swarmgrasp.agents.protocol.record import MOST_TICKET
 from swarmgrasp.agents.protocol.wire import Ack, Put, Records, encode
 from swarmgrasp.agents.simulator.faults import Mode, Schedule, What
-
-if TYPE_CHECKING:
-    from swarmgrasp.agents.simulator.world import Node
+from swarmgrasp.agents.simulator.node import Node
 
 ROUNDING = 1e-9
 """Relative difference of two qualities that is rounding."""
@@ -95,7 +92,7 @@ class Book:
     """
 
     def __init__(
-        self, planner: Planner, schedule: Schedule, settings: Settings, nodes: Mapping[str, "Node"]
+        self, planner: Planner, schedule: Schedule, settings: Settings, nodes: Mapping[str, Node]
     ) -> None:
         self.planner, self.schedule, self.settings = planner, schedule, settings
         self.nodes = nodes
@@ -113,7 +110,7 @@ class Book:
 
     # -- who has heard whom ---------------------------------------------------------------
 
-    def begin(self, node: "Node", time: float) -> None:
+    def begin(self, node: Node, time: float) -> None:
         """Note that a process starts."""
         page = self.pages[node.name]
         page.deaf, page.last, page.heard = 0.0, None, {}
@@ -121,7 +118,7 @@ class Book:
         if not node.kept:
             page.versions = {}
 
-    def _listened(self, node: "Node", time: float) -> float:
+    def _listened(self, node: Node, time: float) -> float:
         """Return a robot's clock without the time in which it was deaf; note it if it was."""
         page, clock = self.pages[node.name], node.clock(time)
         last = clock if page.last is None else page.last
@@ -132,7 +129,7 @@ class Book:
         page.last = clock
         return clock - page.deaf
 
-    def before(self, node: "Node", event: ev.Event, life: int, time: float) -> None:
+    def before(self, node: Node, event: ev.Event, life: int, time: float) -> None:
         """Note what a robot is about to hear."""
         now = self._listened(node, time)
         page = self.pages[node.name]
@@ -141,7 +138,7 @@ class Book:
         elif isinstance(event, ev.Down) and self.nodes[event.name].agent is None:
             page.heard.pop(event.name, None)  # it is told that the process has ended
 
-    def has_heard(self, node: "Node", other: "Node", time: float) -> bool:
+    def has_heard(self, node: Node, other: Node, time: float) -> bool:
         """Tell whether a robot has heard another's present life, or has not listened for long."""
         page = self.pages[node.name]
         now, silent = node.clock(time) - page.deaf, self.settings.silent
@@ -152,7 +149,7 @@ class Book:
 
     # -- after every event ----------------------------------------------------------------
 
-    def after(self, node: "Node", event: ev.Event, effects: list[ev.Effect], time: float) -> None:
+    def after(self, node: Node, event: ev.Event, effects: list[ev.Effect], time: float) -> None:
         """Check what an event has led to."""
         agent, page = node.agent, self.pages[node.name]
         assert agent is not None
@@ -185,11 +182,11 @@ class Book:
             page.counted = {row.id: row.place for row in agent.view.holding}
             self._check_quality(node)
 
-    def told(self, node: "Node", what: str, about: tuple[str, ...]) -> None:
+    def told(self, node: Node, what: str, about: tuple[str, ...]) -> None:
         """Note what a robot has told people."""
         self._told.add((node.name, what, about))
 
-    def _check_version(self, node: "Node", record: Record) -> None:
+    def _check_version(self, node: Node, record: Record) -> None:
         """Check that what a robot knows of another never gets older."""
         assert node.agent is not None
         known, versions = node.agent.memory.get(record.id), self.pages[node.name].versions
@@ -212,7 +209,7 @@ class Book:
         missed = math.sqrt(2.0) * self.schedule.missed
         return not self.planner.is_clear(first, [_farther(first, second, 2.0 * missed)])
 
-    def _check_commit(self, node: "Node", place: Place, time: float) -> None:
+    def _check_commit(self, node: Node, place: Place, time: float) -> None:
         """Check that nobody is too close to where a robot fastens (S)."""
         page = self.pages[node.name]
         for row in self._fixed:
@@ -238,7 +235,7 @@ class Book:
                 raise Broken("spacing", f"{words}, which had heard it when it fastened")
             self.excused += 1
 
-    def _check_move(self, node: "Node", time: float) -> None:
+    def _check_move(self, node: Node, time: float) -> None:
         """Check that nobody else that is heard is moving (R10)."""
         page = self.pages[node.name]
         for name, other in self.pages.items():
@@ -253,7 +250,7 @@ class Book:
                 raise Broken("one moves at a time", words)
         page.is_moving = True
 
-    def _check_quality(self, node: "Node") -> None:
+    def _check_quality(self, node: Node) -> None:
         """Check a certified quality against the true one, if all that it counts are there (Q)."""
         page = self.pages[node.name]
         there = {row.id: row.place for row in self._truth()}
@@ -300,7 +297,7 @@ class Book:
             raise Broken("few turns", words)
         self._check_order(alive)
 
-    def _check_waiting(self, alive: list["Node"]) -> None:
+    def _check_waiting(self, alive: list[Node]) -> None:
         """Check that who waits for ever says for whom."""
         for node in alive:
             assert node.agent is not None
@@ -308,7 +305,7 @@ class Book:
             if node.agent.record.asks and (node.name, "waits", waits) not in self._told:
                 raise Broken("tells for whom it waits", f"{node.name} waits, and does not say why")
 
-    def _check_maps(self, alive: list["Node"]) -> None:
+    def _check_maps(self, alive: list[Node]) -> None:
         """Check that all know the same."""
         for first, second in itertools.pairwise(alive):
             assert first.agent
@@ -316,7 +313,7 @@ class Book:
             if first.agent.memory.digest != second.agent.memory.digest:
                 raise Broken("equal maps", f"{first.name} and {second.name} know different things")
 
-    def _check_records(self, alive: list["Node"]) -> None:
+    def _check_records(self, alive: list[Node]) -> None:
         """Check that what everyone knows of who holds the object is so."""
         for node in alive:
             assert node.agent is not None
@@ -335,7 +332,7 @@ class Book:
                 )
                 raise Broken("records are facts", words)
 
-    def _check_room(self, alive: list["Node"]) -> None:
+    def _check_room(self, alive: list[Node]) -> None:
         """Check that everyone that wants a place has one, or that there is no room."""
         deaf = self.schedule.mode is Mode.ONE_WAY
         for node in alive:
@@ -351,7 +348,7 @@ class Book:
                     "who has room comes", f"{node.name} finds no room, though there is some"
                 )
 
-    def _check_pairs(self, alive: list["Node"]) -> None:
+    def _check_pairs(self, alive: list[Node]) -> None:
         """Check that both of every pair that is too close have said so."""
         fixed = [node for node in alive if node.held is not None]
         for k, second in enumerate(fixed):
@@ -374,7 +371,7 @@ class Book:
         there.sort(key=lambda n: n.agent.record.order if n.agent else (0, ""))
         return tuple((n.name, n.held) for n in there if n.held is not None)
 
-    def _check_order(self, alive: list["Node"]) -> None:
+    def _check_order(self, alive: list[Node]) -> None:
         """Check that places are those of one after the other, to the last bit (E)."""
         schedule = self.schedule
         has_surprise = any(what in {"new ticket", "taken"} for _, what, _ in self._told)

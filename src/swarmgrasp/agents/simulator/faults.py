@@ -175,7 +175,13 @@ _RANGES = {
 
 
 def number_faults(values: Mapping[str, float]) -> list[str]:
-    """Return what is wrong with numbers of a schedule, by name."""
+    """Return what is wrong with numbers of a schedule, each a sentence.
+
+    Parameters
+    ----------
+    values : mapping of str to float
+        By name, of those that a `Schedule` has: `loss`, `delay` [s] and so on.
+    """
     faults = []
     for what, value in values.items():
         low, high, unit = _RANGES[what]
@@ -186,6 +192,12 @@ def number_faults(values: Mapping[str, float]) -> list[str]:
 
 def read_faults(text: str) -> tuple[Fault, ...]:
     """Return the faults that a text lists.
+
+    Parameters
+    ----------
+    text : str
+        Faults between semicolons, each as ``what@at:names`` or ``what@at-until:names``, times in
+        seconds and names between commas.
 
     Raises
     ------
@@ -242,6 +254,11 @@ def draw(
     **fixed : float
         Attributes of the schedule that are given: `loss`, `doubled`, `delay`, `missed`, `turned`,
         `locks`.
+
+    Raises
+    ------
+    ScheduleInvalid
+        If the mode needs more robots, or a number is out of its range.
     """
     chance = random.Random(f"{mode} {seed}")
     few, many = _SIZES[mode]

@@ -28,6 +28,7 @@ from swarmgrasp.agents.protocol.wire import Message, decode, encode
 from swarmgrasp.agents.simulator.chance import between, mixed, share_of
 from swarmgrasp.agents.simulator.checks import Book, Broken
 from swarmgrasp.agents.simulator.faults import Fault, Mode, Schedule, What
+from swarmgrasp.agents.simulator.node import Node
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality import Criterion
@@ -53,7 +54,12 @@ _LINK, _TRAVEL, _FASTEN, _MEASURE, _CLOCK, _NONCE, _KILLED, _WOKEN, _ANYONE, _WI
 
 
 def settings_of(schedule: Schedule) -> Settings:
-    """Return how the agents of a schedule behave."""
+    """Return how the agents of a schedule behave, as its mode asks.
+
+    Parameters
+    ----------
+    schedule : Schedule
+    """
     usual = Settings(forget=8.0, hold=5.0, worth=0.0 if schedule.seed % 2 else 0.02)
     match schedule.mode:
         case Mode.ROSTER:
@@ -64,67 +70,6 @@ def settings_of(schedule: Schedule) -> Settings:
             return replace(usual, worth=0.0, gather=0.2)
         case _:
             return usual
-
-
-@dataclass
-class Node:
-    """A robot: its process, its clock and its body.
-
-    Attributes
-    ----------
-    name : str
-    index : int
-    agent : Agent, optional
-        None while no process runs.
-    life : int
-        Which life it is: a new one begins when a process starts without what was known.
-    starts : int
-        How often a process has started.
-    kept : bytes
-        What a process has kept, so that the next one can have it.
-    hung_until : float [s]
-    mailbox : list of events
-        What has come in while it hung.
-    ahead, rate : float
-        Its clock is `ahead + rate * time`.
-    tick_at : float [s]
-        When it is to be woken.
-    held : Place, optional
-        Where it holds the object.
-    claimed : Place, optional
-        Where it has said that it would fasten, from then on until it lets go.
-    job : int
-        What its body is about; another job stops it.
-    wants : bool
-        Whether it has been told to come.
-    sent : dict
-        Messages so far to each other robot.
-    """
-
-    name: str
-    index: int
-    agent: Agent | None = None
-    life: int = 0
-    starts: int = 0
-    kept: bytes = b""
-    hung_until: float = 0.0
-    mailbox: list[tuple[ev.Event, int]] | None = None
-    ahead: float = 0.0
-    rate: float = 1.0
-    tick_at: float = math.inf
-    held: Place | None = None
-    claimed: Place | None = None
-    job: int = 0
-    wants: bool = False
-    sent: dict[int, int] | None = None
-
-    def clock(self, time: float) -> float:
-        """Return what its own clock shows."""
-        return self.ahead + self.rate * time
-
-    def time(self, clock: float) -> float:
-        """Return when its own clock shows something."""
-        return (clock - self.ahead) / self.rate
 
 
 @dataclass(frozen=True)
@@ -186,7 +131,7 @@ class World:
         self.planner, self.schedule = planner, schedule
         self.settings = settings or settings_of(schedule)
         self.time = 0.0
-        self.nodes = {name: Node(name, k, sent={}) for k, name in enumerate(schedule.names)}
+        self.nodes = {name: Node(name, k) for k, name in enumerate(schedule.names)}
         self.book = Book(planner, schedule, self.settings, self.nodes)
         self._make = agent
         self._queue: list[tuple[float, int, Callable[..., None], tuple[Any, ...]]] = []
@@ -521,7 +466,6 @@ class World:
         link = self._links.get(pair)
         if link is None:
             link = self._links[pair] = mixed(self.schedule.seed, *pair, _LINK)
-        assert node.sent is not None
         count = node.sent[other.index] = node.sent.get(other.index, 0) + 1
         bits, schedule = mixed(link + count), self.schedule
         is_calm = self.time >= schedule.calm
