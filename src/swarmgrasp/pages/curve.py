@@ -29,8 +29,8 @@ from swarmgrasp.plot.curve import knowledge_curve
 NAME = "communication"
 """Of the page's files."""
 TITLE = "What robots must tell each other"
-OFF_NORMAL = NEWCOMERS[PUSH].half_angle
-"""How far off the normal pushing robots of the study go [rad]."""
+OFF_NORMAL, STEERED = NEWCOMERS[PUSH].half_angle, NEWCOMERS[STEER].half_angle
+"""How far off the normal robots of the study push, and steer [rad]."""
 SMALL_LOSS = 0.03
 """Of the quality, that counts as none."""
 PICTURE = 4
@@ -122,9 +122,8 @@ def _needed(curve: Curve) -> list[Statement]:
 
 def _helps(curve: Curve) -> list[Statement]:
     """State what some words are worth."""
-    every, push = curve.every, curve.kind(PUSH)
+    every = curve.every
     lost_medians = [1.0, *(every[lost(share)].median for share in LOST)]
-    near = {count: every[nearest(count)].median for count in NEAREST}
     others = [line for line in every.lines if line.known != EVEN]
     return [
         Statement(
@@ -146,17 +145,7 @@ def _helps(curve: Curve) -> list[Statement]:
             "they are heard cost time only.",
             all(a > b for a, b in pairwise(lost_medians)),
         ),
-        Statement(
-            "Neighbours alone do not do, the less the fewer: with the "
-            f"{listed(list(near))} nearest swarms end at "
-            f"{listed([_percent(m) for m in near.values()])}. Each counters its neighbours, and "
-            f"all do so: robots that push within {OFF_NORMAL} rad of the normal end lower with the "
-            f"2 nearest ({_percent(push[nearest(2)].median)}) than with nobody "
-            f"({_percent(push[NOTHING].median)}) or at random places "
-            f"({_percent(push[RANDOM].median)}).",
-            all(a > b for a, b in pairwise(near.values()))
-            and push[nearest(2)].median < min(push[NOTHING].median, push[RANDOM].median),
-        ),
+        _neighbours(curve),
         Statement(
             "To take those not heard for evenly spread is the worst of all beliefs (T33): swarms "
             f"end at {_share(every, EVEN)}. A swarm believed to be balanced is helped by no place, "
@@ -164,6 +153,23 @@ def _helps(curve: Curve) -> list[Statement]:
             all(every[EVEN].median < line.median for line in others),
         ),
     ]
+
+
+def _neighbours(curve: Curve) -> Statement:
+    """State what comes of knowing those nearest only."""
+    push = curve.kind(PUSH)
+    near = {count: curve.every[nearest(count)].median for count in NEAREST}
+    return Statement(
+        "Neighbours alone do not do, the less the fewer: with the "
+        f"{listed(list(near))} nearest swarms end at "
+        f"{listed([_percent(m) for m in near.values()])}. Each counters its neighbours, and "
+        f"all do so: robots that push within {OFF_NORMAL} rad of the normal end lower with the "
+        f"2 nearest ({_percent(push[nearest(2)].median)}) than with nobody "
+        f"({_percent(push[NOTHING].median)}) or at random places "
+        f"({_percent(push[RANDOM].median)}).",
+        all(a > b for a, b in pairwise(near.values()))
+        and push[nearest(2)].median < min(push[NOTHING].median, push[RANDOM].median),
+    )
 
 
 def _worst(curve: Curve) -> list[Statement]:
@@ -282,19 +288,19 @@ def _method(curve: Curve) -> list[Block]:
         Heading("How it was measured"),
         Paragraph(
             "Objects: a barge of 80 m by 20 m, a ship hull of 120 m by 20 m, a round tank of 24 m "
-            "across. Robots of 1 N: push, along one direction within 0.5 rad of the inward normal; "
-            "free, along any one direction; steer, at all times within 0.8 rad of the normal. The "
-            "first 3, 6 or 12 robots stand at random places, the others, up to 8, 20 or 40, come "
-            "one after the other and stay. The spacing is the perimeter over three times their "
-            "number."
+            f"across. Robots of 1 N: push, along one direction within {OFF_NORMAL} rad of the "
+            f"inward normal; free, along any one direction; steer, at all times within {STEERED} "
+            "rad of the normal. The first 3, 6 or 12 robots stand at random places, the others, up "
+            "to 8, 20 or 40, come one after the other and stay. The spacing is the perimeter over "
+            "three times their number."
         ),
         Paragraph(
             "Lost: each newcomer misses each record with that probability, for good. Nearest: "
             "around the object from where it comes to it. For the worst: the quality in the worst "
-            "of all directions within 0.5 rad of the normals. Evenly spread: as many robots at "
-            "equal distances, along the normals. Robots that steer are left out where summaries "
-            "are told, beside which places are known how to find of robots that push along one "
-            "direction, and of planning for the worst: what they can do is seen."
+            f"of all directions within {OFF_NORMAL} rad of the normals. Evenly spread: as many "
+            "robots at equal distances, along the normals. Robots that steer are left out where "
+            "summaries are told, beside which places are known how to find of robots that push "
+            "along one direction, and of planning for the worst: what they can do is seen."
         ),
         Paragraph(
             f"Seed {curve.seed}; the same seed gives the same numbers. Metric: torques over the "
