@@ -1,6 +1,5 @@
 """The plan view of push forces: who pushes how hard to make a wrench."""
 
-import math
 from typing import Any, Final, cast
 
 import numpy as np
@@ -13,12 +12,12 @@ from numpy.typing import NDArray
 
 from swarmgrasp.forces import Forces
 from swarmgrasp.plot import style
-from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, draw_turn, has_area
+from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
+from swarmgrasp.plot.direction import draw_direction
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.plan import draw_object, in_view, label_edges
 from swarmgrasp.plot.robots import FEW, HEAD, MOST_LABELS, outer_spots
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
-from swarmgrasp.plot.weakest import LEAST_PART, WEAKEST_SIZES
 from swarmgrasp.words import wrench_words
 
 LIMIT: Final = "#C3D3E0"
@@ -118,26 +117,9 @@ def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
 
 def _draw_wrench(page: Page, found: Forces) -> None:
     """Draw which way the wrench acts: its force as an arrow, its torque as a turn."""
-    ax, origin, scale = page.ax, found.swarm.outline.origin, found.swarm.scale
-    inverse = ax.transData.inverted()
-    metres = page.point_size * float(np.ptp(inverse.transform([(0.0, 0.0), (1.0, 0.0)])[:, 0]))
-    length, radius = (size * metres for size in WEAKEST_SIZES)
-    part = found.wanted * scale
+    part = found.wanted * found.swarm.scale
     part = part / np.abs(part).max()
-    part /= np.linalg.norm(part)
-    force, torque = part[:2], float(part[2])
-    way = force / scale[:2]
-    if np.hypot(*force) > LEAST_PART:
-        tip = origin + length * np.hypot(*force) * way / np.hypot(*way)
-        draw_arrows(ax, [(origin, tip)], color=style.PURPLE, width=0.03, gid="wrench", zorder=5)
-        page.keep_clear(origin, tip)
-    if abs(torque) > LEAST_PART:
-        sweep = math.copysign(0.6 + 4.0 * abs(torque), torque)
-        look = {"color": style.PURPLE, "linewidth": 2.0, "gid": "wrench"}
-        draw_turn(ax, origin, radius, math.atan2(way[1], way[0]) + math.pi, sweep, **look)
-    for turn in np.linspace(0.0, math.pi, 9)[:-1]:
-        reach = 1.3 * radius * np.array([math.cos(turn), math.sin(turn)])
-        page.keep_clear(origin - reach, origin + reach)
+    draw_direction(page, found.swarm, part / np.linalg.norm(part), "wrench")
 
 
 def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
