@@ -253,14 +253,6 @@ def test_a_newcomer_that_steers_both_ways(attachment, half, back):
     assert answer.quality >= one_way.quality * (1.0 - 1e-6)
 
 
-def test_several_that_steer_both_ways_are_refused_in_words():
-    """Not placed without their reverse limit."""
-    problem = Problem(Swarm(RECTANGLE, FOUR), Newcomer(steers=True, reverse_limit=0.5))
-    for ask in (lambda: place_together(problem, 2), lambda: how_many(problem, 2.0)):
-        with pytest.raises(ForceSetUnsupported, match="steer both ways"):
-            ask()
-
-
 @pytest.mark.parametrize(
     "newcomer", [Newcomer(steers=True), Newcomer(1.0, "push", 0.5, steers=True),
                  Newcomer(1.0, "push", friction=0.5)],

@@ -207,16 +207,14 @@ def check_ray_problem(problem: Problem, what: str) -> None:
 
 
 def check_several(problem: Problem, what: str) -> None:
-    """Raise `ForceSetUnsupported` unless newcomers steer, or all robots push along one ray each."""
+    """Raise `ForceSetUnsupported` for newcomers of which several are not known how to place."""
     check_gaps(problem.swarm, what)
-    if problem.newcomer.steers and problem.newcomer.reverse_limit:
+    if problem.newcomer.mounted:
         raise ForceSetUnsupported(
-            f"{what} is not known for newcomers that steer both ways: leave out the reverse limit"
+            f"{what} is for newcomers on the boundary: leave out that they are mounted, or place "
+            "them one after the other"
         )
-    if problem.newcomer.steers and not problem.newcomer.mounted:
-        check_newcomer(problem)
-    else:
-        check_ray_problem(problem, f"{what} of newcomers that do not steer")
+    check_newcomer(problem)
 
 
 def check_newcomer(problem: Problem) -> None:

@@ -70,8 +70,8 @@ class Gathering:
 
     def _reached(self, pulls: Array, many: int) -> Array:
         """Return what each set has along the normals, (many, m)."""
-        added = np.maximum(pulls, 0.0).reshape(many, -1, pulls.shape[1]).sum(axis=1)
-        return np.asarray(self._levels + added)
+        added = pulls * self.gauge.exerted(pulls)
+        return np.asarray(self._levels + added.reshape(many, -1, pulls.shape[1]).sum(axis=1))
 
     def _ways(self, stands: Stands, many: int, doublings: int) -> Array:
         """Return where newcomers are pulled, (many count, 2), at most 1 in each set."""
@@ -84,7 +84,7 @@ class Gathering:
             weights = weights * weights
         weights = weights * root
         weights /= weights.sum(axis=1, keepdims=True)
-        pulling = np.repeat(weights, len(stands.piece) // many, axis=0) * (pulls > 0.0)
+        pulling = np.repeat(weights, len(stands.piece) // many, axis=0) * self.gauge.exerted(pulls)
         wanted = dots(pulling, self._normals.T)
         ways = np.column_stack([(wanted * s).sum(axis=1) for s in self.ground.slopes(stands)])
         ways = (ways * self._reach).reshape(many, -1)

@@ -166,6 +166,10 @@ class Gauge:
         """Return what one newcomer at each of the points (k, 3) [N] adds along normals: (m, k)."""
         return np.asarray(np.maximum(dots(normals, points), 0.0))
 
+    def exerted(self, pulls: Array) -> Array:
+        """Return the shares of their generators that newcomers exert which are pulled so."""
+        return np.asarray(pulls > 0.0, dtype=float)
+
     def weak_with(self, points: Array, mass: Array) -> Array:
         """List unit normals (m, 3) that may be weakest with so many newcomers at each point."""
         return self.weak_normals(points * mass[:, None])

@@ -14,8 +14,8 @@ from swarmgrasp.placement.together.gauge import Gauge
 from swarmgrasp.placement.together.polish import Climb, Polish
 from swarmgrasp.placement.together.regions import whole
 from swarmgrasp.placement.together.relaxation import Relaxation, Relaxed, Share
+from swarmgrasp.placement.together.sets import KeptPolish, SetGauge, SetGround, SetPolish
 from swarmgrasp.placement.together.stands import Ground, Stands
-from swarmgrasp.placement.together.steering import SteeringGauge, SteeringGround, SteeringPolish
 from swarmgrasp.quality.weakest import MARGINAL
 
 Array = NDArray[np.float64]
@@ -171,10 +171,12 @@ class JointSearch:
 
 def _parts_of(problem: Problem, budget: Budget) -> tuple[Ground, Gauge, Polish, Gathering | None]:
     """Return what newcomers stand on, what they are worth, how they move, and where they gather."""
-    if problem.newcomer.steers:
-        steering = SteeringGround(problem)
-        steered = SteeringGauge(steering)
-        return steering, steered, SteeringPolish(steered, budget), None
-    ground = Ground(problem)
-    gauge = Gauge(ground)
-    return ground, gauge, Polish(gauge, budget), Gathering(gauge, budget)
+    if problem.has_rays_only:
+        ground = Ground(problem)
+        gauge = Gauge(ground)
+        return ground, gauge, Polish(gauge, budget), Gathering(gauge, budget)
+    places = SetGround(problem)
+    worth = SetGauge(places)
+    if problem.newcomer.steers or problem.newcomer.friction:
+        return places, worth, KeptPolish(worth, budget), None
+    return places, worth, SetPolish(worth, budget), Gathering(worth, budget)
