@@ -24,6 +24,7 @@ from swarmgrasp import (
     sensitivities,
 )
 from swarmgrasp.errors import ForceSetUnsupported, RobotInvalid
+from swarmgrasp.quality import changing
 from swarmgrasp.quality.changing import NEAR
 from swarmgrasp.swarm.choices import Asked, Choices
 
@@ -163,3 +164,39 @@ def test_what_is_not_known_is_refused():
             ask()
     with pytest.raises(RobotInvalid, match="sectors with gaps between is not known"):
         quality(unit(spread), worst_case=True)
+
+
+L_SHAPE = Outline([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)])
+
+
+def test_no_more_is_asked_than_the_budget_holds(monkeypatch):
+    """Thrusters whose quality stays open ask for no more wrenches than are allowed."""
+    crew = Swarm(L_SHAPE, [
+        Robot((1.5333333333333332, 0.6666666666666666), 0.0, 1.4798049038350918, mounted=True,
+              reverse_limit=1.0358634326845642),
+        Robot((1.2333333333333334, 0.8398717474235544), limit=1.8866479975630024, mounted=True,
+              sectors=((0.25217763435220775,) * 2, (2.7390659567188838,) * 2), group="A"),
+        Robot((1.2333333333333332, 0.49346158590977895), -2.347702109254705, 0.8944087722899638,
+              mounted=True, reverse_limit=0.6260861406029746, group="A"),
+    ])  # fmt: skip
+    asked, reaches = [], changing._reaches
+    monkeypatch.setattr(
+        changing, "_reaches", lambda one, ways: asked.append(len(ways)) or reaches(one, ways)
+    )
+    monkeypatch.setattr(changing, "MOST_ASKED", 3000)
+    found = quality(crew)
+    assert 0 < sum(asked) <= 3000
+    assert found.bound <= found.upper_bound
+
+
+def test_giants_leave_the_best_kept_choice_and_the_hull(monkeypatch):
+    """Where limits are so far apart that rounding decides, no triangle is asked for."""
+    monkeypatch.setattr(changing, "_reaches", None)
+    square = Outline([(-2, -1), (2, -1), (2, 1), (-2, 1)])
+    crew = Swarm(square, [
+        Robot((2, -0.36), limit=1e9, sectors=((3.7676, 8.8430),)),
+        Robot((2, 0.5), sectors=((3.2169, 5.5882), (5.8214, 7.8071))),
+        Robot((2, 0.5), sectors=((5.3535, 10.3764),)),
+    ])  # fmt: skip
+    found = quality(crew)
+    assert 0.0 <= found.bound <= found.upper_bound

@@ -21,6 +21,8 @@ NEAR = 0.01
 """Relative difference of the two bounds that is near enough."""
 MOST_CHOICES, MOST_ASKED = 256, 60_000
 """Choices up to which this is asked for, and wrenches that they are asked for in all."""
+MOST_SPREAD = 1e5
+"""Largest limit of a robot over the least, above which rounding decides how far choices reach."""
 ROUNDED = 5e-6
 """Share of how far a choice reaches that the kernel may be off."""
 OCTAHEDRON = np.array(list(product((1.0, -1.0), repeat=3)))[:, :, None] * np.eye(3)
@@ -39,18 +41,23 @@ def changing_bounds(swarm: Swarm, most: float) -> tuple[float, float]:
     Returns
     -------
     tuple of float [N]
-        0 and `most` if there are too many choices; apart by more than `NEAR` if the work is spent.
+        0 and `most` if there are too many choices or limits are too far apart; apart by more than
+        `NEAR` if the work is spent.
     """
     choices = Choices(swarm)
-    if choices.count > MOST_CHOICES or most == 0.0:
+    is_spread = float(swarm.limits.max()) > MOST_SPREAD * float(swarm.limits.min())
+    if choices.count > MOST_CHOICES or most == 0.0 or is_spread:
         return 0.0, most
     fixed = [choices.swarm(taken) for taken in np.ndindex(*map(len, choices.options))]
-    cells, least, asked = OCTAHEDRON, math.inf, 0
+    cells, found, least, asked = OCTAHEDRON, np.zeros(0), math.inf, 0
     known: dict[tuple[float, ...], Array] = {}
     while len(cells):
         corners = np.unique(cells.reshape(-1, 3), axis=0)
         new = np.array([c for c in corners if tuple(c.tolist()) not in known]).reshape(-1, 3)
         asked += len(new) * len(fixed)
+        if asked > MOST_ASKED:
+            least = min(least, float(found.min(initial=math.inf)))
+            break
         reaches = np.array([_reaches(one, new) for one in fixed]).reshape(len(fixed), -1).T
         known.update(zip(map(tuple, new.tolist()), reaches, strict=True))
         farthest = np.where(np.isnan(reaches), math.inf, reaches).max(axis=1)
@@ -61,9 +68,8 @@ def changing_bounds(swarm: Swarm, most: float) -> tuple[float, float]:
         is_near = found >= (1.0 - NEAR) * most
         least = min(least, float(found[is_near].min(initial=math.inf)))
         cells, found = cells[~is_near], found[~is_near]
-        if most == 0.0 or asked > MOST_ASKED:
-            least = min(least, float(found.min(initial=math.inf)))
-            break
+        if most == 0.0:
+            return 0.0, 0.0
         cells = _quarters(cells)
     return min(least, most), most
 
