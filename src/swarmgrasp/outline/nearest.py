@@ -84,27 +84,49 @@ class Edges(NamedTuple):
             inside[part] = np.logical_xor.reduce(spans & ahead, axis=0)  # crossed oddly
         return inside
 
-    def within(self, point: Array, distance: float) -> list[tuple[float, float]]:
-        """Return the part of each edge that is nearer to a point than a distance, (0, 0) if none.
-
-        From and to, as distances along the edge [m].
-        """
-        x, y = point
-        off_x, off_y = x - self.start_x[:, 0], y - self.start_y[:, 0]
-        unit_x, unit_y, length = self.unit_x[:, 0], self.unit_y[:, 0], self.length[:, 0]
-        middle, height = off_x * unit_x + off_y * unit_y, off_x * unit_y - off_y * unit_x
-        half = np.sqrt(np.maximum(distance**2 - height**2, 0.0))
-        first = np.clip(middle - half, 0.0, length)
-        last = np.clip(middle + half, 0.0, length)
-        is_near = last > first
-        ends = np.column_stack([np.where(is_near, first, 0.0), np.where(is_near, last, 0.0)])
-        return [(start, end) for start, end in ends.tolist()]
-
     def _parts(self, points: int) -> Iterator[slice]:
         """Yield the stretches of points to look at together."""
         step = max(1, PAIRS_AT_ONCE // len(self.length))
         for first in range(0, points, step):
             yield slice(first, first + step)
+
+
+def chords(
+    starts: Array, units: Array, points: Array, distance: float, slack: float = 0.0
+) -> tuple[NDArray[np.intp], Array, Array]:
+    """Find the parts of lines within circles: of one line in many, or of many lines in one.
+
+    Parameters
+    ----------
+    starts, units : (2,) or (k, 2) [m, m]
+        Points of the lines, and unit vectors along them.
+    points : (2,) or (k, 2) [m, m]
+        The middles of the circles.
+    distance : float [m]
+        Their radius.
+    slack : float [m]
+        By how much more than just so a line is to be inside.
+
+    Returns
+    -------
+    rows : (m,)
+        Which ones cross.
+    first, last : (m,) [m]
+        From where to where along the line.
+
+    Examples
+    --------
+    >>> rows, first, last = chords(np.zeros(2), np.array([1.0, 0.0]), np.array([[2.0, 3.0]]), 5.0)
+    >>> rows.tolist(), first.tolist(), last.tolist()
+    ([0], [-2.0], [6.0])
+    """
+    offsets = points - starts
+    units = np.broadcast_to(units, offsets.shape)
+    heights = np.abs(offsets[:, 0] * units[:, 1] - offsets[:, 1] * units[:, 0])
+    near = heights < distance - slack
+    middles = (offsets[near] * units[near]).sum(axis=1)
+    halves = np.sqrt(distance**2 - heights[near] ** 2)
+    return np.flatnonzero(near), middles - halves, middles + halves
 
 
 def edges_of(corners: Array) -> Edges:

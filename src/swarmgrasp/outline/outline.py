@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import ContactInvalid, OutlineInvalid, ZoneInvalid, refuse
 from swarmgrasp.frozen import Frozen, read_only
-from swarmgrasp.outline.nearest import Edges, edges_of
+from swarmgrasp.outline.nearest import Edges, chords, edges_of
 from swarmgrasp.outline.polygon import (
     as_point,
     centroid,
@@ -509,21 +509,26 @@ class Outline(Frozen, Plain):
         return Stretch(first, last, self.edge_label(index) if is_empty else name)
 
     def stretches_near(
-        self, point: ArrayLike, distance: float, name: str = ""
+        self, points: ArrayLike, distance: float, name: str = ""
     ) -> tuple[Stretch, ...]:
-        """Return the stretches of the boundary that are nearer to a point than a distance.
+        """Return the stretches of the boundary that are nearer to points than a distance.
 
         Parameters
         ----------
-        point : (2,) [m, m]
+        points : (2,) or (n, 2) [m, m]
         distance : float [m]
         name : str
             What the stretches are called.
 
+        Returns
+        -------
+        tuple of Stretch
+            Those of each point, one point after the other.
+
         Raises
         ------
         ContactInvalid
-            If the point is not two finite numbers.
+            If a point is not two finite numbers.
         ZoneInvalid
             If the distance is not a finite length >= 0.
 
@@ -533,27 +538,35 @@ class Outline(Frozen, Plain):
         >>> square.stretches_near((2, 0), 0.5)
         (Stretch(start=1.5, end=2.5, name=''),)
         """
-        near = as_point(point)
-        faults = length_faults(distance, "distance")
-        if not np.isfinite(near).all():
-            raise ContactInvalid(
-                f"the point is {shown(point)}; it should be two finite numbers [m]"
-            )
+        given, faults = array_of(points), length_faults(distance, "distance")
+        if given is not None and not np.isfinite(given).all():
+            raise ContactInvalid(f"the points are {shown(points)}; they should be finite [m, m]")
+        wanted = _points(points)
         if faults:
             raise ZoneInvalid(faults)
+        return tuple(
+            Stretch(start, end, name)
+            for point in wanted
+            for start, end in self._runs_near(point, distance)
+        )
+
+    def _runs_near(self, point: NDArray[np.float64], distance: float) -> list[tuple[float, float]]:
+        """Return what is nearer to a point than a distance, from and to as arc lengths [m]."""
+        units = (self._ends - self.vertices) / self.lengths[:, None]
+        edges, first, last = chords(self.vertices, units, point, distance)
+        starts = self.corner_arc_lengths[edges] + np.maximum(first, 0.0)
+        ends = self.corner_arc_lengths[edges] + np.minimum(last, self.lengths[edges])
         runs: list[tuple[float, float]] = []
-        for base, (first, last) in zip(
-            self.corner_arc_lengths.tolist(), self._edges.within(near, distance), strict=False
+        for start, end in zip(
+            starts.tolist(), np.minimum(ends, self.perimeter).tolist(), strict=True
         ):
-            start, end = base + first, min(base + last, self.perimeter)
-            if first < last and runs and start - runs[-1][1] <= self.tolerance:
+            if start < end and runs and start - runs[-1][1] <= self.tolerance:
                 runs[-1] = runs[-1][0], end
-            elif first < last:
+            elif start < end:
                 runs.append((start, end))
-        is_round = len(runs) > 1 and runs[0][0] == 0.0 and runs[-1][1] == self.perimeter
-        if is_round:  # one stretch across the first vertex
-            runs = [*runs[1:-1], (runs[-1][0], runs[0][1])]
-        return tuple(Stretch(start, end, name) for start, end in runs)
+        if len(runs) > 1 and runs[0][0] == 0.0 and runs[-1][1] == self.perimeter:
+            runs = [*runs[1:-1], (runs[-1][0], runs[0][1])]  # one across the first vertex
+        return runs
 
     def contains(self, point: ArrayLike) -> bool:
         """Tell whether a point is inside the outline or on its boundary.

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
+from swarmgrasp.outline.nearest import chords
 from swarmgrasp.swarm import Newcomer, Zone
 from swarmgrasp.swarm.robot import RIGHT_ANGLE, Attachment
 
@@ -252,12 +253,8 @@ def _crowded(
     """Return the parts of an edge that are too near a robot already there."""
     p, q = outline.edge_ends(edge)
     along = (q - p) / outline.lengths[edge]
-    offsets = crowd - p
-    heights = np.abs(offsets[:, 0] * along[1] - offsets[:, 1] * along[0])
-    near = heights < spacing - SLIVER * outline.extent
-    middles = (offsets[near] * along).sum(axis=1)
-    halves = np.sqrt(spacing**2 - heights[near] ** 2)
-    return list(zip((middles - halves).tolist(), (middles + halves).tolist(), strict=True))
+    _, first, last = chords(p, along, crowd, spacing, SLIVER * outline.extent)
+    return list(zip(first.tolist(), last.tolist(), strict=True))
 
 
 def _minus(whole: Interval, taken: list[Interval]) -> Iterator[Interval]:

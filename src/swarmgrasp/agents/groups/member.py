@@ -206,11 +206,7 @@ class Member:
         """Return the group in whose part the best place is, by all slots; None without room."""
         problem, parts = self._problem, self.slots.parts
         roomy = {group for group in range(len(parts)) if self._has_room(group)}
-        near = [
-            stretch
-            for point in problem.swarm.contacts.tolist()
-            for stretch in parts.outline.stretches_near(point, problem.spacing)
-        ]
+        near = parts.outline.stretches_near(problem.swarm.contacts, problem.spacing)
         try:
             found = self.slots.everyone.place(
                 parts.outline, problem.newcomer, problem.zones,

@@ -95,9 +95,8 @@ class Case(Told):
 
     def taken(self, robots: Iterable[Robot]) -> tuple[Stretch, ...]:
         """Return what lies nearer than the spacing to robots that are there."""
-        outline = outline_of(self.shape)
-        found = (outline.stretches_near(robot.contact, self.spacing) for robot in robots)
-        return tuple(stretch for near in found for stretch in near)
+        contacts = np.array([robot.contact for robot in robots]).reshape(-1, 2)
+        return outline_of(self.shape).stretches_near(contacts, self.spacing)
 
 
 @cache

@@ -69,47 +69,56 @@ class Decisions:
     def decide(self) -> None:
         """Act upon what has changed."""
         self._quiet_since = self._knowledge.hearing.now
-        settled = frozenset(record.id for record in self.view.settled)
+        view = self.view
+        settled = frozenset(record.id for record in view.settled)
         if self._settled - settled:
             self._blocked.clear()  # who has gone may have been what was seen there
         self._settled = settled
         match self._word.now.phase:
             case Phase.WAITING | Phase.COMING:
-                self.choose()
+                self.choose(view)
             case Phase.ARRIVED:
-                self._give_way()
+                self._give_way(view)
             case Phase.ASKING:
                 self._take_back()
             case Phase.ATTACHED:
-                self._drop_plan(self.view)
-                self._look_around()
+                self._drop_plan(view)
+                self._look_around(view)
 
-    def choose(self) -> None:
-        """Take the best place beside all with an earlier ticket (R1 to R3)."""
-        surprise = is_surprised(self._word.now, self.view, self.reckoned)
+    def choose(self, view: View | None = None) -> None:
+        """Take the best place beside all with an earlier ticket (R1 to R3).
+
+        Parameters
+        ----------
+        view : View, optional
+            The robots it reckons with, if that is known already.
+        """
+        view = view or self.view
+        surprise = is_surprised(self._word.now, view, self.reckoned)
         if surprise is not None:
-            self._go_behind(surprise)
-        view = self.view
-        self._drop_plan(view)
+            view = self._gone_behind(surprise)
+        has_dropped = self._drop_plan(view)
         self._ask_for_plan(view)
-        choice = self._choice()
-        while other := cut_off_by(self._word.now, choice, self.view, self._planner, self._blocked):
-            self._go_behind(other)
-            choice = self._choice()
+        view = self.view if has_dropped else view
+        choice = self._choice(view)
+        while other := cut_off_by(self._word.now, choice, view, self._planner, self._blocked):
+            view = self._gone_behind(other)
+            choice = self._choice(view)
         if choice.place is None:
             self.find_no_room()
         else:
             self._head_for(self._kept(choice) or choice.place, choice)
 
-    def _choice(self) -> Choice:
+    def _choice(self, view: View) -> Choice:
         """Return the place that the rule gives it now (R1)."""
-        return choices(self.view, self._planner, self.name, self._blocked)[self.name]
+        return choices(view, self._planner, self.name, self._blocked)[self.name]
 
-    def _go_behind(self, other: Record) -> None:
+    def _gone_behind(self, other: Record) -> View:
         """Take a new ticket, behind a robot that did not reckon with this one (R2)."""
         self._word.change(ticket=self._knowledge.next_ticket())
         words = f"{other.id} did not reckon with {self.name}, which takes a new ticket"
         self._reports.tell("new ticket", words, other.id)
+        return self.view
 
     def find_no_room(self) -> None:
         """Wait where it is."""
@@ -225,9 +234,9 @@ class Decisions:
         )
         return place if at_new <= at_old * (1.0 + worth) else None
 
-    def _give_way(self) -> None:
+    def _give_way(self, view: View) -> None:
         """Give way to whom this robot has to (R4)."""
-        conflicts = conflicts_of(self._word.now, self.view, self._planner)
+        conflicts = conflicts_of(self._word.now, view, self._planner)
         if conflicts:
             other = conflicts[0]
             self._reports.tell("gives way", f"{self.name} gives way to {other.id}", other.id)
@@ -246,13 +255,12 @@ class Decisions:
             self._word.change(phase=Phase.ATTACHED)
             self._reports.tell("stays", f"{self.name} stays: {fault}")
 
-    def _look_around(self) -> None:
+    def _look_around(self, view: View) -> None:
         """Tell who holds the object too close, and move if that is due (R12)."""
-        for first, second in too_close(self.view, self._planner):
-            if self.name in {first.id, second.id}:
-                key = f"close {first.id} {second.id}"
-                words = f"{first.id} and {second.id} are too close: {second.id} is the later one"
-                self._reports.tell_once(key, "too close", words, first.id, second.id)
+        for first, second in too_close(view, self._planner, self.name):
+            key = f"close {first.id} {second.id}"
+            words = f"{first.id} and {second.id} are too close: {second.id} is the later one"
+            self._reports.tell_once(key, "too close", words, first.id, second.id)
             is_later = second.id == self.name and self._settings.resolve
             if is_later and not self.reason_to_stay():
                 self.ask_to_move()
@@ -260,10 +268,10 @@ class Decisions:
 
     def _ask_for_plan(self, view: View) -> None:
         """Have a joint plan made, if this robot is the one to make it."""
-        is_heard = self._knowledge.hearing.is_heard
-        heard = tuple(r for r in view.movers if r.id == self.name or is_heard(r.id))
         if self._is_planning:
             return
+        is_heard = self._knowledge.hearing.is_heard
+        heard = tuple(r for r in view.movers if r.id == self.name or is_heard(r.id))
         there = View(view.fixed, view.settled, heard, view.doubted)
         wanted = plan_wanted(there, self._planner, self.name)
         if wanted is not None and wanted != self._planned_for:
@@ -271,10 +279,11 @@ class Decisions:
             self._is_planning = True
             self.out.append(MakePlan(*wanted, self._planner.who(self._word.now)))
 
-    def _drop_plan(self, view: View) -> None:
-        """Take back a plan whose robots are all at their place, or gone."""
+    def _drop_plan(self, view: View) -> bool:
+        """Take back a plan whose robots are all at their place, or gone; tell whether it did."""
         plan = self._word.now.plan
-        if plan is not None:
-            on_their_way = {record.id for record in view.movers}
-            if not any(name in on_their_way for name, _ in plan.places):
-                self._word.change(plan=None)
+        on_their_way = {record.id for record in view.movers}
+        if plan is None or any(name in on_their_way for name, _ in plan.places):
+            return False
+        self._word.change(plan=None)
+        return True

@@ -5,11 +5,11 @@ each robot computes them (T32, T34). What was published is used where it rests o
 so that rounding on other machines cannot split the swarm.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass
 
 from swarmgrasp.agents.protocol.planner import Planner, Rows, basis_of
-from swarmgrasp.agents.protocol.record import Kind, Phase, Place, Plan, Record, Row
+from swarmgrasp.agents.protocol.record import Phase, Place, Plan, Record, Row
 
 PLANNED = 6
 """Robots that are planned together at most."""
@@ -136,14 +136,9 @@ def choices(
     planned = dict(plan.places) if plan else {}
     mark = b"" if plan is None else _mark(plan)
     found: dict[str, Choice] = {}
+    placed: list[Row] = []
     for record in view.movers:
-        before = view.counted_before(record.order)
-        before += [
-            Row(name, ticket, choice.place, kind)
-            for name, (ticket, kind, choice) in _so_far(view, found).items()
-            if choice.place is not None
-        ]
-        rows = in_order(before, planner)
+        rows = in_order([*view.counted_before(record.order), *placed], planner)
         obstacles = view.obstacles_to(record.order)
         if record.id == until:
             obstacles += tuple(blocked)
@@ -161,6 +156,8 @@ def choices(
         else:
             place = planner.place(rows, obstacles, planner.who(record))
         found[record.id] = Choice(place, basis, rows, obstacles, plan if is_planned else None)
+        if place is not None:
+            placed.append(Row(record.id, record.ticket, place, record.kind))
         if record.id == until:
             break
     return found
@@ -214,16 +211,13 @@ def plan_wanted(view: View, planner: Planner, first: str) -> tuple[Rows, tuple[s
     return before, tuple(r.id for r in alike)
 
 
-def is_surprised(
-    me: Record, view: View, confirmed: Iterable[tuple[str, int, int]]
-) -> Record | None:
+def is_surprised(me: Record, view: View, confirmed: Set[tuple[str, int, int]]) -> Record | None:
     """Return a robot with a later ticket that holds the object and never asked this one.
 
     It did not reckon with this one: they could not hear each other.
     """
-    asked = set(confirmed)
     for record in view.settled:
-        if record.is_fixed and record.order > me.order and record.arrived_as not in asked:
+        if record.is_fixed and record.order > me.order and record.arrived_as not in confirmed:
             return record
     return None
 
@@ -261,14 +255,25 @@ def conflicts_of(me: Record, view: View, planner: Planner) -> list[Record]:
     ]
 
 
-def too_close(view: View, planner: Planner) -> list[tuple[Record, Record]]:
-    """Return the pairs that hold the object and are nearer than the spacing, the later one last."""
-    fixed = [r for r in view.settled if r.phase in {Phase.ATTACHED, Phase.ASKING} and r.place]
+def too_close(view: View, planner: Planner, name: str = "") -> list[tuple[Record, Record]]:
+    """Return the pairs that hold the object and are nearer than the spacing, the later one last.
+
+    Parameters
+    ----------
+    view : View
+    planner : Planner
+    name : str
+        The robot that is one of each pair; "" for all pairs.
+    """
+    holding = [r for r in view.settled if r.phase >= Phase.ATTACHED and r.place]
     return [
         (first, second)
-        for k, second in enumerate(fixed)
-        for first in fixed[:k]
-        if first.place and second.place and not planner.is_clear(first.place, [second.place])
+        for k, second in enumerate(holding)
+        for first in holding[:k]
+        if name in ("", first.id, second.id)
+        and first.place
+        and second.place
+        and not planner.is_clear(first.place, [second.place])
     ]
 
 
@@ -281,11 +286,6 @@ def _mark(plan: Plan) -> bytes:
 def _planned_row(record: Record, place: Place) -> Row:
     """Return a robot of a plan: where it is, if it is at its place, or where it is to go."""
     return row_of(record) if record.is_at_its_place else Row(record.id, 0, place, record.kind)
-
-
-def _so_far(view: View, found: dict[str, Choice]) -> dict[str, tuple[int, Kind | None, Choice]]:
-    """Return the robots that have a place by now, with their tickets and kinds."""
-    return {r.id: (r.ticket, r.kind, found[r.id]) for r in view.movers if r.id in found}
 
 
 def in_order(rows: Iterable[Row], planner: Planner) -> Rows:

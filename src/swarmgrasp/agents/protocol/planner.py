@@ -4,8 +4,10 @@ import hashlib
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple, Protocol
+
+import numpy as np
 
 from swarmgrasp.agents.protocol.record import BASIS, Kind, Place, Plan, Record, Row
 from swarmgrasp.agents.protocol.wire import PROTOCOL, encode
@@ -154,7 +156,7 @@ class ProblemPlanner:
         told = repr((PROTOCOL, self.problem.to_data())).encode()
         return hashlib.blake2b(told, digest_size=BASIS).hexdigest()
 
-    @property
+    @cached_property
     def present(self) -> Rows:
         """The robots that the mission begins with, in order."""
         return tuple(
@@ -237,10 +239,10 @@ class ProblemPlanner:
 
     def mover(self, rows: Rows, names: Sequence[str], floor: float, gain: float) -> str:
         """Return who should move to raise the quality by a share of it; "" for nobody."""
-        found = []
+        found, asked = [], self._asked(rows, (), Who())
         for name in names:
             try:
-                move = best_move(self._asked(rows, (), Who()), robots=name).best
+                move = best_move(asked, robots=name).best
             except SwarmGraspError:  # it has nowhere to go, or is no robot that moves alone
                 continue
             if move.quality_without >= floor and move.gain > gain * move.before.value:
@@ -281,11 +283,8 @@ class ProblemPlanner:
     def _asked(self, rows: Rows, obstacles: tuple[Place, ...], who: Who) -> Problem:
         """Return the question where a robot goes."""
         problem, swarm = self.problem, self._swarm(rows)
-        near = [
-            stretch
-            for place in obstacles
-            for stretch in swarm.outline.stretches_near((place.x, place.y), problem.spacing)
-        ]
+        there = np.array([(place.x, place.y) for place in obstacles]).reshape(-1, 2)
+        near = swarm.outline.stretches_near(there, problem.spacing)
         return replace(
             problem, swarm=swarm, newcomer=self._newcomer(who), no_go=(*problem.no_go, *near),
             criterion=self._criterion(swarm),
