@@ -106,3 +106,26 @@ def wrench_for(rng, swarm):
     if kind == 4:
         return 0.1 * inside + rng.normal(size=3) * size * 1e-6
     return inside * (1.0 if kind == 0 else rng.choice([0.3, 1.0, 1.5]))
+
+
+SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+SIDES = [(math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))]
+"""Sectors that leave out a gap ahead and one astern."""
+
+
+def unit(*robots):
+    """Return robots on the square, in the unit metric."""
+    return Swarm(SQUARE, robots, characteristic_length=1.0)
+
+
+def robots_with_gaps(rng, count, fewest=1):
+    """Return robots of up to three sectors each, mounted on the square, at random."""
+    robots = []
+    for _ in range(count):
+        ends = np.sort(rng.uniform(0.0, math.tau, 2 * rng.integers(fewest, 4)))
+        ends += rng.uniform(-3, 3)
+        sectors = list(zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True))
+        contact = tuple(rng.uniform(-1, 1, 2).tolist())
+        limit = float(rng.uniform(0.5, 2.0))
+        robots.append(Robot(contact, limit=limit, sectors=sectors, mounted=True))
+    return robots

@@ -1,7 +1,5 @@
 import pytest
 
-from swarmgrasp.cli import main
-
 SCENARIO = """\
 name: Pontoon
 outline: {vertices: [[-2, -1], [2, -1], [2, 1], [-2, 1]], edges: [starboard, bow, port, stern]}
@@ -20,15 +18,3 @@ def pontoon(tmp_path):
     path = tmp_path / "pontoon.yaml"
     path.write_text(SCENARIO)
     return path
-
-
-@pytest.fixture
-def run(capsys):
-    """Run a command; return its exit status, what it said, and what it complained about."""
-
-    def run(*arguments):
-        status = main([str(argument) for argument in arguments])
-        said = capsys.readouterr()
-        return status, said.out, said.err
-
-    return run

@@ -7,29 +7,10 @@ import numpy as np
 import pytest
 
 import reference
-from swarmgrasp import Outline, Robot, Swarm, forces, forces_along
+from crews import SIDES, robots_with_gaps, unit
+from swarmgrasp import Robot, forces, forces_along
 from swarmgrasp.forces.certificate import SectorsProof
 from swarmgrasp.swarm.choices import Choices
-
-SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-SIDES = [(math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))]
-
-
-def unit(*robots):
-    """Return robots on the square, in the unit metric."""
-    return Swarm(SQUARE, robots, characteristic_length=1.0)
-
-
-def crew_of(rng, count):
-    """Return robots of two or three sectors each, at random."""
-    robots = []
-    for _ in range(count):
-        ends = np.sort(rng.uniform(0.0, math.tau, 2 * rng.integers(2, 4))) + rng.uniform(-3, 3)
-        sectors = list(zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True))
-        contact = tuple(rng.uniform(-1, 1, 2).tolist())
-        limit = float(rng.uniform(0.5, 2.0))
-        robots.append(Robot(contact, limit=limit, sectors=sectors, mounted=True))
-    return robots
 
 
 def aside(robot, force):
@@ -46,7 +27,7 @@ def aside(robot, force):
 def test_the_least_share_is_that_of_all_choices(seed):
     """A linear program for each choice of sectors finds the same, within its fans."""
     rng = np.random.default_rng([seed, 1])
-    swarm = unit(*crew_of(rng, 3))
+    swarm = unit(*robots_with_gaps(rng, 3, 2))
     wrench = rng.normal(size=3) * [0.5, 0.5, 0.3]
     found = forces(swarm, wrench)
     arms = swarm.contacts - swarm.outline.origin
@@ -62,7 +43,7 @@ def test_no_choice_serves_better(seed):
     """Nor comes nearer to a wrench out of reach, nor does as well with less squares."""
     rng = np.random.default_rng([seed, 2])
     both = Robot((0.0, 0.2), 0.3, 1.0, reverse_limit=1.0, mounted=True)
-    swarm = unit(*crew_of(rng, 2), both)
+    swarm = unit(*robots_with_gaps(rng, 2, 2), both)
     wrenches = rng.normal(size=(4, 3)) * np.array([0.1, 0.5, 1.0, 3.0])[:, None]
     choices = Choices(swarm)
     fixed = [choices.swarm(taken) for taken in np.ndindex(*map(len, choices.options))]
@@ -129,4 +110,7 @@ def test_a_false_claim_is_refused():
 
 def test_no_wrenches():
     """An empty trajectory has no forces."""
-    assert len(forces_along(unit(*crew_of(np.random.default_rng(0), 1)), np.zeros((0, 3)))) == 0
+    assert (
+        len(forces_along(unit(*robots_with_gaps(np.random.default_rng(0), 1, 2)), np.zeros((0, 3))))
+        == 0
+    )

@@ -1,10 +1,9 @@
 """Newcomers beside robots with gaps between their sectors: a place and a bound (T28)."""
 
-import math
-
 import numpy as np
 import pytest
 
+from crews import SIDES
 from swarmgrasp import (
     Newcomer,
     Outline,
@@ -22,7 +21,6 @@ from swarmgrasp.errors import RobotInvalid
 from swarmgrasp.verify.digest import digest_of
 
 BARGE = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
-SIDES = [(math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))]
 NAMES = {"bow": 30.0, "fore": 10.0, "aft": -10.0, "stern": -30.0}
 ROW = Swarm(
     BARGE,

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import reference
+from crews import SIDES, robots_with_gaps, unit
 from swarmgrasp import (
     Ellipsoid,
     Newcomer,
@@ -28,26 +29,10 @@ from swarmgrasp.quality import changing
 from swarmgrasp.quality.changing import NEAR
 from swarmgrasp.swarm.choices import Asked, Choices
 
-SQUARE = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-SIDES = [(math.radians(20), math.radians(160)), (math.radians(200), math.radians(340))]
-"""Sectors that leave out a gap ahead and one astern."""
-
-
-def unit(*robots):
-    """Return robots on the square, in the unit metric."""
-    return Swarm(SQUARE, robots, characteristic_length=1.0)
-
 
 def crew_of(rng, count):
-    """Return robots of one to three sectors each, at random."""
-    robots = []
-    for _ in range(count):
-        ends = np.sort(rng.uniform(0.0, math.tau, 2 * rng.integers(1, 4))) + rng.uniform(-3, 3)
-        sectors = list(zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True))
-        contact = tuple(rng.uniform(-1, 1, 2).tolist())
-        limit = float(rng.uniform(0.5, 2.0))
-        robots.append(Robot(contact, limit=limit, sectors=sectors, mounted=True))
-    return unit(*robots)
+    """Return a swarm of robots of one to three sectors each."""
+    return unit(*robots_with_gaps(rng, count))
 
 
 def fixed(swarm, sectors):

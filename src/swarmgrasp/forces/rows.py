@@ -1,7 +1,7 @@
 """What kernels find for wrenches, of robots of any force sets (T27)."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, NoReturn
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from swarmgrasp.forces.answer import Array
 from swarmgrasp.forces.certificate import SectorsProof
 from swarmgrasp.forces.wanted import Triple
 from swarmgrasp.frozen import read_only
-from swarmgrasp.kernels import shares as kernel
+from swarmgrasp.quality.push_table import push_table
 from swarmgrasp.swarm import Swarm
 
 
@@ -27,27 +27,22 @@ class Rows(NamedTuple):
     prices: Array
     sectors: tuple[SectorsProof, ...] = ()
 
+    @property
+    def columns(self) -> tuple[Any, ...]:
+        """All that has a row for each wrench."""
+        *columns, _ = self
+        return tuple(columns)
+
     def one(self, k: int) -> "Rows":
         """Return the row of one wrench."""
-        here = slice(k, k + 1)
-        return Rows(
-            self.vectors[here], self.shares[here], self.needed[here], self.shortfalls[here],
-            self.is_least_squares[here], self.normals[here], self.prices[here],
-        )  # fmt: skip
+        return Rows(*(column[k : k + 1] for column in self.columns))
 
     @classmethod
     def joined(cls, rows: "Sequence[Rows]", sectors: tuple[SectorsProof, ...]) -> "Rows":
         """Return rows below each other."""
-        return cls(
-            np.concatenate([row.vectors for row in rows]),
-            np.concatenate([row.shares for row in rows]),
-            np.concatenate([row.needed for row in rows]),
-            np.concatenate([row.shortfalls for row in rows]),
-            np.concatenate([row.is_least_squares for row in rows]),
-            np.concatenate([row.normals for row in rows]),
-            np.concatenate([row.prices for row in rows]),
-            sectors,
-        )
+        columns = zip(*(row.columns for row in rows), strict=True)
+        below: list[Any] = [np.concatenate(column) for column in columns]
+        return cls(*below)._replace(sectors=sectors)
 
 
 def set_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
@@ -59,12 +54,7 @@ def set_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
         If rounding decides, so that forces can be found but not proven.
     """
     m, n = len(wrenches), len(swarm)
-    x, y, z = swarm.scale.tolist()
-    elements, counts = swarm.force_sets
-    arms = np.ascontiguousarray(swarm.contacts - swarm.outline.origin)
-    table = np.frombuffer(
-        kernel.push_forces(arms, elements, counts.astype(float), (x, y, z), wrenches, load)
-    ).reshape(m, 3 * n + 13)
+    table = push_table(swarm, wrenches, load)
     rest = table[:, 3 * n :]
     if not rest[:, -1].all():
         refuse_unproven(swarm, wrenches[np.argmin(rest[:, -1])])

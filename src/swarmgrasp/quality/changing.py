@@ -12,7 +12,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.kernels import shares as kernel
+from swarmgrasp.quality.push_table import push_table
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.choices import Choices
 
@@ -79,15 +79,7 @@ def _reaches(swarm: Swarm, ways: Array) -> Array:
 
     nan where rounding decides.
     """
-    x, y, z = swarm.scale.tolist()
-    elements, counts = swarm.force_sets
-    arms = np.ascontiguousarray(swarm.contacts - swarm.outline.origin)
-    table = np.frombuffer(
-        kernel.push_forces(
-            arms, elements, counts.astype(float), (x, y, z), np.ascontiguousarray(ways),
-            (0.0, 0.0, 0.0),
-        )
-    ).reshape(len(ways), -1)  # fmt: skip
+    table = push_table(swarm, ways)
     needed = np.where(table[:, -1] == 1.0, table[:, 3 * len(swarm)], np.nan)
     return np.asarray(1.0 / np.maximum(needed, np.finfo(float).tiny))
 

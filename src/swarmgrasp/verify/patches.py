@@ -13,13 +13,11 @@ import numpy as np
 
 from swarmgrasp.verify.allowed import Piece
 from swarmgrasp.verify.cover import is_covered
-from swarmgrasp.verify.judge import Judge
 from swarmgrasp.verify.recompute import ANGLE, Array
 from swarmgrasp.verify.spans import Kept
-from swarmgrasp.verify.team import Team
 
 if TYPE_CHECKING:
-    from swarmgrasp.verify.claims import NewcomerClaim, PatchClaim
+    from swarmgrasp.verify.claims import PatchClaim
 
 
 class Patches:
@@ -27,17 +25,12 @@ class Patches:
 
     Parameters
     ----------
-    claims : iterable of PatchClaim
-    judge, team, newcomer, limit, origin, rounding
+    kept, claims, origin
         As for `Spans`.
     """
 
-    def __init__(
-        self, judge: Judge, team: Team, claims: "Iterable[PatchClaim]", newcomer: "NewcomerClaim",
-        limit: float, origin: Array, rounding: float,
-    ) -> None:  # fmt: skip
-        self._kept = Kept(judge, team, newcomer, limit, rounding)
-        self._origin, self._claims = origin, tuple(claims)
+    def __init__(self, kept: Kept, claims: "Iterable[PatchClaim]", origin: Array) -> None:
+        self._kept, self._origin, self._claims = kept, origin, tuple(claims)
 
     def bounds(self, pieces: Iterable[Piece], sliver: float) -> tuple[float, float]:
         """Bound the quality with the newcomer on areas, less and more what rounding hides.

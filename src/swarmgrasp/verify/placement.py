@@ -32,7 +32,7 @@ from swarmgrasp.verify.recompute import (
     units_of,
 )
 from swarmgrasp.verify.rounding import noise_of
-from swarmgrasp.verify.spans import Spans
+from swarmgrasp.verify.spans import Kept, Spans
 from swarmgrasp.verify.team import Team, keeping
 from swarmgrasp.verify.verdict import Verdict
 
@@ -359,15 +359,15 @@ class _Check:
 
     def span_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
         """Do the same by the spans, or the patches, which should cover the pieces."""
-        rest = (
-            self.asked.newcomer, self.certain_limit, self.boundary.origin,
-            self.rounding * self.judge.unit,
-        )  # fmt: skip
-        if self.asked.newcomer.mounted:
-            patches = Patches(self.judge, self.base, self.claim.patches, *rest)
-            return patches.bounds(pieces, self.boundary.sliver)
-        spans = Spans(self.judge, self.base, self.claim.spans, *rest)
-        return spans.bounds(pieces, self.boundary.sliver)
+        newcomer, origin = self.asked.newcomer, self.boundary.origin
+        rounding = self.rounding * self.judge.unit
+        kept = Kept(self.judge, self.base, newcomer, self.certain_limit, rounding)
+        proofs = (
+            Patches(kept, self.claim.patches, origin)
+            if newcomer.mounted
+            else Spans(kept, self.claim.spans, origin)
+        )
+        return proofs.bounds(pieces, self.boundary.sliver)
 
     def box_bounds(self, pieces: list[Piece]) -> tuple[float, float]:
         """Do the same by the boxes, which should cover the pieces."""

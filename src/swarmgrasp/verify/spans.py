@@ -35,8 +35,14 @@ class Kept:
 
     Parameters
     ----------
-    judge, team, newcomer, limit, rounding
-        As for `Spans`.
+    judge : Judge
+    team : Team
+        The robots already there.
+    newcomer : NewcomerClaim
+    limit : float [N]
+        Of the newcomer, for certain.
+    rounding : float [N]
+        By which H may be off.
     """
 
     def __init__(
@@ -97,25 +103,14 @@ class Spans:
 
     Parameters
     ----------
-    judge : Judge
-    team : Team
-        The robots already there.
+    kept : Kept
     claims : iterable of SpanClaim
-    newcomer : NewcomerClaim
-    limit : float [N]
-        Of the newcomer, for certain.
     origin : (2,) [m, m]
         Of moments.
-    rounding : float [N]
-        By which H may be off.
     """
 
-    def __init__(
-        self, judge: Judge, team: Team, claims: "Iterable[SpanClaim]", newcomer: "NewcomerClaim",
-        limit: float, origin: Array, rounding: float,
-    ) -> None:  # fmt: skip
-        self._kept = Kept(judge, team, newcomer, limit, rounding)
-        self._origin, self._claims = origin, tuple(claims)
+    def __init__(self, kept: Kept, claims: "Iterable[SpanClaim]", origin: Array) -> None:
+        self._kept, self._origin, self._claims = kept, origin, tuple(claims)
         self.ends = np.array([(span.start, span.end) for span in self._claims]).reshape(-1, 2, 2)
         self.sectors = np.array([(span.lo, span.hi) for span in self._claims]).reshape(-1, 2)
 
