@@ -118,6 +118,10 @@ class ScheduleInvalid(SwarmGraspError):
     """A schedule of a simulated network is impossible, or written as none."""
 
 
+class SimulationInvalid(SwarmGraspError):
+    """A simulation's hull, robots, weather or events have values that cannot be, or contradict."""
+
+
 class NotInThePaper(SwarmGraspError):
     """The source paper's algorithm is asked for something it does not know."""
 

@@ -1,0 +1,99 @@
+"""What station keeping is told: how often it looks, how fast it acts, how well it sees."""
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from swarmgrasp.environment.limits import Range
+from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.plain import Plain
+from swarmgrasp.ranges import is_number
+
+PERIOD = Range(1e-5, 1e3, "s")
+FREQUENCY = Range(1e-6, 1e3, "rad/s")
+NOISE = Range(0.0, 1e3, "m")
+TURN_NOISE = Range(0.0, math.pi, "rad")
+
+
+class Settings(NamedTuple):
+    """How station keeping is set, with everything said, as in `Control`."""
+
+    period: float
+    frequency: float
+    observer: float
+    position_noise: float
+    heading_noise: float
+
+
+@dataclass(frozen=True)
+class Control(Plain):
+    """How station keeping is set.
+
+    What is left out follows from the robots' largest lag T and the object's length L.
+
+    Attributes
+    ----------
+    period : float [s], optional
+        Between two looks, and two sets of orders; T / 50 when left out.
+    frequency : float [rad/s], optional
+        How fast an error is taken back; 0.35 / T when left out: beyond that the loop rings.
+    observer : float [rad/s], optional
+        How fast what the sensors say is believed; twice the frequency when left out.
+    position_noise : float [m], optional
+        Standard deviation of a look, along x and along y; the smaller of 0.3 m and L / 200 when
+        left out.
+    heading_noise : float [rad]
+        The same of the heading.
+
+    Raises
+    ------
+    SimulationInvalid
+        If a value is outside its range; all faults at once.
+    """
+
+    period: float | None = None
+    frequency: float | None = None
+    observer: float | None = None
+    position_noise: float | None = None
+    heading_noise: float = math.radians(0.1)
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        known = {
+            "period": PERIOD, "frequency": FREQUENCY, "observer": FREQUENCY,
+            "position_noise": NOISE, "heading_noise": TURN_NOISE,
+        }  # fmt: skip
+        faults = [
+            fault
+            for name, value in vars(self).items()
+            if value is not None or name == "heading_noise"
+            for fault in known[name].faults(name.replace("_", " "), value)
+        ]
+        if faults:
+            raise SimulationInvalid(f"control: {fault}" for fault in faults)
+        kept = {name: float(value) for name, value in vars(self).items() if is_number(value)}
+        vars(self).update(kept)
+
+    def settled(self, lag: float, length: float) -> "Settings":
+        """Return the settings for robots and an object.
+
+        Parameters
+        ----------
+        lag : float [s]
+            The largest of the robots.
+        length : float [m]
+            Of the object.
+
+        Examples
+        --------
+        >>> Control(observer=0.2).settled(5.0, 100.0)
+        Settings(period=0.1, frequency=0.06999..., observer=0.2, position_noise=0.3, ...)
+        """
+        frequency = 0.35 / lag if self.frequency is None else self.frequency
+        return Settings(
+            lag / 50.0 if self.period is None else self.period,
+            frequency,
+            2.0 * frequency if self.observer is None else self.observer,
+            min(0.3, length / 200.0) if self.position_noise is None else self.position_noise,
+            self.heading_noise,
+        )
