@@ -1,4 +1,3 @@
-import os
 import re
 import sys
 from html.parser import HTMLParser
@@ -8,7 +7,7 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.pages import writing
 from swarmgrasp.pages.page import Picture
-from swarmgrasp.pages.runner import THREADS, Runner, workers
+from swarmgrasp.pages.runner import Runner, workers
 from swarmgrasp.pages.statements import Statement
 from swarmgrasp.paper import report, sections
 from swarmgrasp.paper.measured import measure
@@ -85,18 +84,13 @@ def test_nothing_is_left_behind_when_it_fails(tmp_path, monkeypatch):
     assert (tmp_path / "paper.html").read_text() == "an earlier one"
 
 
-def test_processes_find_the_same(monkeypatch):
-    """In their order, each with one thread for its matrix products; the environment is restored."""
-    monkeypatch.setenv(THREADS[0], "3")
-    monkeypatch.delenv(THREADS[1], raising=False)
+def test_processes_find_the_same():
+    """In the order of the draws."""
     tasks, seen = [(1, 5, k) for k in range(6)], []
     with workers() as executor:
         found = Runner(executor, seen.append).map(gain_of, tasks)
-        threads = executor.submit(os.getenv, THREADS[0]).result()
     assert found == [gain_of(task) for task in tasks]
     assert seen == [1, 2, 3, 4, 5, 6]
-    assert (threads, os.environ[THREADS[0]]) == ("1", "3")
-    assert THREADS[1] not in os.environ
 
 
 def test_the_sizes_are_what_is_promised():

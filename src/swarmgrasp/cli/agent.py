@@ -107,7 +107,7 @@ def agent(
     json
         Print lines of JSON instead of sentences: reports, orders, and what is heard.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", "zenoh", purpose="A robot on the network")
     from swarmgrasp.agents.network import NetworkSettings

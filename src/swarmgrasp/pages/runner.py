@@ -1,18 +1,15 @@
 """Running a study's draws: here, or in processes of their own."""
 
-import os
-import signal
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
+from concurrent.futures import Executor
 from contextlib import contextmanager
-from multiprocessing import get_context
 from typing import TypeVar
+
+from swarmgrasp.processes import Pool, cores, one_thread_each
 
 Task = TypeVar("Task")
 Found = TypeVar("Found")
 
-THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
-"""What tells NumPy how many threads a matrix product may use."""
 MOST_WORKERS = 4
 SHARE = 16
 """Parts that the draws of each process are handed out in."""
@@ -68,23 +65,11 @@ class Runner:
 def workers() -> Iterator[Executor]:
     """Offer a process for each core, up to four, in which a matrix product uses one thread.
 
-    Small products are slower on several, and times would hang on what else is running.
+    Times would hang on what else is running if it used several.
     """
-    kept = {name: os.environ.get(name) for name in THREADS}
-    os.environ.update(dict.fromkeys(THREADS, "1"))
-    count = min(os.cpu_count() or 1, MOST_WORKERS)
-    executor = ProcessPoolExecutor(count, get_context("spawn"), _leave_interrupts)
-    try:
-        yield executor
-    finally:
-        executor.shutdown(cancel_futures=True)
-        for name, value in kept.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
-
-
-def _leave_interrupts() -> None:
-    """Leave Ctrl-C to the process that started this one."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    with one_thread_each():
+        pool = Pool(min(cores(), MOST_WORKERS))
+        try:
+            yield pool.executor
+        finally:
+            pool.close()

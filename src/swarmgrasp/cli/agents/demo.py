@@ -36,7 +36,7 @@ def demo(
     robots
         How many, those of the scenario among them; 12 unless given.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", "zenoh", purpose="A robot on the network")
     faults = whole_faults("--robots", robots)

@@ -32,7 +32,7 @@ def keys(
     at
         Names or addresses under which robots reach the router, beside this machine's own.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("cryptography", "msgspec", "zenoh", purpose="Making certificates")
     from swarmgrasp.agents.network import make_papers

@@ -41,7 +41,7 @@ def ros2(
     domain
         Of ROS 2, as in ROS_DOMAIN_ID.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", "zenoh", "rosbags", extra="ros2", purpose="The bridge to ROS 2")
     faults = whole_faults("--domain", domain)

@@ -91,7 +91,7 @@ def simulate(
     json
         Also write what came of each schedule to this .json file; "-" prints it and nothing else.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", purpose="Simulating robots on a network")
     wrong = _seeds_faults(seeds) + _mode_faults(mode) + json_faults(json)

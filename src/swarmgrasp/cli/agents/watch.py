@@ -61,7 +61,7 @@ def watch(
     mcap
         Also record these lines in a file of the MCAP format, which other tools replay.
     """
-    from swarmgrasp.agents.packages import check_installed
+    from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", "zenoh", purpose="Watching robots on the network")
     if mcap is not None:

@@ -1,4 +1,4 @@
-"""The packages that robots on a network need, which are an extra."""
+"""Packages that only some commands need, each of an extra of this one."""
 
 from importlib.util import find_spec
 

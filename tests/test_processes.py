@@ -1,0 +1,70 @@
+"""Worker processes: what they are told, and that none is left behind."""
+
+import os
+import signal
+import subprocess
+import sys
+from concurrent.futures import BrokenExecutor
+from pathlib import Path
+
+import pytest
+
+from swarmgrasp.processes import THREADS, Pool, one_thread_each
+
+PARENT = """
+import multiprocessing, signal
+from swarmgrasp.processes import Pool
+if __name__ == "__main__":
+    pool = Pool(2)
+    futures = [pool.executor.submit(signal.pause) for _ in range(2)]
+    print(*(child.pid for child in multiprocessing.active_children()), flush=True)
+    signal.pause()
+"""
+
+
+def alive(process: int) -> bool:
+    """Tell whether a process is there, and not only waits to be collected."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes in /proc")
+def test_no_worker_outlives_a_parent_that_is_killed(tmp_path):
+    """Not even one in the middle of its work."""
+    script = tmp_path / "parent.py"
+    script.write_text(PARENT)
+    with subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, text=True) as parent:
+        workers = [int(word) for word in parent.stdout.readline().split()]
+        assert len(workers) == 2
+        assert all(map(alive, workers))
+        os.kill(parent.pid, signal.SIGKILL)
+    while any(map(alive, workers)):  # a hang is a failure: each test has a limit
+        os.sched_yield()
+
+
+def test_a_pool_that_is_closed_ends_what_it_is_at():
+    """Without waiting for it, and calls what is lost broken."""
+    pool = Pool(1)
+    assert pool.executor.submit(abs, -3).result() == 3
+    endless = pool.executor.submit(signal.pause)
+    while not endless.running():
+        os.sched_yield()
+    pool.close()
+    with pytest.raises(BrokenExecutor):
+        endless.result()
+
+
+def test_workers_use_one_thread_and_leave_ctrl_c_alone(monkeypatch):
+    """The settings of this process are as before."""
+    monkeypatch.setenv(THREADS[0], "7")
+    monkeypatch.delenv(THREADS[1], raising=False)
+    with one_thread_each():
+        pool = Pool(1)
+        told = [pool.executor.submit(os.getenv, name).result() for name in THREADS]
+        handler = pool.executor.submit(signal.getsignal, signal.SIGINT).result()
+        pool.close()
+    assert told == ["1", "1", "1"]
+    assert handler == signal.SIG_IGN
+    assert (os.environ[THREADS[0]], os.environ.get(THREADS[1])) == ("7", None)
