@@ -5,11 +5,11 @@ import signal
 import subprocess
 import sys
 from concurrent.futures import BrokenExecutor
-from pathlib import Path
 
 import pytest
 
 from swarmgrasp.processes import THREADS, Pool, one_thread_each
+from workers import needs_proc, wait_for_the_end
 
 PARENT = """
 import multiprocessing, signal
@@ -22,15 +22,7 @@ if __name__ == "__main__":
 """
 
 
-def alive(process: int) -> bool:
-    """Tell whether a process is there, and not only waits to be collected."""
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
-    except FileNotFoundError:
-        return False
-
-
-@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="looks at processes in /proc")
+@needs_proc
 def test_no_worker_outlives_a_parent_that_is_killed(tmp_path):
     """Not even one in the middle of its work."""
     script = tmp_path / "parent.py"
@@ -38,10 +30,8 @@ def test_no_worker_outlives_a_parent_that_is_killed(tmp_path):
     with subprocess.Popen([sys.executable, script], stdout=subprocess.PIPE, text=True) as parent:
         workers = [int(word) for word in parent.stdout.readline().split()]
         assert len(workers) == 2
-        assert all(map(alive, workers))
         os.kill(parent.pid, signal.SIGKILL)
-    while any(map(alive, workers)):  # a hang is a failure: each test has a limit
-        os.sched_yield()
+    wait_for_the_end(workers)
 
 
 def test_a_pool_that_is_closed_ends_what_it_is_at():

@@ -122,6 +122,14 @@ class SimulationInvalid(SwarmGraspError):
     """A simulation's hull, robots, weather or events have values that cannot be, or contradict."""
 
 
+class StudyInvalid(SwarmGraspError):
+    """A study, its plan or its folder is at fault, or the folder is of another study."""
+
+
+class StudyStopped(SwarmGraspError):
+    """A study cannot go on; what is done is kept."""
+
+
 class NotInThePaper(SwarmGraspError):
     """The source paper's algorithm is asked for something it does not know."""
 

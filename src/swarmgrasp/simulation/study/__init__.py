@@ -1,0 +1,26 @@
+"""Studies: many runs that are alike but for their seeds, on one machine or on many."""
+
+from swarmgrasp.simulation.study.gather import Gathered, gather, rows
+from swarmgrasp.simulation.study.kinds import KINDS
+from swarmgrasp.simulation.study.machines import Machines, machines_at
+from swarmgrasp.simulation.study.plan import Plan, read_plan
+from swarmgrasp.simulation.study.sizes import Sizes
+from swarmgrasp.simulation.study.study import Column, Findings, Heading, Study
+from swarmgrasp.simulation.study.work import run_plan
+
+__all__ = [
+    "KINDS",
+    "Column",
+    "Findings",
+    "Gathered",
+    "Heading",
+    "Machines",
+    "Plan",
+    "Sizes",
+    "Study",
+    "gather",
+    "machines_at",
+    "read_plan",
+    "rows",
+    "run_plan",
+]

@@ -1,0 +1,127 @@
+"""The rows of a study, and questions put to them."""
+
+import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from swarmgrasp.errors import StudyInvalid
+from swarmgrasp.packages import check_installed
+from swarmgrasp.plain import Told
+from swarmgrasp.simulation.study.plan import Plan, read_plan
+from swarmgrasp.simulation.study.study import Ask, Findings
+
+
+@dataclass(frozen=True)
+class Gathered(Told):
+    """What there is of a study.
+
+    Attributes
+    ----------
+    plan : Plan
+    runs : int
+        Those done.
+    failed : int
+        Runs with a fault.
+    faults : tuple of str
+        The most frequent ones.
+    digest : str
+        Of the rows: equal for equal studies, whoever did them.
+    findings : Findings
+    """
+
+    plan: Plan
+    runs: int
+    failed: int
+    faults: tuple[str, ...]
+    digest: str
+    findings: Findings
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all runs are done."""
+        return self.runs == self.plan.runs
+
+
+SHOWN_FAULTS = 3
+
+
+def gather(folder: Path) -> Gathered:
+    """Sum up what is done of a study, all of it or a part.
+
+    Raises
+    ------
+    StudyInvalid
+        If the folder holds no study, nothing is done yet, or a file of it is damaged.
+    PackageMissing
+        If pyarrow or duckdb is not installed.
+    """
+    plan = read_plan(folder)
+    with rows(folder) as ask:
+        ((runs, failed),) = ask("SELECT count(*), count(fault) FROM all_runs")
+        said = ask(
+            "SELECT fault, count(*) FROM all_runs WHERE fault IS NOT NULL "
+            f"GROUP BY fault ORDER BY count(*) DESC, fault LIMIT {SHOWN_FAULTS}"
+        )
+        faults = tuple(f"{count} x {fault}" for fault, count in said)
+        return Gathered(plan, runs, failed, faults, digest(folder), plan.study.find(ask))
+
+
+@contextmanager
+def rows(folder: Path) -> Iterator[Ask]:
+    """Offer the rows of a study as tables `runs`, of runs without a fault, and `all_runs`.
+
+    Raises
+    ------
+    StudyInvalid
+        If nothing is done yet, or a file is damaged.
+    PackageMissing
+        If pyarrow or duckdb is not installed.
+
+    Yields
+    ------
+    callable
+        Takes a question in SQL; returns a list of rows.
+    """
+    check_installed("pyarrow", "duckdb", extra="studies", purpose="The report of a study")
+    import duckdb
+    import pyarrow as pa
+    from pyarrow.dataset import dataset
+
+    files = _files(folder)
+    try:
+        parts = dataset([str(path) for path in files], format="parquet")
+        with duckdb.connect(config={"threads": 1}) as base:  # sums in one order
+            base.register("all_runs", parts)
+            base.execute("CREATE VIEW runs AS SELECT * FROM all_runs WHERE fault IS NULL")
+
+            def ask(question: str) -> list[tuple[Any, ...]]:
+                """Answer a question."""
+                return base.execute(question).fetchall()
+
+            yield ask
+    except (pa.ArrowException, OSError, duckdb.Error) as error:
+        raise StudyInvalid(
+            f"{folder}: the rows cannot be read: {str(error).splitlines()[0]}; delete the damaged "
+            "file and run the study again"
+        ) from error
+
+
+def digest(folder: Path) -> str:
+    """Return the digest of a study's rows."""
+    found = hashlib.sha256()
+    for path in _files(folder):
+        found.update(hashlib.sha256(path.read_bytes()).digest())
+    return found.hexdigest()[:16]
+
+
+def _files(folder: Path) -> list[Path]:
+    """Return the files of the shards that are done."""
+    plan = read_plan(folder)
+    left = set(plan.missing(folder))
+    files = [plan.part(folder, shard) for shard in range(plan.shards) if shard not in left]
+    if not files:
+        raise StudyInvalid(f"{folder}: nothing of this study is done yet; run it first")
+    return files

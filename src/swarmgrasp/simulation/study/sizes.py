@@ -1,0 +1,107 @@
+"""Quality against the number of robots, of random swarms."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from swarmgrasp.errors import StudyInvalid
+from swarmgrasp.placement import Problem
+from swarmgrasp.quality import qualities
+from swarmgrasp.ranges import is_whole, shown
+from swarmgrasp.simulation.study.crowds import crowds_of, question_of
+from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, Study
+
+MOST_ROBOTS = 1000
+
+
+@dataclass(frozen=True)
+class Sizes(Study):
+    """Quality against the number of robots.
+
+    Each run is a swarm of random robots that are all like the problem's newcomer, anywhere in its
+    zones; their number is as likely one as another. Quality is exact and nominal.
+
+    Attributes
+    ----------
+    problem : Problem
+        Its own robots, its spacing and its criterion are left out.
+    fewest, most : int
+        Robots in a swarm.
+
+    Raises
+    ------
+    StudyInvalid
+        If not 1 <= fewest <= most <= 1000.
+    ForceSetUnsupported, NowhereToAttach
+        As for `Crowds`.
+    """
+
+    problem: Problem
+    fewest: int = 4
+    most: int = 16
+
+    kind: ClassVar[str] = "sizes"
+    question: ClassVar[str] = "quality against the number of robots, of random swarms"
+    batch: ClassVar[int] = 5_000
+    size: ClassVar[int] = 50_000
+    columns: ClassVar[Mapping[str, Column]] = {
+        "robots": Column("count", "", "robots in the swarm"),
+        "quality": Column("number", "N", "exact quality"),
+    }
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        check_numbers(self.fewest, self.most)
+        vars(self)["problem"] = question_of(self.problem)
+        crowds_of(self.problem)
+
+    def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
+        """Draw a swarm for each seed, and measure its quality."""
+        draws, crowds = np.random.default_rng(seeds), crowds_of(self.problem)
+        robots = draws.integers(self.fewest, self.most, len(seeds), endpoint=True)
+        quality = np.empty(len(seeds))
+        for count in np.unique(robots).tolist():
+            alike = robots == count
+            crowd = crowds.draw(draws, (int(alike.sum()), count))
+            quality[alike] = qualities(crowds.generators(crowd))
+        return {"robots": robots, "quality": quality}
+
+    def find(self, ask: Ask) -> Findings:
+        """Sum up the swarms of each size."""
+        rows = ask(
+            "SELECT robots, count(*), avg((quality > 0)::INT), quantile_cont(quality, 0.1), "
+            "quantile_cont(quality, 0.5), quantile_cont(quality, 0.9) "
+            "FROM runs GROUP BY robots ORDER BY robots"
+        )
+        closed = next((row[0] for row in rows if row[2] >= 0.5), math.nan)
+        said = (
+            f"At least half of the random swarms have force closure from {closed} robots on"
+            if closed == closed
+            else f"Less than half of the random swarms of up to {self.most} robots have force "
+            "closure"
+        )
+        return Findings(said, HEADINGS, tuple(map(tuple, rows)))
+
+
+HEADINGS = (
+    Heading("robots"),
+    Heading("runs"),
+    Heading("with force closure", "%"),
+    Heading("quality of 10 %", "N"),
+    Heading("median", "N"),
+    Heading("of 90 %", "N"),
+)
+
+
+def check_numbers(fewest: object, most: object) -> None:
+    """Raise `StudyInvalid` unless robots are from so many to so many."""
+    if is_whole(fewest) and is_whole(most) and 1 <= fewest <= most <= MOST_ROBOTS:
+        return
+    raise StudyInvalid(
+        f"the robots are from {shown(fewest)} to {shown(most)}; they should be whole numbers, "
+        f"1 <= fewest <= most <= {MOST_ROBOTS}"
+    )

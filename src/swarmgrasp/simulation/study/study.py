@@ -1,0 +1,109 @@
+"""What a study is: runs that are alike but for their seeds, and what they tell."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from swarmgrasp.plain import Plain, Told
+
+Seeds = NDArray[np.int64]
+Ask = Callable[[str], list[tuple[Any, ...]]]
+"""Puts a question in SQL to the table `runs`, whose rows are those runs that have no fault."""
+
+
+class Column(NamedTuple):
+    """What every run of a study tells.
+
+    Attributes
+    ----------
+    type : {"count", "number", "flag"}
+    unit : str
+        "" for what has none.
+    words : str
+        What it is.
+    """
+
+    type: Literal["count", "number", "flag"]
+    unit: str
+    words: str
+
+
+class Heading(NamedTuple):
+    """The heading of a column of what is found.
+
+    Attributes
+    ----------
+    words : str
+    unit : str
+        "" for what has none; a share is shown in percent, if it is "%".
+    """
+
+    words: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Findings(Told):
+    """What a study has found.
+
+    Attributes
+    ----------
+    headline : str
+        The answer in a sentence.
+    headings : tuple of Heading
+        Of the columns.
+    rows : tuple of tuple of float
+        In SI units; nan where there is nothing to tell.
+    """
+
+    headline: str
+    headings: tuple[Heading, ...]
+    rows: tuple[tuple[float, ...], ...]
+
+
+class Study(Plain, ABC):
+    """Runs that are alike but for their seeds; what they are is in the fields of each kind.
+
+    Attributes
+    ----------
+    kind : str
+        Its name.
+    question : str
+        What it asks, in a few words.
+    batch : int
+        Runs that are measured at once. They have what they draw in common, so that the same seeds
+        in other batches are other runs.
+    size : int
+        Runs in a shard: what one process does in some seconds.
+    columns : mapping of str to Column
+        What each run tells.
+    """
+
+    kind: ClassVar[str]
+    question: ClassVar[str]
+    batch: ClassVar[int]
+    size: ClassVar[int]
+    columns: ClassVar[Mapping[str, Column]]
+
+    @abstractmethod
+    def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
+        """Measure runs.
+
+        Parameters
+        ----------
+        seeds : (k,)
+            One for each run, at least 0; at most as many as a batch has.
+
+        Returns
+        -------
+        mapping of str to (k,)
+            What the runs tell, by column; nan where there is nothing to tell.
+        """
+
+    @abstractmethod
+    def find(self, ask: Ask) -> Findings:
+        """Sum up the runs."""
