@@ -124,7 +124,7 @@ class Hull(Plain):
         is density A T C_b; it is spread evenly over the outline. V is the volume of so much water:
 
             A11 = 2.7 density V^(5/3) / L^2                          (Soeding 1982)
-            A22 = (pi / 2) density C_a T^2 L                          (strips; DNV-RP-C205)
+            A22 = (pi / 2) density C_a T^2 L C_b                      (strips; DNV-RP-C205)
             A66 = A22 L^2 / 12
 
         with C_a from 2.23 for a shallow box, T = 0.05 B, to 1.14 for a deep one. They act at
@@ -172,7 +172,8 @@ class Hull(Plain):
         depth = number(draught)
         weight = density * outline.area * depth * block if mass is None else float(mass)
         surge = 2.7 * density * (weight / density) ** (5.0 / 3.0) / length**2
-        sway = 0.5 * math.pi * density * _thickness_factor(2.0 * depth / beam) * depth**2 * length
+        strip = 0.5 * math.pi * density * _thickness_factor(2.0 * depth / beam) * depth**2
+        sway = strip * length * block
         corners = outline.vertices - outline.origin
         centre, spread = _spread(corners)
         midship = 0.5 * (corners.min(axis=0) + corners.max(axis=0))

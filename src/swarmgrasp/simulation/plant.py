@@ -281,7 +281,7 @@ class Plant(Frozen):
             self._afloat, self._drivers, states, flows, wanted.reshape(len(states), -1), loads,
             float(step), int(steps),
         )  # fmt: skip
-        if not np.isfinite(found).all():
+        if not np.isfinite(found.sum()):
             raise SimulationInvalid(
                 f"in steps of {step:g} s the motion grows beyond all numbers; take shorter steps"
             )
@@ -337,12 +337,11 @@ def _rows(
     except (TypeError, ValueError):
         faults.append(f"the {called} are {shown(values)}; they should be numbers")
         return np.zeros(tuple(size or 0 for size in shape))
-    sizes = zip(found.shape, shape, strict=False)
-    if found.ndim != len(shape) or any(n != size for n, size in sizes if size is not None):
+    if found.ndim != len(shape) or found.shape[shape[0] is None :] != shape[shape[0] is None :]:
         wanted = ", ".join("runs" if size is None else str(size) for size in shape)
         faults.append(f"the {called} have shape {found.shape}; it should be ({wanted})")
         return np.zeros(tuple(size or 0 for size in shape))
-    if not np.isfinite(found).all():
+    if not np.isfinite(found.sum()) and not np.isfinite(found).all():
         row = np.argwhere(~np.isfinite(found))[0].tolist()
         faults.append(f"of the {called}, that at {row} is {found[tuple(row)]}; it should be finite")
     return found
