@@ -138,8 +138,43 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     )
 
 
-def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
+def forces_in_step(
+    swarm: Swarm, wrenches: ArrayLike, last: ForcesAlong | None = None
+) -> ForcesAlong:
+    """Find how hard each robot pushes for wrenches that have nothing to do with each other.
+
+    As `forces_along`, to the last bit the same for each whatever the others are: for runs of one
+    swarm in step.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    wrenches : (m, 3) [N, N, N m]
+        What each object is to receive, about the outline's origin.
+    last : ForcesAlong, optional
+        What this gave for the same swarm a moment ago, for wrenches like these, each for the one in
+        the same place: then it is found sooner.
+
+    Returns
+    -------
+    ForcesAlong
+
+    Raises
+    ------
+    SwarmInvalid, WrenchInvalid
+        As for `forces_along`.
+    """
+    wanted, _ = check_forces_along(swarm, wrenches, CALM)
+    starts = np.zeros_like(wanted)
+    if last is not None and len(last) == len(wanted):
+        starts[:] = last.normals[:, 0]
+    return ForcesAlong(swarm, wanted, _NO_LOAD, *_rows(swarm, wanted * swarm.scale, CALM, starts))
+
+
+def _rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None = None) -> Rows:
     """Return what the kernels find for wrenches (m, 3), all in the metric's coordinates.
+
+    Searches for rays start from normals (m, 3), if they are given; otherwise from each other's.
 
     Raises
     ------
@@ -148,7 +183,7 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
     """
     m, n = len(wrenches), len(swarm)
     if swarm.has_rays_only:
-        table = _ray_rows(swarm, wrenches, load)
+        table = _ray_rows(swarm, wrenches, load, starts)
         shares, rest = table[:, :n], table[:, n:]
         vectors = shares[..., None] * swarm.generators[:, :2]
         normals, is_least = rest[:, 2:11].reshape(m, 3, 3), np.ones(m, dtype=bool)
@@ -159,17 +194,18 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
     return set_rows(swarm, wrenches, load)
 
 
-def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Array:
+def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None) -> Array:
     """Return the kernel's rows for robots that push along rays, all confirmed by its check."""
     B = swarm.scaled_generators
-    rows = np.frombuffer(kernel.least_shares(B, wrenches, load)).reshape(
+    given = () if starts is None else (starts,)
+    rows = np.frombuffer(kernel.least_shares(B, wrenches, load, *given)).reshape(
         len(wrenches), len(swarm) + 15
     )
     unsure = np.flatnonzero(rows[:, -1] == 0.0)
     if len(unsure):
         rows = rows.copy()
     for k in unsure.tolist():
-        start = start_for(B, wrenches[k] - load)
+        start = np.array(start_for(B, wrenches[k] - load))
         rows[k] = np.frombuffer(kernel.least_shares(B, wrenches[k], load, start))
     if len(unsure) and not rows[unsure, -1].all():
         refuse_unproven(swarm, wrenches[unsure[np.argmin(rows[unsure, -1])]])

@@ -38,7 +38,8 @@ class Control(Plain):
     frequency : float [rad/s], optional
         How fast an error is taken back; 0.35 / T when left out: beyond that the loop rings.
     observer : float [rad/s], optional
-        How fast what the sensors say is believed; twice the frequency when left out.
+        How fast what the sensors say is believed; 2.5 times the frequency when left
+        out.
     position_noise : float [m], optional
         Standard deviation of a look, along x and along y; the smaller of 0.3 m and L / 200 when
         left out.
@@ -93,7 +94,7 @@ class Control(Plain):
         return Settings(
             lag / 50.0 if self.period is None else self.period,
             frequency,
-            2.0 * frequency if self.observer is None else self.observer,
+            2.5 * frequency if self.observer is None else self.observer,
             min(0.3, length / 200.0) if self.position_noise is None else self.position_noise,
             self.heading_noise,
         )

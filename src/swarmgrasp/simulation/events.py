@@ -4,16 +4,24 @@ Events are the same for all runs of a batch. A place is in metres in the earth's
 object's at the start; a bearing is where a stream comes from, clockwise from the bow at the start.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from swarmgrasp.environment.limits import BEARING, SPEED, Range
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import is_number, items, kind_faults, name_faults, numbers, shown
+from swarmgrasp.ranges import (
+    is_number,
+    items,
+    kind_faults,
+    name_faults,
+    nearest_name,
+    numbers,
+    shown,
+)
 from swarmgrasp.swarm import Newcomer
-from swarmgrasp.words import list_words
+from swarmgrasp.swarm.names import names_of
 
 TIME = Range(0.0, 1e7, "s")
 FAR = Range(-1e7, 1e7, "m")
@@ -118,8 +126,7 @@ class Send(_Event):
     ----------
     at : float [s]
     newcomer : Newcomer, optional
-        The problem's own when left out. It needs a name that nobody has had; without one it gets
-        the first number that is free.
+        The problem's own when left out. If a robot has had its name, it gets a number too.
     away : float [m]
         How far from the outline's origin it waits.
     speed : float [m/s]
@@ -273,7 +280,7 @@ def in_order(events: Iterable[Event]) -> tuple[Event, ...]:
 def joining_names(
     present: Iterable[str], events: Iterable[Event], newcomer: Newcomer
 ) -> tuple[str, ...]:
-    """Return the name of each newcomer that is sent, in the order of time.
+    """Return the name of each newcomer that is sent, in the order of time: one nobody has had.
 
     Parameters
     ----------
@@ -286,33 +293,23 @@ def joining_names(
 
     Examples
     --------
-    >>> joining_names(["R1"], [Send(0.0), Send(1.0, Newcomer(name="Ajax"))], Newcomer())
-    ('R2', 'Ajax')
+    >>> joining_names(["Ajax"], [Send(0.0), Send(1.0, Newcomer(name="Ajax"))], Newcomer())
+    ('newcomer', 'Ajax 2')
     """
-    had = set(present)
+    had = list(present)
     names = []
     for event in events:
         if isinstance(event, Send):
-            name = (event.newcomer or newcomer).name
-            if not name:
-                name = next(free for free in _numbered() if free not in had)
-            had.add(name)
-            names.append(name)
+            wanted = (event.newcomer or newcomer).name or "newcomer"
+            names += names_of(had).fresh(wanted)
+            had.append(names[-1])
     return tuple(names)
-
-
-def _numbered() -> Iterator[str]:
-    """Go through the names of those that have none."""
-    number = 1
-    while True:
-        yield f"R{number}"
-        number += 1
 
 
 def event_faults(
     present: Iterable[str], events: tuple[Event, ...], newcomer: Newcomer, duration: float
-) -> list[str]:
-    """Return what contradicts in events that are in order.
+) -> list[tuple[Event, str]]:
+    """Return what contradicts in events that are in order: each event at fault, and why it is.
 
     Parameters
     ----------
@@ -320,6 +317,7 @@ def event_faults(
         Names of the robots at the start.
     events : tuple of Event
     newcomer : Newcomer
+        Sent where an event has none of its own.
     duration : float [s]
         Of the run.
     """
@@ -327,30 +325,27 @@ def event_faults(
     there = list(present)
     gone: dict[str, float] = {}
     aims: dict[tuple[float, str], str] = {}
-    faults = []
+    faults: list[tuple[Event, str]] = []
     for event in events:
-        what = f"{event.does} at {event.at:g} s"
+        found = []
         if event.at >= duration:
-            faults.append(f"{what}: the run ends at {duration:g} s; it should be before")
+            found.append(f"the run ends at {duration:g} s; it should be before")
         if isinstance(event, Send):
-            name = next(names)
-            if name in there or name in gone:
-                faults.append(f"{what}: there has been a robot called {name!r}; give another name")
-            there.append(name)
+            there.append(next(names))
         elif isinstance(event, Lose | Leave):
             if event.robot in gone:
-                faults.append(f"{what}: {event.robot!r} is gone since {gone[event.robot]:g} s")
+                found.append(f"{event.robot!r} is gone since {gone[event.robot]:g} s")
             elif event.robot not in there:
-                faults.append(f"{what}: there is no robot called {event.robot!r} then; "
-                              f"there are {list_words(there) or 'none'}")  # fmt: skip
+                near = nearest_name(event.robot, there)
+                found.append(f"there is no robot called {event.robot!r} then{near}")
             else:
                 there.remove(event.robot)
                 gone[event.robot] = event.at
         for aim in _aims(event):
             if (event.at, aim) in aims:
-                other = aims[event.at, aim]
-                faults.append(f"{what}: {other} says another {aim} at the same instant")
+                found.append(f"{aims[event.at, aim]} says another {aim} at the same instant")
             aims[event.at, aim] = event.does
+        faults += ((event, f"{event.does} at {event.at:g} s: {fault}") for fault in found)
     return faults
 
 

@@ -7,15 +7,19 @@
 #include "../proven.h"
 #include "../pushers.h"
 
+#include <string.h>
+
 #define ENOUGH 100000 /* robots times wrenches between two looks at the keyboard */
 
-/* Write a row of shares and what they are worth for each wrench, the first search starting from a
- * normal, or 0. */
+/* Write a row of shares and what they are worth for each wrench. A search starts from a normal of its
+ * own, if starts (m, 3) are given, otherwise from that of the row before. */
 static Status fill_rows(Turning *turning, const double *wrenches, Py_ssize_t many, const double *load,
-                        const double *start, double *row) {
-    Shares found = {.normals = {{start[0], start[1], start[2]}}};
+                        const double *starts, double *row) {
+    Shares found = {.needed = 0.0};
     Py_ssize_t work = 0; /* since the keyboard was looked at */
     for (Py_ssize_t k = 0; k < many; k++, row += turning->n + SHARES) {
+        if (starts)
+            memcpy(found.normals[0], starts + 3 * k, 3 * sizeof *starts);
         Status status = least_shares(turning, wrenches + 3 * k, load, row, &found);
         if (status != SOLVED)
             return status;
@@ -37,36 +41,44 @@ static Status fill_rows(Turning *turning, const double *wrenches, Py_ssize_t man
     return SOLVED;
 }
 
-/* least_shares(generators, wrenches, load, start) -> bytes */
+/* least_shares(generators, wrenches, load, starts) -> bytes */
 static PyObject *shares_least(PyObject *module, PyObject *args) {
-    PyObject *generators, *wrenches, *result = NULL;
-    Py_buffer robots, wanted;
-    double load[3], start[3] = {0.0};
+    enum { ROBOTS, WANTED, STARTS };
+    PyObject *array[3] = {NULL}, *result = NULL;
+    Py_buffer view[3];
+    double load[3];
     (void)module;
-    if (!PyArg_ParseTuple(args, "OO(ddd)|(ddd):least_shares", &generators, &wrenches, load,
-                          load + 1, load + 2, start, start + 1, start + 2)
-        || !are_finite(load) || !are_finite(start) || get_doubles(generators, &robots, 3))
+    if (!PyArg_ParseTuple(args, "OO(ddd)|O:least_shares", array + ROBOTS, array + WANTED, load,
+                          load + 1, load + 2, array + STARTS)
+        || !are_finite(load))
         return NULL;
-    if (get_doubles(wrenches, &wanted, 3)) {
-        PyBuffer_Release(&robots);
-        return NULL;
+    int got = 0;
+    while (got < 3 && array[got] && get_doubles(array[got], view + got, 3) == 0)
+        got++;
+    if (got < STARTS || (got == STARTS && array[STARTS]))
+        goto done;
+    Py_ssize_t n = rows_of(view + ROBOTS, 3), many = rows_of(view + WANTED, 3);
+    if (got > STARTS && rows_of(view + STARTS, 3) != many) {
+        PyErr_SetString(PyExc_ValueError, "a start for each wrench is wanted");
+        goto done;
     }
-    Py_ssize_t n = rows_of(&robots, 3), many = rows_of(&wanted, 3);
     Turning turning = {0};
     Status status = NO_MEMORY;
     if (many <= PY_SSIZE_T_MAX / (Py_ssize_t)sizeof(double) / (n + SHARES))
         result = PyBytes_FromStringAndSize(NULL, many * (n + SHARES) * (Py_ssize_t)sizeof(double));
-    if (result && (status = turning_room(&turning, robots.buf, n, interrupted)) == SOLVED) {
+    if (result && (status = turning_room(&turning, view[ROBOTS].buf, n, interrupted)) == SOLVED) {
         leave(n * many > 4096);
-        status = fill_rows(&turning, wanted.buf, many, load, start,
+        status = fill_rows(&turning, view[WANTED].buf, many, load,
+                           got > STARTS ? view[STARTS].buf : NULL,
                            (double *)PyBytes_AsString(result));
         come_back();
     }
     turning_free(&turning);
-    PyBuffer_Release(&robots);
-    PyBuffer_Release(&wanted);
     if (is_raised(status))
         Py_CLEAR(result);
+done:
+    while (got-- > 0)
+        PyBuffer_Release(view + got);
     return result;
 }
 

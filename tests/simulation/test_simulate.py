@@ -1,0 +1,191 @@
+"""Runs in closed loop: at rest when nothing happens, back after a loss, alone or in a batch."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from moored import moored
+from swarmgrasp import Newcomer
+from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.simulation.control import Control
+from swarmgrasp.simulation.events import Change, Follow, Leave, Lose, Move, Send
+from swarmgrasp.simulation.run import Run
+from swarmgrasp.simulation.simulate import simulate
+from swarmgrasp.simulation.weather import Series, Weather
+
+QUIET = Control(position_noise=0.0, heading_noise=0.0)
+GUSTS = Weather("npd")
+ARRAYS = (
+    "references", "poses", "velocities", "distances", "turns", "streams", "loads", "wanted",
+    "given", "shortfalls", "forces", "angles", "shares", "gusts",
+)  # fmt: skip
+
+
+def assert_same(one: Run, of: int, other: Run, other_of: int) -> None:
+    """Assert that two runs of two batches are the same to the last bit."""
+    for name in ARRAYS:
+        rows = [getattr(one, name), getattr(other, name)]
+        if name != "references":
+            rows = [rows[0][of], rows[1][other_of]]
+        assert rows[0].tobytes() == rows[1].tobytes(), name
+
+
+@pytest.mark.parametrize("name", ["deck-barge", "escort-ring"])
+def test_an_object_at_rest_in_a_steady_wind_within_reach_stays_at_rest(name: str) -> None:
+    """The robots give the opposite of the load, from the start on."""
+    run = simulate(moored(name, 40.0, 60.0, control=QUIET, duration=60.0))
+    assert run.distances.max() < 1e-6
+    assert run.turns.max() < 1e-9
+    np.testing.assert_allclose(run.given[0], -run.loads[0], rtol=1e-5, atol=1.0)
+    assert run.shortfalls.max() == 0.0
+
+
+def test_a_batch_has_the_same_bytes_as_each_run_alone() -> None:
+    """In gusts, with noise, a loss that is noticed late and a newcomer that joins."""
+    events = (Lose(5, "Boreas", noticed=3.1), Send(6, away=60.0, make_fast=4.0))
+    gale = moored("deck-barge", 60.0, 60.0, weather=GUSTS, events=events, duration=45.0)
+    batch = simulate(gale, range(7))
+    assert [at.kind for at in batch.happenings] == ["start", "lost", "sent", "noticed", "joined"]
+    for seed in (0, 4, 6):
+        assert_same(simulate(gale, [seed]), 0, batch, seed)
+    assert not np.array_equal(batch.poses[0], batch.poses[1])
+
+
+def _x_their_forces_go_alike_in_any_batch() -> None:
+    """Their forces are found by another kernel."""
+    ...
+
+
+def test_runs_without_events_are_those_of_one_whose_events_are_still_to_come() -> None:
+    """What will happen changes nothing before."""
+    calm = moored("deck-barge", 50.0, 200.0, weather=GUSTS, duration=30.0)
+    later = replace(calm, events=(Lose(20, "Ajax"), Move(25, 1.0, 2.0)))
+    one, other = simulate(calm), simulate(later)
+    before = one.times < 20.0
+    for name in ("poses", "wanted", "given", "forces"):
+        np.testing.assert_array_equal(
+            getattr(one, name)[0, before], getattr(other, name)[0, before]
+        )
+    assert not np.array_equal(one.poses, other.poses)
+
+
+def test_after_a_loss_and_a_join_the_barge_is_back_in_a_minute() -> None:
+    """Within 1 m and 1 degree, at 60 knots."""
+    events = (Lose(60, "Boreas"), Send(60))
+    run = simulate(moored("deck-barge", 60.0, 60.0, events=events, duration=400.0))
+    kinds = [at.kind for at in run.happenings]
+    assert kinds == ["start", "lost", "sent", "joined"]
+    joined = run.happenings[-1].time
+    assert run.turns[0, run.times < joined].max() > 0.5
+    settled = run.times > joined + 60.0
+    assert run.distances[0, settled].max() < 1.0
+    assert np.degrees(run.turns[0, settled].max()) < 1.0
+
+
+def test_what_is_out_of_reach_for_a_minute_winds_nothing_up() -> None:
+    """Back in reach, the object goes home without a turn and hardly beyond."""
+    gale = moored("deck-barge", 60.0, 60.0, duration=400.0)
+    gust = (Change(60, wind_speed=75.0), Change(120, wind_speed=gale.environment.wind.speed))
+    run = simulate(replace(gale, events=gust))
+    out = (run.times > 60.0) & (run.times <= 120.0)
+    assert (run.shortfalls[0, out] > 0.0).mean() > 0.9
+    away = run.poses[0, run.times <= 130.0][-1, :2]
+    home = away / np.hypot(*away)
+    overshoot = -(run.poses[0, run.times > 120.0, :2] @ home).min()
+    assert np.hypot(*away) > 5.0
+    assert overshoot < 2.0
+    assert run.turns.max() < np.pi
+    assert run.distances[0, -1] < 0.5
+
+
+def test_a_loss_that_is_noticed_late_costs_what_was_asked_of_the_lost() -> None:
+    """Until it is noticed the lost robot is asked for a share and gives nothing."""
+    gale = moored("deck-barge", 60.0, 60.0, control=QUIET, duration=40.0)
+    run = simulate(replace(gale, events=(Lose(10, "Castor", noticed=10.0),)), every=1)
+    castor = run.names.index("Castor")
+    unknown = (run.times >= 10.0) & (run.times < 20.0)
+    assert (run.shares[0, unknown, castor] > 0.0).all()
+    assert not run.forces[0, unknown, castor].any()
+    assert np.isnan(run.angles[0, unknown, castor]).all()
+    assert not run.shares[0, run.times >= 20.0, castor].any()
+    assert [len(stint.swarm) for stint in run.stints] == [6, 5]
+    assert [stint.start for stint in run.stints] == pytest.approx([0.0, 10.0])
+
+
+def test_a_path_is_followed_and_a_move_is_made() -> None:
+    """With feed-forward the object is never far from a reference that moves."""
+    path = Follow(10, [(30, 0), (30, 20)], speed=0.5)
+    calm = moored("deck-barge", 10.0, 60.0, events=(path, Move(300, 0.0, 0.0, 0.1)), duration=450.0)
+    run = simulate(calm)
+    np.testing.assert_allclose(run.references[-1], (0.0, 0.0, 0.1), atol=0.01)
+    there = np.argmin(np.abs(run.times - 299.0))
+    np.testing.assert_allclose(run.references[there], (30.0, 20.0, 0.0), atol=0.05)
+    assert run.distances.max() < 2.5
+    assert run.distances[0, -1] < 0.5
+
+
+def test_robots_leave_are_sent_and_are_lost_on_the_way() -> None:
+    """Each is told, and only those who join ever hold the object."""
+    tug = Newcomer(400e3, "push", 0.5, name="Gaia")
+    events = (Leave(5, "Ajax"), Send(6, tug), Send(7), Lose(8, "Gaia"), Leave(9, "Fortuna 2"))
+    run = simulate(moored("deck-barge", 10.0, 60.0, events=events, duration=12.0))
+    assert [at.words.split(" at ")[0] for at in run.happenings][1] == "Ajax leaves"
+    assert [at.robot for at in run.happenings[2:]] == ["Gaia", "Fortuna 2", "Gaia", "Fortuna 2"]
+    assert run.happenings[-2].words == "Gaia is lost on its way"
+    assert run.happenings[-1].words == "Fortuna 2 turns back on its way"
+    assert run.names[-2:] == ("Gaia", "Fortuna 2")
+    assert not run.forces[0, :, -2:].any()
+
+
+def test_a_series_says_the_mean_wind() -> None:
+    """Straight between its times, and constant after the last."""
+    series = Series([0.0, 10.0, 20.0], [0.0, 10.0, 10.0], [0.0, 0.0, np.pi / 2])
+    sea = moored("deck-barge", 10.0, 60.0, weather=Weather(series=series), duration=30.0)
+    run = simulate(sea, every=50)
+    np.testing.assert_allclose(run.times, [0, 5, 10, 15, 20, 25, 30])
+    half = np.sqrt(50.0)
+    air = [(0, 0), (-5, 0), (-10, 0), (-half, half), (0, 10), (0, 10), (0, 10)]
+    np.testing.assert_allclose(run.streams[0, :, :2], air, atol=1e-5)
+
+
+def test_what_a_simulation_cannot_be_is_told_at_once() -> None:
+    """Contradictions of events, strangers, and weather that is missing or said twice."""
+    fine = moored("deck-barge", 10.0, 60.0)
+    series = Weather(series=Series([0.0], [1.0], [0.0]))
+    with pytest.raises(SimulationInvalid, match="'Bob'(.|\n)*a series says(.|\n)*lose at 3 s"):
+        replace(
+            fine, actuators=(("Bob", fine.actuator),), weather=series,
+            events=(Lose(3, "Nobody"), Change(1, wind_speed=2.0)),
+        )  # fmt: skip
+    with pytest.raises(SimulationInvalid, match="no Hull(.|\n)*duration is 0(.|\n)*seed is -1"):
+        replace(fine, hull=3, duration=0, seed=-1)
+    still = replace(
+        fine.environment,
+        current=None,
+        wind=replace(fine.environment.wind, speed=None, bearing=None),
+    )
+    with pytest.raises(SimulationInvalid, match="no current(.|\n)*no speed and bearing"):
+        replace(fine, environment=still)
+    with pytest.raises(SimulationInvalid, match="no period and no frequency"):
+        replace(fine, actuator=replace(fine.actuator, lag=0.0))
+    with pytest.raises(SimulationInvalid, match="seeds are (.|\n)*every is 0(.|\n)*progress is 3"):
+        simulate(fine, [], every=0, progress=3)
+    with pytest.raises(SimulationInvalid, match="seed is 1.5"):
+        simulate(fine, [1.5])
+    with pytest.raises(SimulationInvalid, match="keep one of"):
+        simulate(fine, range(99_999), every=1)
+
+
+def test_what_was_run_is_kept_when_it_is_stopped_from_the_keyboard() -> None:
+    """The run says that it is not whole."""
+
+    def stop(part: float) -> None:
+        if part > 0.3:
+            raise KeyboardInterrupt
+
+    run = simulate(moored("deck-barge", 10.0, 60.0, duration=100.0), progress=stop)
+    assert not run.is_whole
+    assert 30.0 < run.times[-1] < 45.0
+    assert run.poses.shape[1] == len(run.times) == len(run.references)
+    assert run.stints[-1].end == run.times[-1]
