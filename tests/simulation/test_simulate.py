@@ -7,6 +7,7 @@ import pytest
 
 from moored import moored
 from swarmgrasp import Newcomer
+from swarmgrasp.environment import KNOT
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.simulation.control import Control
 from swarmgrasp.simulation.events import Change, Follow, Leave, Lose, Move, Send
@@ -52,11 +53,6 @@ def test_a_batch_has_the_same_bytes_as_each_run_alone() -> None:
     assert not np.array_equal(batch.poses[0], batch.poses[1])
 
 
-def _x_their_forces_go_alike_in_any_batch() -> None:
-    """Their forces are found by another kernel."""
-    ...
-
-
 def test_runs_without_events_are_those_of_one_whose_events_are_still_to_come() -> None:
     """What will happen changes nothing before."""
     calm = moored("deck-barge", 50.0, 200.0, weather=GUSTS, duration=30.0)
@@ -86,7 +82,10 @@ def test_after_a_loss_and_a_join_the_barge_is_back_in_a_minute() -> None:
 def test_what_is_out_of_reach_for_a_minute_winds_nothing_up() -> None:
     """Back in reach, the object goes home without a turn and hardly beyond."""
     gale = moored("deck-barge", 60.0, 60.0, duration=400.0)
-    gust = (Change(60, wind_speed=75.0), Change(120, wind_speed=gale.environment.wind.speed))
+    gust = (
+        Change(60, wind_speed=130.0 * KNOT),
+        Change(120, wind_speed=gale.environment.wind.speed),
+    )
     run = simulate(replace(gale, events=gust))
     out = (run.times > 60.0) & (run.times <= 120.0)
     assert (run.shortfalls[0, out] > 0.0).mean() > 0.9
@@ -121,7 +120,7 @@ def test_a_path_is_followed_and_a_move_is_made() -> None:
     np.testing.assert_allclose(run.references[-1], (0.0, 0.0, 0.1), atol=0.01)
     there = np.argmin(np.abs(run.times - 299.0))
     np.testing.assert_allclose(run.references[there], (30.0, 20.0, 0.0), atol=0.05)
-    assert run.distances.max() < 2.5
+    assert run.distances[0, run.times < 300.0].max() < 1.0
     assert run.distances[0, -1] < 0.5
 
 
@@ -153,25 +152,25 @@ def test_what_a_simulation_cannot_be_is_told_at_once() -> None:
     """Contradictions of events, strangers, and weather that is missing or said twice."""
     fine = moored("deck-barge", 10.0, 60.0)
     series = Weather(series=Series([0.0], [1.0], [0.0]))
-    with pytest.raises(SimulationInvalid, match="'Bob'(.|\n)*a series says(.|\n)*lose at 3 s"):
+    with pytest.raises(SimulationInvalid, match=r"'Bob'(.|\n)*a series says(.|\n)*lose at 3 s"):
         replace(
             fine, actuators=(("Bob", fine.actuator),), weather=series,
             events=(Lose(3, "Nobody"), Change(1, wind_speed=2.0)),
         )  # fmt: skip
-    with pytest.raises(SimulationInvalid, match="no Hull(.|\n)*duration is 0(.|\n)*seed is -1"):
+    with pytest.raises(SimulationInvalid, match=r"no Hull(.|\n)*duration is 0(.|\n)*seed is -1"):
         replace(fine, hull=3, duration=0, seed=-1)
     still = replace(
         fine.environment,
         current=None,
         wind=replace(fine.environment.wind, speed=None, bearing=None),
     )
-    with pytest.raises(SimulationInvalid, match="no current(.|\n)*no speed and bearing"):
+    with pytest.raises(SimulationInvalid, match=r"no current(.|\n)*no speed and bearing"):
         replace(fine, environment=still)
     with pytest.raises(SimulationInvalid, match="no period and no frequency"):
         replace(fine, actuator=replace(fine.actuator, lag=0.0))
-    with pytest.raises(SimulationInvalid, match="seeds are (.|\n)*every is 0(.|\n)*progress is 3"):
+    with pytest.raises(SimulationInvalid, match=r"seeds are (.|\n)*every is 0(.|\n)*progress is 3"):
         simulate(fine, [], every=0, progress=3)
-    with pytest.raises(SimulationInvalid, match="seed is 1.5"):
+    with pytest.raises(SimulationInvalid, match=r"seed is 1.5"):
         simulate(fine, [1.5])
     with pytest.raises(SimulationInvalid, match="keep one of"):
         simulate(fine, range(99_999), every=1)

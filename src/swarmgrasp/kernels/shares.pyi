@@ -20,11 +20,11 @@ def least_shares(
     """Return a row for each wrench (m, 3) [N] of generators (n, 3) [N] beside a load (3,) [N].
 
     All are in the metric's coordinates. Each search starts from a normal of starts (m, 3), unless
-    that is 0; without them, from where that of the row before ended. A row (n + 15,) holds the shares (n,); the least largest
-    load of the wrench, above 1 and perhaps infinite if it is out of reach; the distance [N] of
-    the nearest attainable wrench, which is then made, and else 0; and the proof: three normals
-    (9,), those not needed 0, and a price (3,) [1/N]. Last is 1 if a quick check of its own
-    confirms them, and else 0.
+    that is 0; without them, from where that of the row before ended. A row (n + 15,) holds the
+    shares (n,); the least largest load of the wrench, above 1 and perhaps infinite if it is out of
+    reach; the distance [N] of the nearest attainable wrench, which is then made, and else 0; and
+    the proof: three normals (9,), those not needed 0, and a price (3,) [1/N]. Last is 1 if a quick
+    check of its own confirms them, and else 0.
     """
 
 def push_forces(

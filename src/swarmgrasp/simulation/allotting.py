@@ -5,8 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.forces import ForcesAlong
-from swarmgrasp.forces.least import forces_in_step
+from swarmgrasp.forces import ForcesAlong, forces_in_step
 from swarmgrasp.ranges import WEAKEST
 from swarmgrasp.simulation.plant import Plant
 

@@ -129,7 +129,7 @@ def travel(simulation: Simulation, event: Send, contact: tuple[float, float]) ->
 
 
 def state_of(old: Swarm, new: Plant, state: Array) -> Array:
-    """Return states (runs, 6 + 2 n) of other robots: those that stay do as before, new ones idle."""
+    """Return states (runs, 6 + 2 n) of other robots: some stay as they are, new ones idle."""
     found = new.rest(len(state))
     found[:, :BODY] = state[:, :BODY]
     stayed = [(i, old.index(name)) for i, name in enumerate(new.swarm.names) if name in old]
@@ -140,7 +140,7 @@ def state_of(old: Swarm, new: Plant, state: Array) -> Array:
 
 
 def vectors_of(old: Swarm, new: Swarm, vectors: Array) -> Array:
-    """Return forces (runs, n, 2) of other robots: those that stay do as before, new ones nothing."""
+    """Return forces (runs, n, 2) of other robots: some stay as they are, new ones are 0."""
     found = np.zeros((len(vectors), len(new), 2))
     for i, name in enumerate(new.names):
         if name in old:

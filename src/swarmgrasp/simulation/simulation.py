@@ -148,8 +148,8 @@ class Simulation(Frozen, Plain):
         if self._lag > 0.0 or not missing:
             return []
         return [
-            f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the control "
-            "follows; give it"
+            f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the "
+            "control follows; give it"
         ]
 
     @property

@@ -15,8 +15,8 @@ from swarmgrasp.swarm import Swarm
 Array = NDArray[np.float64]
 
 DAMPING = 0.85
-"""Of the pull to the reference, 1 being critical: a little less is back sooner after a loss, and far
-from home, where the robots' limits cut the pull off, overshoots by some metres from 0.8 down."""
+"""Of the pull to the reference, 1 being critical: a little less is back sooner after a loss, and
+from 0.8 down overshoots by metres from far away, where the robots' limits cut the pull off."""
 
 
 class Known(NamedTuple):
@@ -90,8 +90,8 @@ class Controller(Protocol):
 class StationKeeping:
     """The controller that is taken where no other is given.
 
-    Wanted is ``M (w^2 (reference - pose) + 1.7 w (its velocity - velocity) + its acceleration)``, of
-    what the observer believes, less the loads of bias and wind.
+    Wanted is ``M (w^2 (reference - pose) + 1.7 w (its velocity - velocity) + its acceleration)``,
+    of what the observer believes, less the loads of bias and wind.
     """
 
     def begin(self, known: Known, settings: Settings, poses: Array, rests: Array) -> None:
@@ -116,7 +116,9 @@ class StationKeeping:
         seen.correct(look.poses, period)
         headings, goal = seen.poses[:, 2], look.reference
         off = nearest_turns(goal.pose - seen.poses)
-        pull = w * w * off + 2.0 * DAMPING * w * (goal.velocity - seen.velocities) + goal.acceleration
+        pull = (
+            w * w * off + 2.0 * DAMPING * w * (goal.velocity - seen.velocities) + goal.acceleration
+        )
         back = turned(pull, headings, back=True)
         wind = self._known.wind_loads(headings, look.air)
         wanted = times(self._known.matrix, back) - turned(seen.biases, headings, back=True) - wind

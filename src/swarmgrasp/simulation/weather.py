@@ -14,6 +14,7 @@ from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import array_of, shown
+from swarmgrasp.simulation.motion import flow
 
 Kind = Literal["none", "npd"]
 Array = NDArray[np.float64]
@@ -126,8 +127,8 @@ def mean_of(environment: Environment) -> Mean:
     """Return the mean weather that an environment says; a calm where it says none."""
     wind, current = environment.wind, environment.current
     from_wind = wind.bearing or 0.0
-    flow = (0.0, from_wind) if current is None else (current.speed, current.bearing)
-    said = (wind.speed or 0.0, from_wind, flow[0], from_wind if flow[1] is None else flow[1])
+    speed, bearing = (0.0, None) if current is None else (current.speed, current.bearing)
+    said = (wind.speed or 0.0, from_wind, speed, from_wind if bearing is None else bearing)
     return Mean(*(np.array([number]) for number in said))
 
 
@@ -177,19 +178,16 @@ class Streams:
         found = np.empty((self._runs, count, 4))
         if self._gusts is not None:
             speeds = speeds + self._gusts.speeds(first, count, self._period, speeds[:, 0])
-        found[..., 0], found[..., 1] = _velocity(speeds, bearings)
-        flow = self.mean.current_speed[:, None], self.mean.current_bearing[:, None]
-        found[..., 2], found[..., 3] = _velocity(*flow)
+        found[..., :2] = flow(speeds, bearings)
+        found[..., 2:] = flow(self.mean.current_speed, self.mean.current_bearing)[:, None]
         return found
 
     def steady(self, time: float) -> Array:
         """Return the mean velocities (1 or runs, 4) [m/s] at a time [s], as `block` has them."""
         speeds, bearings = self.winds(np.array([time]))
-        flow = self.mean.current_speed, self.mean.current_bearing
-        return np.stack(
-            np.broadcast_arrays(*_velocity(speeds[:, 0], bearings[:, 0]), *_velocity(*flow)),
-            axis=-1,
-        )
+        air = flow(speeds[:, 0], bearings[:, 0])
+        water = flow(self.mean.current_speed, self.mean.current_bearing)
+        return np.concatenate(np.broadcast_arrays(air, water), axis=-1)
 
     def spread(self, time: float) -> Array:
         """Return the standard deviation (runs,) [m/s] of the wind's speed about its mean."""
@@ -197,11 +195,6 @@ class Streams:
             return np.zeros(self._runs)
         speeds, _ = self.winds(np.array([time]))
         return self._gusts.spread(speeds[:, 0])
-
-
-def _velocity(speeds: Array, bearings: Array) -> tuple[Array, Array]:
-    """Return x and y [m/s] of what comes from bearings [rad]."""
-    return -speeds * np.cos(bearings), speeds * np.sin(bearings)
 
 
 class Gusts:
