@@ -97,6 +97,11 @@ def test_a_task_that_only_rounding_keeps_out_of_reach():
     assert list(faults_of([9258])) == []
 
 
+def test_a_search_that_ends_near_its_floor_says_so():
+    """A giant makes the floor wider than the gap that was asked for, and it is not reached."""
+    assert list(faults_of([4551])) == []
+
+
 @pytest.mark.parametrize("seed", [4047, 6651])
 def test_qualities_that_would_take_minutes(seed, monkeypatch):
     """Uncertain robots beside a giant: all qualities together take no more work than the search.

@@ -274,8 +274,9 @@ class _Placing:
                 winner, after = best
         noise = self.noise(winner, after)
         improves = winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero + noise
-        asked_for = winner.quality * (1.0 + self.gap) + 2.0 * search.floor
-        asked_for += 0.0 if improves else noise
+        asked_for = winner.quality * (1.0 + self.gap) + (0.0 if improves else noise)
+        if found.solved:  # as near as rounding lets it come
+            asked_for += 2.0 * search.floor
         if winner.quality == 0.0 and upper_bound <= 2.0 * search.zero:
             upper_bound = 0.0  # what counts as 0, and as much again that searches leave open
         return Placement(

@@ -35,6 +35,12 @@ def test_all_invariants_hold_for_long(mode):
     check(mode, range(10_000, 10_000 + LONG))
 
 
+@pytest.mark.parametrize(("mode", "seed"), [(Mode.MOVES, 10_919), (Mode.RESOLVE, 12_219)])
+def test_who_leaves_while_moving_moves_no_more(mode, seed):
+    """Another may let go at once: a robot that has gone is under way to no place."""
+    check(mode, [seed])
+
+
 def test_the_same_seed_is_the_same_run_in_any_process():
     """Nothing depends on the order of sets: not a message more or less under another hash seed."""
     program = (

@@ -174,8 +174,8 @@ class Book:
                 self._check_move(node, time)
             elif isinstance(effect, ev.Go):
                 self.turns += 1
-        if record.phase in {Phase.ATTACHED, Phase.WAITING}:
-            page.is_moving = False  # it has settled, if only for want of room
+        if record.phase in {Phase.ATTACHED, Phase.WAITING, Phase.LEFT}:
+            page.is_moving = False  # it has settled, if only for want of room, or has gone
         begins_attached = isinstance(event, ev.Start) and event.attached is not None
         if record.phase is Phase.ATTACHED and (begins_attached or isinstance(event, ev.Fastened)):
             page.lower = record.lower
