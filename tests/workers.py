@@ -37,9 +37,19 @@ class Inline(Executor):
         future = Future()
         try:
             future.set_result(work(*arguments))
-        except BaseException as error:
+        except Exception as error:
             future.set_exception(error)
         return future
+
+
+class InlinePool:
+    """A pool of no processes."""
+
+    def __init__(self, _):
+        self.executor = Inline()
+
+    def close(self):
+        """End nothing."""
 
 
 class Deadly(Inline):

@@ -5,8 +5,8 @@ import sys
 import pytest
 
 COMMANDS = [
-    "place", "move", "count", "quality", "capability", "verify", "plot", "paper", "examples",
-    "schema", "agent",
+    "place", "move", "count", "quality", "capability", "study", "verify", "plot", "paper",
+    "examples", "schema", "agent",
 ]  # fmt: skip
 
 

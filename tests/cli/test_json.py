@@ -4,6 +4,7 @@ import inspect
 import json
 import subprocess
 import sys
+from tempfile import TemporaryDirectory
 
 import pytest
 
@@ -17,6 +18,7 @@ ASKED = {
     "quality": ["rectangle-5"],
     "forces": ["deck-barge", "--wrench", "300e3", "0", "0"],
     "capability": ["supply-vessel", "--step", "30"],
+    "study": ["rectangle-5", "runs", "--runs", "50", "--workers", "1"],
     "verify": ["-"],
 }
 
@@ -24,9 +26,11 @@ ASKED = {
 def printed(command: str, given: str = "") -> str:
     """Return what a process prints for a command, its JSON asked for."""
     program = [sys.executable, "-m", "swarmgrasp", command.split()[0], *ASKED[command]]
-    done = subprocess.run(
-        [*program, "--json", "-"], input=given, capture_output=True, text=True, check=True
-    )
+    with TemporaryDirectory() as folder:
+        done = subprocess.run(
+            [*program, "--json", "-"], input=given, capture_output=True, text=True, check=True,
+            cwd=folder,
+        )  # fmt: skip
     return done.stdout
 
 

@@ -23,13 +23,15 @@ from swarmgrasp.cli.plot import plot
 from swarmgrasp.cli.quality import quality
 from swarmgrasp.cli.schema import schema
 from swarmgrasp.cli.show.report import complain
+from swarmgrasp.cli.study import study
 from swarmgrasp.cli.verify import verify
 from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
 COMMANDS = (
-    place, move, count, quality, forces, capability, verify, plot, agent, paper, examples, schema,
+    place, move, count, quality, forces, capability, study, verify, plot, agent, paper, examples,
+    schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""

@@ -6,6 +6,7 @@ from swarmgrasp.plot.landscape import landscape
 from swarmgrasp.plot.plan import plan
 from swarmgrasp.plot.save import save
 from swarmgrasp.plot.sensitivity import sensitivity_plan
+from swarmgrasp.plot.study import study_picture
 from swarmgrasp.plot.wrenches import wrench_sets
 
 __all__ = [
@@ -15,5 +16,6 @@ __all__ = [
     "plan",
     "save",
     "sensitivity_plan",
+    "study_picture",
     "wrench_sets",
 ]

@@ -19,6 +19,8 @@ def plan_of(problem):
     """Return a plan of small shards."""
 
     def plan_of(runs, size, study=None, seed=1, version="0.1.0"):
-        return Plan(study or Sizes(problem, 4, 6), runs, seed, size, version, kernels_digest())
+        return Plan(
+            "Barge", study or Sizes(problem, 4, 6), runs, seed, size, version, kernels_digest()
+        )
 
     return plan_of

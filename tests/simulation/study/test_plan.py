@@ -21,7 +21,7 @@ def test_a_plan_comes_back(plan_of, problem):
     assert parsed(plan.text).text == plan.text
     crew = sg.Swarm(problem.swarm.outline, [sg.Robot((40, 0), 3.0)])
     assert len(Sizes(problem.with_swarm(crew)).problem.swarm) == 0
-    assert Plan.of(Sizes(problem), 10).size == Sizes.size
+    assert Plan.of("Barge", Sizes(problem), 10).size == Sizes.size
 
 
 def test_the_seeds_of_a_shard_hang_on_the_plan_s_own_alone(plan_of):
@@ -38,8 +38,9 @@ def test_the_seeds_of_a_shard_hang_on_the_plan_s_own_alone(plan_of):
 def test_what_cannot_be_planned_is_refused_at_once():
     """All faults, each with its value and range."""
     with pytest.raises(StudyInvalid) as caught:
-        Plan("study", 0, -1, 1.5, "", "")
+        Plan("\0", "study", 0, -1, 1.5, "", "")
     assert caught.value.faults == (
+        "the name '\\x00' holds U+0000, a control character; leave it out",
         "'study' is no Study",
         "the number of runs is 0; it should be a whole number from 1 to 1000000000",
         "the seed is -1; it should be a whole number from 0 to 9223372036854775807",

@@ -2,10 +2,12 @@
 
 from swarmgrasp.simulation.study.gather import Gathered, gather, rows
 from swarmgrasp.simulation.study.kinds import KINDS
+from swarmgrasp.simulation.study.losses import Losses
 from swarmgrasp.simulation.study.machines import Machines, machines_at
 from swarmgrasp.simulation.study.plan import Plan, read_plan
 from swarmgrasp.simulation.study.sizes import Sizes
 from swarmgrasp.simulation.study.study import Column, Findings, Heading, Study
+from swarmgrasp.simulation.study.together import PlacedTogether
 from swarmgrasp.simulation.study.work import run_plan
 
 __all__ = [
@@ -14,7 +16,9 @@ __all__ = [
     "Findings",
     "Gathered",
     "Heading",
+    "Losses",
     "Machines",
+    "PlacedTogether",
     "Plan",
     "Sizes",
     "Study",

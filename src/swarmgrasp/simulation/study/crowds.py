@@ -6,11 +6,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.errors import StudyInvalid
 from swarmgrasp.placement import Problem
 from swarmgrasp.placement.problem import check_ray_problem
+from swarmgrasp.ranges import is_whole, shown
 from swarmgrasp.swarm import Swarm, wrenches
+from swarmgrasp.words import Unit
 
 Array = NDArray[np.float64]
+MOST_ROBOTS = 1000
 
 
 class Crowd(NamedTuple):
@@ -87,3 +91,30 @@ def question_of(problem: Problem) -> Problem:
     swarm = problem.swarm
     empty = Swarm(swarm.outline, [], swarm.characteristic_length, swarm.force_weights)
     return problem.with_swarm(empty)
+
+
+def check_numbers(fewest: object, most: object) -> None:
+    """Raise `StudyInvalid` unless robots are from so many to so many."""
+    if is_whole(fewest) and is_whole(most) and 1 <= fewest <= most <= MOST_ROBOTS:
+        return
+    raise StudyInvalid(
+        f"the robots are from {shown(fewest)} to {shown(most)}; they should be whole numbers, "
+        f"1 <= fewest <= most <= {MOST_ROBOTS}"
+    )
+
+
+def like_words(problem: Problem) -> str:
+    """Return what random robots are like, as the rest of a sentence that begins with their number.
+
+    Examples
+    --------
+    >>> from swarmgrasp import Newcomer, Outline
+    >>> square = Swarm(Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)]), [])
+    >>> like_words(Problem(square, Newcomer(2000.0, name="Ajax")))
+    'random robots like Ajax of 2.0000 kN, anywhere along the outline'
+    """
+    newcomer, zones = problem.newcomer, problem.zones
+    like = f" like {newcomer.name}" if newcomer.name else ""
+    where = "along the outline" if zones is None else f"in {len(zones)} zones"
+    limit = Unit.for_size(newcomer.limit).text(newcomer.limit)
+    return f"random robots{like} of {limit}, anywhere {where}"

@@ -19,7 +19,7 @@ from swarmgrasp import kernels
 from swarmgrasp.errors import DataInvalid, StudyInvalid
 from swarmgrasp.files import folder_faults, read_fault, write_whole
 from swarmgrasp.plain import Told, picked
-from swarmgrasp.ranges import is_whole, kind_faults, shown
+from swarmgrasp.ranges import is_whole, kind_faults, name_faults, shown
 from swarmgrasp.simulation.study.kinds import KINDS
 from swarmgrasp.simulation.study.study import Seeds, Study
 
@@ -29,6 +29,7 @@ MOST_RUNS = 10**9
 MOST_SEED = 2**63 - 1
 LARGEST_PLAN = 2**24
 """Bytes of a plan that are read."""
+_KEYS = "name", "runs", "seed", "size", "version", "kernels"
 _LEFTOVERS = ".part-*", ".study-*"
 """Files that a killed process did not finish."""
 
@@ -39,6 +40,8 @@ class Plan(Told):
 
     Attributes
     ----------
+    name : str
+        What it is of: the scenario's.
     study : Study
     runs : int
         From 1 to 1e9.
@@ -55,6 +58,7 @@ class Plan(Told):
         If a value is outside its range; all faults at once.
     """
 
+    name: str
     study: Study
     runs: int
     seed: int
@@ -64,7 +68,7 @@ class Plan(Told):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = kind_faults(self.study, Study)
+        faults = name_faults(self.name) + kind_faults(self.study, Study)
         for called, value, low, high in (
             ("number of runs", self.runs, 1, MOST_RUNS),
             ("seed", self.seed, 0, MOST_SEED),
@@ -77,16 +81,16 @@ class Plan(Told):
             raise StudyInvalid(faults)
 
     @classmethod
-    def of(cls, study: Study, runs: int, seed: int = 1) -> "Plan":
+    def of(cls, name: str, study: Study, runs: int, seed: int = 1) -> "Plan":
         """Return the plan of a study with the package as it is installed here."""
-        return cls(study, runs, seed, study.size, version("swarmgrasp"), kernels_digest())
+        return cls(name, study, runs, seed, study.size, version("swarmgrasp"), kernels_digest())
 
     def to_data(self) -> dict[str, Any]:
         """Return the plan as plain data."""
         named = {"kind": self.study.kind, **self.study.to_data()}
         return {
             "format": FORMAT,
-            **picked(self, "runs", "seed", "size", "version", "kernels"),
+            **picked(self, *_KEYS),
             "study": named,
         }
 
@@ -144,12 +148,12 @@ def plan_of(text: str, called: str = PLAN) -> Plan:
     kind = study.pop("kind", None) if isinstance(study, dict) else None
     if kind not in KINDS:
         raise StudyInvalid(f"{called}: study.kind: is {shown(kind)}; known: {', '.join(KINDS)}")
-    wanted = {"format", "runs", "seed", "size", "version", "kernels", "study"}
+    wanted = {"format", *_KEYS, "study"}
     if data.keys() != wanted:
         raise StudyInvalid(f"{called}: should have the keys {', '.join(sorted(wanted))}")
     try:
         made = KINDS[kind].from_data(study)
-        return Plan(made, *(data[key] for key in ("runs", "seed", "size", "version", "kernels")))
+        return Plan(study=made, **{key: data[key] for key in _KEYS})
     except (DataInvalid, StudyInvalid) as error:
         raise StudyInvalid(f"{called}: {fault}" for fault in error.faults) from None
 
@@ -218,6 +222,7 @@ def _differences(there: Plan, wanted: Plan) -> list[str]:
     if there.study.kind != wanted.study.kind:
         return [f"it is of {there.study.kind}, not of {wanted.study.kind}"]
     parts = {
+        "name": (there.name, wanted.name),
         "number of runs": (there.runs, wanted.runs),
         "seed": (there.seed, wanted.seed),
         "shards' size": (there.size, wanted.size),

@@ -68,7 +68,7 @@ def _field(name: str, column: Column) -> pa.Field:
 def _plan(text: str) -> Plan:
     """Return the plan that a worker is given with each shard, checked once."""
     plan = plan_of(text)
-    here = Plan.of(plan.study, plan.runs, plan.seed)
+    here = Plan.of(plan.name, plan.study, plan.runs, plan.seed)
     if (plan.version, plan.kernels) != (here.version, here.kernels):
         raise StudyInvalid(
             f"the study is of swarmgrasp {plan.version} with kernels {plan.kernels}, and a worker "

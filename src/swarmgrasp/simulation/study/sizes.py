@@ -1,6 +1,5 @@
 """Quality against the number of robots, of random swarms."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
@@ -8,14 +7,18 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import StudyInvalid
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality import qualities
-from swarmgrasp.ranges import is_whole, shown
-from swarmgrasp.simulation.study.crowds import crowds_of, question_of
-from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, Study
-
-MOST_ROBOTS = 1000
+from swarmgrasp.simulation.study.crowds import check_numbers, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.study import (
+    Ask,
+    Column,
+    Findings,
+    Heading,
+    Seeds,
+    Study,
+    told_rows,
+)
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,11 @@ class Sizes(Study):
         vars(self)["problem"] = question_of(self.problem)
         crowds_of(self.problem)
 
+    @property
+    def words(self) -> str:
+        """Of what swarms it is."""
+        return f"{self.fewest} to {self.most} {like_words(self.problem)}"
+
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and measure its quality."""
         draws, crowds = np.random.default_rng(seeds), crowds_of(self.problem)
@@ -77,14 +85,14 @@ class Sizes(Study):
             "quantile_cont(quality, 0.5), quantile_cont(quality, 0.9) "
             "FROM runs GROUP BY robots ORDER BY robots"
         )
-        closed = next((row[0] for row in rows if row[2] >= 0.5), math.nan)
+        closed = next((row[0] for row in rows if row[2] >= 0.5), None)
         said = (
             f"At least half of the random swarms have force closure from {closed} robots on"
-            if closed == closed
+            if closed is not None
             else f"Less than half of the random swarms of up to {self.most} robots have force "
             "closure"
         )
-        return Findings(said, HEADINGS, tuple(map(tuple, rows)))
+        return Findings(said, HEADINGS, told_rows(rows))
 
 
 HEADINGS = (
@@ -95,13 +103,3 @@ HEADINGS = (
     Heading("median", "N"),
     Heading("of 90 %", "N"),
 )
-
-
-def check_numbers(fewest: object, most: object) -> None:
-    """Raise `StudyInvalid` unless robots are from so many to so many."""
-    if is_whole(fewest) and is_whole(most) and 1 <= fewest <= most <= MOST_ROBOTS:
-        return
-    raise StudyInvalid(
-        f"the robots are from {shown(fewest)} to {shown(most)}; they should be whole numbers, "
-        f"1 <= fewest <= most <= {MOST_ROBOTS}"
-    )

@@ -1,7 +1,8 @@
 """What a study is: runs that are alike but for their seeds, and what they tell."""
 
+import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, NamedTuple
 
@@ -89,6 +90,11 @@ class Study(Plain, ABC):
     size: ClassVar[int]
     columns: ClassVar[Mapping[str, Column]]
 
+    @property
+    @abstractmethod
+    def words(self) -> str:
+        """What its runs are, in a few words."""
+
     @abstractmethod
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Measure runs.
@@ -107,3 +113,8 @@ class Study(Plain, ABC):
     @abstractmethod
     def find(self, ask: Ask) -> Findings:
         """Sum up the runs."""
+
+
+def told_rows(rows: Sequence[tuple[float | None, ...]]) -> tuple[tuple[float, ...], ...]:
+    """Return rows of an answer in SQL as numbers, null as nan."""
+    return tuple(tuple(math.nan if value is None else value for value in row) for row in rows)

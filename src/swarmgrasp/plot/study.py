@@ -1,0 +1,107 @@
+"""What studies find."""
+
+from collections.abc import Callable
+from typing import Any, Final
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator, PercentFormatter
+
+from swarmgrasp.plot import style
+from swarmgrasp.simulation.study import Findings, Gathered
+
+HEIGHT: Final = 2.9
+"""Of a picture [in]."""
+LINE: Final[dict[str, Any]] = {"marker": "o", "markersize": 3.5, "linewidth": 1.2}
+
+
+def study_picture(found: Gathered) -> Figure:
+    """Draw what a study has found, as its kind needs.
+
+    Parameters
+    ----------
+    found : Gathered
+    """
+    draw, panels = KINDS[found.plan.study.kind]
+    with style.settings():
+        figure = Figure(figsize=(style.WIDTH, HEIGHT), layout="constrained")
+        axes = figure.subplots(1, panels, squeeze=False)[0]
+        for ax in axes:
+            ax.spines[["top", "right"]].set_visible(False)
+            ax.grid(True)
+            ax.set_axisbelow(True)
+            ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+        draw(axes, found.findings)
+        handles, labels = axes[0].get_legend_handles_labels()
+        if handles:
+            figure.legend(handles, labels, loc="outside lower left", ncols=len(handles))
+        figure.suptitle(
+            f"{found.plan.name}, {found.runs} runs: {found.plan.study.words}",
+            x=0.01, ha="left", fontsize=8.0, wrap=True,
+        )  # fmt: skip
+    return figure
+
+
+def _column(findings: Findings, index: int) -> list[float]:
+    """Return a column of what was found."""
+    return [row[index] for row in findings.rows]
+
+
+def _shares(ax: Axes, label: str) -> None:
+    """Make an axis one of shares."""
+    ax.set(ylim=(0.0, 1.02), ylabel=label)
+    ax.yaxis.set_major_formatter(PercentFormatter(1.0))
+
+
+def _draw_sizes(axes: Any, findings: Findings) -> None:
+    """Draw how many swarms have force closure, and how good they are."""
+    left, right = axes
+    robots = _column(findings, 0)
+    left.plot(robots, _column(findings, 2), color=style.BLUE, **LINE)
+    left.set(xlabel="robots")
+    _shares(left, "with force closure")
+    low, median, high = (_column(findings, index) for index in (3, 4, 5))
+    factor, unit = style.force_unit(max(high, default=0.0))
+    low, median, high = ([factor * value for value in row] for row in (low, median, high))
+    right.fill_between(robots, low, high, color=style.SKY, alpha=0.3, linewidth=0.0,
+                       label="10 to 90 % of swarms")  # fmt: skip
+    right.plot(robots, median, color=style.BLUE, label="median", **LINE)
+    right.set(xlabel="robots", ylabel=f"quality [{unit}]", ylim=(0.0, None))
+    right.legend(loc="upper left")
+
+
+def _draw_losses(axes: Any, findings: Findings) -> None:
+    """Draw how many swarms bear a loss, and what it leaves of those with force closure."""
+    left, right = axes
+    robots = _column(findings, 0)
+    left.plot(robots, _column(findings, 2), color=style.BLUE, label="as they are", **LINE)
+    left.plot(robots, _column(findings, 3), color=style.VERMILION, label="after any one loss",
+              **LINE)  # fmt: skip
+    left.set(xlabel="robots")
+    _shares(left, "with force closure")
+    right.plot(robots, _column(findings, 5), color=style.VERMILION, **LINE)
+    right.set(xlabel="robots")
+    _shares(right, "left of the quality, median")
+
+
+def _draw_together(axes: Any, findings: Findings) -> None:
+    """Draw how often, and by how much, robots placed together are better."""
+    left, right = axes
+    robots = _column(findings, 0)
+    left.plot(robots, _column(findings, 2), color=style.GREEN, label="better by 1 % or more",
+              **LINE)  # fmt: skip
+    left.plot(robots, _column(findings, 5), color=style.ORANGE,
+              label="force closure only together", **LINE)  # fmt: skip
+    left.set(xlabel="robots before")
+    _shares(left, "of swarms")
+    right.plot(robots, _column(findings, 3), color=style.GREEN, **LINE)
+    right.set(xlabel="robots before", ylabel="then better by, median", ylim=(0.0, None))
+    right.yaxis.set_major_formatter(PercentFormatter(1.0))
+
+
+KINDS: Final[dict[str, tuple[Callable[[Any, Findings], None], int]]] = {
+    "sizes": (_draw_sizes, 2),
+    "losses": (_draw_losses, 2),
+    "together": (_draw_together, 2),
+}
+"""How each kind of study is drawn, and in how many panels."""

@@ -1,0 +1,141 @@
+"""Robots placed together against robots placed one after the other, beside random swarms."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from swarmgrasp.errors import StudyInvalid
+from swarmgrasp.placement import Problem, place_together
+from swarmgrasp.placement.problem import check_several
+from swarmgrasp.ranges import is_whole, shown
+from swarmgrasp.simulation.study.crowds import check_numbers, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.study import (
+    Ask,
+    Column,
+    Findings,
+    Heading,
+    Seeds,
+    Study,
+    told_rows,
+)
+
+MOST_NEWCOMERS = 12
+GAP = 1e-2
+"""Share of the quality at which a search ends: a gain above it is one of places, not of effort."""
+EFFORT = 1000
+"""Steps of a search; its bound tells what more of them could still bring."""
+
+
+@dataclass(frozen=True)
+class PlacedTogether(Study):
+    """What is lost by placing robots one after the other instead of together.
+
+    Each run is a swarm of random robots that are all like the problem's newcomer, anywhere in its
+    zones; as many newcomers as are asked for are placed beside it both ways, by the problem's
+    spacing and criterion.
+
+    Attributes
+    ----------
+    problem : Problem
+        Its own robots are left out.
+    fewest, most : int
+        Robots there before.
+    newcomers : int
+        How many are placed.
+
+    Raises
+    ------
+    StudyInvalid
+        If not 1 <= fewest <= most <= 1000, or not 2 <= newcomers <= 12; all faults at once.
+    ForceSetUnsupported, NowhereToAttach
+        As for `Crowds`.
+    """
+
+    problem: Problem
+    fewest: int = 4
+    most: int = 8
+    newcomers: int = 2
+
+    kind: ClassVar[str] = "together"
+    question: ClassVar[str] = "robots placed together against one after the other"
+    batch: ClassVar[int] = 1
+    size: ClassVar[int] = 5
+    columns: ClassVar[Mapping[str, Column]] = {
+        "robots": Column("count", "", "robots there before"),
+        "before": Column("number", "N", "quality before"),
+        "sequential": Column("number", "N", "quality with newcomers one after the other"),
+        "together": Column("number", "N", "quality with newcomers placed together"),
+        "bound": Column("number", "N", "what no places exceed"),
+    }
+
+    def __post_init__(self) -> None:
+        """Check the values."""
+        faults = []
+        if not is_whole(self.newcomers) or not 2 <= self.newcomers <= MOST_NEWCOMERS:
+            faults.append(
+                f"the newcomers are {shown(self.newcomers)}; they should be a whole number from 2 "
+                f"to {MOST_NEWCOMERS}"
+            )
+        try:
+            check_numbers(self.fewest, self.most)
+        except StudyInvalid as error:
+            faults += error.faults
+        if faults:
+            raise StudyInvalid(faults)
+        vars(self)["problem"] = question_of(self.problem)
+        crowds_of(self.problem)
+        check_several(self.problem, "placement together")
+
+    @property
+    def words(self) -> str:
+        """Of what swarms it is."""
+        return (
+            f"{self.newcomers} newcomers beside {self.fewest} to {self.most} "
+            f"{like_words(self.problem)}"
+        )
+
+    def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
+        """Draw a swarm, and place newcomers beside it both ways."""
+        draws = np.random.default_rng(seeds)
+        robots = int(draws.integers(self.fewest, self.most, endpoint=True))
+        swarm = crowds_of(self.problem).swarm(draws, robots)
+        asked = self.problem.with_swarm(swarm)
+        found = place_together(asked, self.newcomers, gap=GAP, effort=EFFORT)
+        return {
+            "robots": [robots],
+            "before": [found.quality_before],
+            "sequential": [found.sequential],
+            "together": [found.quality],
+            "bound": [found.upper_bound],
+        }
+
+    def find(self, ask: Ask) -> Findings:
+        """Sum up the swarms of each size."""
+        better = f"together > sequential * {1.0 + GAP} AND together > 0"
+        gains = f"together / sequential - 1) FILTER ({better} AND sequential > 0"
+        what = (
+            f"count(*), avg(({better})::INT), median({gains}), max({gains}), "
+            "avg((sequential = 0 AND together > 0)::INT), "
+            f"avg((bound <= together * {1.0 + GAP} + 1e-9)::INT)"
+        )
+        rows = ask(f"SELECT robots, {what} FROM runs GROUP BY robots ORDER BY robots")
+        ((runs, share, *_),) = ask(f"SELECT {what} FROM runs")
+        said = (
+            f"Placed together, {self.newcomers} newcomers are better by more than 1 % in "
+            f"{share or 0.0:.0%} of {runs} random swarms"
+        )
+        return Findings(said, HEADINGS, told_rows(rows))
+
+
+HEADINGS = (
+    Heading("robots before"),
+    Heading("runs"),
+    Heading("better together", "%"),
+    Heading("then better by, median", "%"),
+    Heading("and at most", "%"),
+    Heading("force closure only together", "%"),
+    Heading("proven within 1 %", "%"),
+)
