@@ -1,9 +1,9 @@
 """The scenario file: what is asked, in YAML 1.2, with every fault told at once."""
 
 from swarmgrasp.scenario.examples import example_names, example_text, load_example
+from swarmgrasp.scenario.json_schema import scenario_schema
 from swarmgrasp.scenario.reading import load_scenario, parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
-from swarmgrasp.scenario.schema import scenario_schema
 from swarmgrasp.scenario.writing import scenario_text, write
 
 __all__ = [

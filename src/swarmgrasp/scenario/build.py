@@ -1,6 +1,7 @@
 """Build a scenario from a checked document, and find the faults that geometry has."""
 
 import math
+from dataclasses import replace
 
 from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError, ZoneInvalid
 from swarmgrasp.outline import Outline, Stretch
@@ -48,6 +49,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
     check_tolerances(checked, units)
     check_criterion(checked)
     check_weather(checked)
+    _check_simulation(checked, units)
     locator = _locator(checked, units)
     if locator is None:
         raise checked.faults.error()
@@ -64,7 +66,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         checked.fault((), "; ".join(error.faults), got=False)
         raise checked.faults.error() from error
     environment = environment_of(checked, units)
-    return Scenario(
+    scenario = Scenario(
         name=file.name or plain_name(default_name),
         description=file.description,
         swarm=swarm,
@@ -74,6 +76,32 @@ def build(checked: Checked, default_name: str) -> Scenario:
         spacing=units.metres(file.spacing),
         environment=environment,
         criterion=criterion_of(checked, units, swarm.outline, environment),
+    )
+    return _with_simulation(scenario, checked, units)
+
+
+# -- the simulation: what runs in time is loaded only for a file that has one ----------------
+
+
+def _check_simulation(checked: Checked, units: Units) -> None:
+    """Note what is wrong with how a document says its simulation."""
+    section = checked.file.simulation
+    if section is not None and checked.is_known("simulation"):
+        from swarmgrasp.scenario.simulation import check_simulation
+
+        check_simulation(section, units, checked)
+
+
+def _with_simulation(scenario: Scenario, checked: Checked, units: Units) -> Scenario:
+    """Return a scenario with what becomes of it in time, if its document says so."""
+    section, environment = checked.file.simulation, scenario.environment
+    if section is None or environment is None:
+        return scenario
+    from swarmgrasp.scenario.simulation import simulation_of
+
+    problem = scenario.problem()
+    return replace(
+        scenario, simulation=simulation_of(section, units, problem, environment, checked)
     )
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.frozen import Frozen
@@ -10,6 +10,9 @@ from swarmgrasp.outline import Stretch
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
+
+if TYPE_CHECKING:
+    from swarmgrasp.simulation.simulation import Simulation
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +39,8 @@ class Scenario(Frozen):
         Wind and current.
     criterion : Criterion
         What quality means; nominal when the file does not say.
+    simulation : Simulation or None
+        What becomes of all this in time.
     answer : dict or None
         The answer file that asks all this, as plain data, if it was read from one.
     """
@@ -49,6 +54,7 @@ class Scenario(Frozen):
     spacing: float
     environment: Environment | None = None
     criterion: Criterion = NOMINAL
+    simulation: "Simulation | None" = None
     answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
 
     def problem(self, criterion: Criterion | None = None) -> Problem:

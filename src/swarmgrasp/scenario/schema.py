@@ -3,7 +3,7 @@
 What depends on the outline or on the file's units is checked in `build`.
 """
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.config import JsonDict, JsonValue
@@ -31,6 +31,7 @@ from swarmgrasp.scenario.force_schema import (
     SectorRanges,
     Steers,
 )
+from swarmgrasp.scenario.simulation_schema import SimulationSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
 from swarmgrasp.swarm.robot import Attachment
@@ -335,69 +336,6 @@ class ScenarioFile(Section):
         None,
         description="Wind and current, for `swarmgrasp capability` and for `load: environment`.",
     )
-
-
-_EXAMPLE = {
-    "name": "Barge",
-    "units": {"length": "m", "force": "kN", "angle": "deg"},
-    "outline": {
-        "vertices": [[0, 0], [4, 0], [4, 2], [0, 2]],
-        "edges": ["starboard", "bow", "port", "stern"],
-    },
-    "robots": [
-        {
-            "name": "Ajax",
-            "edge": "stern",
-            "along": 1.5,
-            "direction": "inward",
-            "limit": 60,
-            "steers": 30,
-        },
-        {"name": "Hector", "contact": [4, 0.5], "direction": 170, "limit": 60},
-    ],
-    "newcomer": {"limit": 60, "attachment": "push", "half_angle": 30},
-    "zones": [{"edge": "port", "from": 0.5, "to": 3.5}, {"contact": [4, 2], "attachment": "pull"}],
-    "no_go": [{"edge": "starboard"}],
-    "spacing": 0.2,
-    "tolerance": {"contact": 0.2, "direction": [-5, 10], "least_limit": 50},
-    "criterion": {"losing": 1, "worst_case": True, "load": [0, -5, 0]},
-    "environment": {
-        "wind": {"vessel": "tender", "frontal_area": 6, "lateral_area": 20},
-        "current": {"frontal_area": 2, "lateral_area": 4, "speed": 0.5},
-    },
-}
-
-
-def scenario_schema() -> dict[str, Any]:
-    """Return the JSON schema of a scenario file, draft 2020-12, for editors.
-
-    Examples
-    --------
-    >>> scenario_schema()["required"]
-    ['outline', 'robots']
-    """
-    schema: dict[str, Any] = _tidied(ScenarioFile.model_json_schema())
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **schema,
-        "title": "swarmgrasp scenario",
-        "examples": [_EXAMPLE],
-    }
-
-
-def _tidied(schema: Any) -> Any:
-    """Return a schema without nulls, which stand for "left out", and without class names."""
-    if isinstance(schema, list):
-        return [_tidied(part) for part in schema if part != {"type": "null"}]
-    if not isinstance(schema, dict):
-        return schema
-    kept = {
-        key: _tidied(part)
-        for key, part in schema.items()
-        if not (key == "default" and part is None)
-        and not (key == "title" and isinstance(part, str))
-    }
-    if len(kept.get("anyOf", "..")) == 1:
-        (only,) = kept.pop("anyOf")
-        kept = {**only, **kept}
-    return kept
+    simulation: SimulationSection | None = Field(
+        None, description="A run in this environment, for `swarmgrasp simulate`."
+    )

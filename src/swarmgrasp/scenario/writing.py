@@ -128,6 +128,7 @@ def _told(scenario: Scenario) -> dict[str, Any]:
         "has_newcomer": scenario.newcomer is not None,
         "environment": plain(scenario.environment),
         "description": scenario.description,
+        "simulation": plain(scenario.simulation),
     }
 
 
@@ -188,6 +189,7 @@ class _File:
             spacing=scenario.spacing,
             criterion=self.criterion(scenario.criterion),
             environment=scenario.environment and self.environment(scenario.environment),
+            simulation=self.simulation(scenario),
         ) | {"robots": list(map(self.robot, swarm.robots))}
 
     def robot(self, robot: Robot) -> dict[str, Any]:
@@ -279,7 +281,7 @@ class _File:
 
     def environment(self, around: Environment) -> dict[str, Any]:
         """Return wind and current."""
-        told = _unusual(around)
+        told = unusual(around)
         told["wind"] = self.weather(around.wind)
         vessel = vessel_type(around.wind.coefficients)
         if vessel:
@@ -289,16 +291,24 @@ class _File:
             told["current"] = self.weather(around.current)
         return told
 
+    def simulation(self, scenario: Scenario) -> dict[str, Any] | None:
+        """Return what becomes of it all in time."""
+        if scenario.simulation is None:
+            return None
+        from swarmgrasp.scenario.simulation_writing import simulation_keys
+
+        return simulation_keys(scenario.simulation, self.angle)
+
     def weather(self, part: Wind | Current) -> dict[str, Any]:
         """Return what wind or current meets, and how fast it comes from where."""
-        told = _unusual(part)
+        told = unusual(part)
         if part.bearing is not None:
             told["from"] = self.angle(told.pop("bearing"))
         return told
 
 
-def _unusual(part: Environment | Wind | Current) -> dict[str, Any]:
-    """Return what of a part is not as it is when left out."""
+def unusual(part: Any) -> dict[str, Any]:
+    """Return what of an object's fields is not as it is when left out."""
     told = {each.name: (getattr(part, each.name), each.default) for each in fields(part)}
     return {name: plain(value) for name, (value, usual) in told.items() if value != usual}
 
@@ -343,8 +353,8 @@ def _lines(document: dict[str, Any]) -> Iterator[str]:
     order = ("name", "description", "units", "outline", "metric", "robots")
     for key in (*(k for k in order if k in document), *(k for k in document if k not in order)):
         value = document[key]
-        if key == "outline":
-            yield "outline:"
+        if key in ("outline", "simulation"):
+            yield f"{key}:"
             for part, told in value.items():
                 yield from _entry(part, told, "  ")
         else:

@@ -1,0 +1,365 @@
+"""Build the simulation of a scenario, and find the faults its schema does not see."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import TypeVar
+
+import numpy as np
+
+from swarmgrasp.environment import Environment
+from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.outline import Outline
+from swarmgrasp.placement import Problem
+from swarmgrasp.ranges import nearest_name
+from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.simulation_schema import (
+    ActuatorSection,
+    ControlSection,
+    EventSection,
+    HullSection,
+    RobotsSection,
+    SimulationSection,
+    StreamSection,
+    WeatherSection,
+)
+from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.simulation.actuator import Actuator
+from swarmgrasp.simulation.control import Control
+from swarmgrasp.simulation.events import (
+    Change,
+    Event,
+    Follow,
+    Leave,
+    Lose,
+    Move,
+    Send,
+    event_faults,
+    in_order,
+    joining_names,
+)
+from swarmgrasp.simulation.hull import Hull
+from swarmgrasp.simulation.simulation import Simulation
+from swarmgrasp.simulation.weather import Series, Weather
+from swarmgrasp.swarm import Newcomer
+from swarmgrasp.swarm.names import filled
+from swarmgrasp.words import list_words
+
+_HERE: Path = ("simulation",)
+_KINDS = ("lose", "leave", "send", "move", "follow", "wind", "current")
+_STREAMS = ["wind", "current"]
+"""Of the kinds, those that one event may have both."""
+_GOES_WITH = {
+    "noticed": ("lose",),
+    "as": ("send",),
+    "away": ("send",),
+    "from": ("send",),
+    "make_fast": ("send",),
+    "speed": ("send", "follow"),
+}
+"""What some keys of an event go with."""
+_NEWCOMER = "newcomer"
+_Made = TypeVar("_Made")
+
+
+def simulation_of(
+    section: SimulationSection,
+    units: Units,
+    problem: Problem,
+    environment: Environment,
+    checked: Checked,
+) -> Simulation:
+    """Return the simulation of a document without faults.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If nothing says the draught, or a number is too small to compute with.
+    """
+    try:
+        actuator = _actuator(section.robots, units)
+        return Simulation(
+            problem,
+            environment,
+            _hull(section.hull, problem.swarm.outline, environment, units),
+            actuator,
+            tuple((each.name, _actuator(each, units, actuator)) for each in section.robots.others),
+            _weather(section.weather, units),
+            _control(section.control, units),
+            tuple(_event(event, problem.newcomer, units) for event in section.events),
+            section.duration,
+            section.step,
+            section.seed,
+        )
+    except SimulationInvalid as error:
+        for fault in error.faults:
+            checked.fault(_HERE, fault, got=False)
+        raise checked.faults.error() from error
+
+
+# -- faults -------------------------------------------------------------------------------
+
+
+def check_simulation(section: SimulationSection, units: Units, checked: Checked) -> None:
+    """Note what is wrong with how a document says its simulation."""
+    _check_surroundings(section, checked)
+    if checked.is_sound(*_HERE, "weather"):
+        path = (*_HERE, "weather", "series")
+        _made(checked, path, partial(_weather, section.weather, units))
+    if checked.is_sound(*_HERE, "control"):
+        _made(checked, (*_HERE, "control"), partial(_control, section.control, units))
+    _check_actuators(section.robots, units, checked)
+    newcomer = Newcomer(name=checked.file.newcomer.name if checked.file.newcomer else "")
+    events = _check_each_event(section, newcomer, units, checked)
+    if not checked.is_known("newcomer") or not _are_names_sound(checked):
+        return
+    names = filled([robot.name for robot in checked.file.robots])
+    ordered = in_order(events.values())
+    dropped = set(range(len(section.events))) - set(events)
+    if any("send" in _said(i, checked) for i in dropped):
+        return  # whom it brings, and when, is not known
+    _check_robots(section, [*names, *joining_names(names, ordered, newcomer)], checked)
+    paths = {id(event): path for path, event in events.items()}
+    for event, fault in event_faults(names, ordered, newcomer, section.duration):
+        checked.fault((*_HERE, "events", paths[id(event)]), fault, got=False)
+
+
+def _check_surroundings(section: SimulationSection, checked: Checked) -> None:
+    """Note that there is no environment, or no wind, to be in."""
+    around = checked.file.environment
+    if around is None:
+        if checked.is_known("environment"):
+            said = "needs the environment: what the object shows to the wind, and its speed"
+            checked.fault(_HERE, said, got=False)
+        return
+    wind: Path = ("environment", "wind")
+    if not checked.is_sound(*wind) or section.weather.series is not None:
+        return
+    if around.wind.speed is None and checked.is_sound(*_HERE, "weather", "series"):
+        said = "a simulation needs a wind: its speed, and from, where it comes from; 0 for a calm"
+        checked.fault(wind, said, got=False)
+
+
+def _check_actuators(section: RobotsSection, units: Units, checked: Checked) -> None:
+    """Note what does not go together in how robots answer to orders."""
+    path: Path = (*_HERE, "robots")
+    if not all(checked.is_sound(*path, key) for key in ActuatorSection.model_fields):
+        return
+    usual = _made(checked, path, partial(_actuator, section, units))
+    for i, each in enumerate(section.others):
+        if usual is not None and checked.is_sound(*path, "except", i):
+            _made(checked, (*path, "except", i), partial(_actuator, each, units, usual))
+
+
+def _are_names_sound(checked: Checked) -> bool:
+    """Tell whether the names of all robots are known."""
+    count = len(checked.file.robots)
+    sound = all(
+        checked.is_known("robots", i) and checked.is_sound("robots", i, "name")
+        for i in range(count)
+    )
+    return sound and checked.is_known("robots")
+
+
+def _check_robots(section: SimulationSection, names: list[str], checked: Checked) -> None:
+    """Note names that no robot has, and robots that are named twice."""
+    seen: dict[str, int] = {}
+    for i, each in enumerate(section.robots.others):
+        path: Path = (*_HERE, "robots", "except", i, "name")
+        if not checked.is_sound(*path):
+            continue
+        first = seen.setdefault(each.name, i)
+        if first != i:
+            checked.fault(path, f"is the name of except.{first} too; keep one")
+        elif each.name not in names:
+            said = f"there is no such robot, and none is sent{nearest_name(each.name, names)}"
+            checked.fault(path, said)
+
+
+def _check_each_event(
+    section: SimulationSection, newcomer: Newcomer, units: Units, checked: Checked
+) -> dict[int, Event]:
+    """Note what is wrong with events by themselves; return those with no fault, by their index."""
+    found = {}
+    for i, event in enumerate(section.events):
+        path: Path = (*_HERE, "events", i)
+        make: Callable[[], Event] = partial(_event, event, newcomer, units)
+        if not _is_event_said(event, i, checked) or not checked.is_sound(*path):
+            if event.send is None or not all(checked.is_sound(*path, k) for k in ("at", "as")):
+                continue
+            make = partial(Send, event.at, _called(newcomer, event.name))  # others may name it
+        made = _made(checked, path, make)
+        if made is not None:
+            found[i] = made
+    return found
+
+
+def _said(index: int, checked: Checked) -> list[str]:
+    """Return the kinds that are written of an event."""
+    return [kind for kind in _KINDS if checked.has(*_HERE, "events", index, kind)]
+
+
+def _is_event_said(event: EventSection, index: int, checked: Checked) -> bool:
+    """Tell whether an event says one thing with what belongs to it; note a fault otherwise."""
+    path: Path = (*_HERE, "events", index)
+    if not checked.is_known(*path):
+        return False
+    kinds = _said(index, checked)
+    if len(kinds) != 1 and kinds != _STREAMS:
+        said = f"{list_words(kinds)} are more than one event; give each an item of its own"
+        if not kinds:
+            said = f"should say what happens, by {', '.join(_KINDS[:-1])} or {_KINDS[-1]}"
+        checked.fault(path, said, got=False)
+        return False
+    strange = [
+        (key, f"goes with {' or '.join(others)}")
+        for key, others in _GOES_WITH.items()
+        if checked.has(*path, key) and kinds[0] not in others
+    ]
+    missing = [
+        (key, "should say speed or from")
+        for key, stream in (("wind", event.wind), ("current", event.current))
+        if stream is not None and not stream.model_fields_set and checked.is_sound(*path, key)
+    ]
+    missing += _kind_faults(event, kinds[0], path, checked)
+    for faults, got in ((strange, True), (missing, False)):
+        for key, said in faults:
+            checked.fault((*path, key), said, got=got)
+    return not strange and not missing
+
+
+def _kind_faults(
+    event: EventSection, kind: str, path: Path, checked: Checked
+) -> list[tuple[str, str]]:
+    """Return what is missing for one kind of event, each with its key."""
+    file = checked.file
+    around = file.environment
+    if kind == "follow" and not checked.has(*path, "speed"):
+        return [("follow", "also needs speed")]
+    if kind == "current" and around and not around.current and checked.is_known("environment"):
+        return [("current", "there is no current in the environment; say what the object shows it")]
+    if event.send is None or not checked.is_known("newcomer"):
+        return []
+    if file.newcomer is None:
+        return [("send", "there is no newcomer; say what it can exert, by the key newcomer")]
+    known = [_NEWCOMER, *filter(None, [file.newcomer.name])]
+    if event.send in known:
+        return []
+    wanted = " or ".join(map(repr, known))
+    said = f"{event.send!r} should be {wanted}; another name is given by `as`"
+    return [("send", said)]
+
+
+def _made(checked: Checked, path: Path, make: Callable[[], _Made]) -> _Made | None:
+    """Return what is made, or None after noting what is wrong with it."""
+    try:
+        return make()
+    except SimulationInvalid as error:
+        for fault in error.faults:
+            checked.fault(path, fault, got=False)
+        return None
+
+
+# -- objects ------------------------------------------------------------------------------
+
+
+def _hull(section: HullSection, outline: Outline, environment: Environment, units: Units) -> Hull:
+    """Return the hull of an object: as it is said, and else as it floats."""
+    told = section.model_dump(exclude_none=True, exclude={"draught", "block"})
+    for key in ("centre", "added_at"):
+        if key in told:
+            told[key] = tuple(map(units.metres, told[key]))
+    if {"mass", "inertia", "centre", "added", "added_at"} <= set(told):
+        return Hull(**told)
+    draught = None if section.draught is None else units.metres(section.draught)
+    afloat = Hull.afloat(
+        outline, environment, draught=draught, block=section.block, mass=section.mass
+    )
+    return replace(afloat, **told)
+
+
+def _actuator(section: ActuatorSection, units: Units, other: Actuator | None = None) -> Actuator:
+    """Return how robots answer to orders: what is left out, as another does."""
+    terms = section.model_dump(
+        include=set(ActuatorSection.model_fields),
+        exclude_none=True,
+        exclude_unset=other is not None,
+    )
+    if "turn_rate" in terms:
+        terms["turn_rate"] = units.radians(terms["turn_rate"])
+    return Actuator(**terms) if other is None else replace(other, **terms)
+
+
+def _weather(section: WeatherSection, units: Units) -> Weather:
+    """Return the weather."""
+    rows = section.series
+    if rows is None:
+        return Weather(section.gusts)
+    times, speeds, bearings = zip(*rows, strict=True)
+    return Weather(
+        section.gusts,
+        Series(
+            np.array(times),
+            np.array([units.metres_per_second(speed) for speed in speeds]),
+            np.array([units.radians(bearing) for bearing in bearings]),
+        ),
+    )
+
+
+def _control(section: ControlSection, units: Units) -> Control:
+    """Return how the object is kept."""
+    terms = section.model_dump(exclude_none=True)
+    if "position_noise" in terms:
+        terms["position_noise"] = units.metres(terms["position_noise"])
+    if "heading_noise" in terms:
+        terms["heading_noise"] = units.radians(terms["heading_noise"])
+    return Control(**terms)
+
+
+def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
+    """Return what happens at an instant."""
+    at, metres = section.at, units.metres
+    if section.lose is not None:
+        return Lose(at, section.lose, section.noticed)
+    if section.leave is not None:
+        return Leave(at, section.leave)
+    if section.send is not None:
+        return _send(section, newcomer, units)
+    if section.move is not None:
+        x, y, heading = (*section.move, 0.0)[:3]
+        return Move(at, metres(x), metres(y), units.radians(heading))
+    if section.follow is not None:
+        path = tuple((metres(x), metres(y)) for x, y in section.follow)
+        return Follow(at, path, units.metres_per_second(section.speed or 0.0))
+    return Change(
+        at, **_stream("wind", section.wind, units), **_stream("current", section.current, units)
+    )
+
+
+def _send(section: EventSection, newcomer: Newcomer, units: Units) -> Send:
+    """Return the sending of a newcomer."""
+    terms = section.model_dump(include={"away", "speed", "make_fast", "bearing"}, exclude_none=True)
+    for key, told in (
+        ("away", units.metres),
+        ("speed", units.metres_per_second),
+        ("bearing", units.radians),
+    ):
+        if key in terms:
+            terms[key] = told(terms[key])
+    return Send(section.at, _called(newcomer, section.name), **terms)
+
+
+def _called(newcomer: Newcomer, name: str | None) -> Newcomer | None:
+    """Return a newcomer under another name, or None for the problem's own."""
+    return None if name is None else replace(newcomer, name=name)
+
+
+def _stream(name: str, section: StreamSection | None, units: Units) -> dict[str, float]:
+    """Return what changes of the wind or the current, by the keywords of an event."""
+    found = {}
+    if section is not None and section.speed is not None:
+        found[f"{name}_speed"] = units.metres_per_second(section.speed)
+    if section is not None and section.bearing is not None:
+        found[f"{name}_bearing"] = units.radians(section.bearing)
+    return found
