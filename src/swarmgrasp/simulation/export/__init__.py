@@ -1,0 +1,1 @@
+"""Runs as animations: for a page, for Foxglove, for a document."""
