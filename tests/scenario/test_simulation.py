@@ -22,6 +22,7 @@ HEAD = (
     "direction: inward, limit: 1}]\n"
     "newcomer: {name: Hector, limit: 2}\n"
 )
+UNITS = "units: {length: ft, angle: deg, speed: knot}\n"
 AROUND = f"environment: {{{WIND}, {CURRENT}}}\n"
 
 
@@ -51,8 +52,8 @@ def test_units_of_a_simulation() -> None:
     - {at: 70, send: Hector, as: Zoe}
     - {at: 80, leave: Hector}
     - {at: 90, move: [10, 20, 5]}
-    - {at: 97, wind: {speed: 30}, current: {from: 10}}""",
-        units="units: {length: ft, angle: deg, speed: knot}\n",
+    - {at: 97, current: {speed: 1, from: 10}}""",
+        units=UNITS,
     )
     found, ft = asked.simulation, 0.3048
     assert found.hull == Hull.afloat(
@@ -73,8 +74,10 @@ def test_units_of_a_simulation() -> None:
         Leave(80.0, "Hector"),
         Move(90.0, 10 * ft, 20 * ft, math.radians(5)),
         Follow(95.0, ((50 * ft, 0.0), (50 * ft, 20 * ft)), 2 * KNOT),
-        Change(97.0, wind_speed=30 * KNOT, current_bearing=math.radians(10)),
+        Change(97.0, current_speed=KNOT, current_bearing=math.radians(10)),
     )
+    other = scenario("{events: [{at: 97, wind: {speed: 30, from: 5}}]}", units=UNITS).simulation
+    assert other.events == (Change(97.0, wind_speed=30 * KNOT, wind_bearing=math.radians(5)),)
 
 
 def test_what_is_left_out_of_a_simulation_is_as_in_python() -> None:
@@ -98,7 +101,7 @@ def test_a_simulation_is_written_and_read_back() -> None:
   step: 0.05
   seed: 7
   robots: {follows: earth, turn_rate: 0.3, except: [{name: Zoe, slew: 0}]}
-  weather: {gusts: npd, series: [[0, 10, 1], [60, 20, 2]]}
+  weather: {gusts: npd}
   control: {period: 0.1, heading_noise: 0.001}
   events:
     - {at: 0.1, lose: Ajax, noticed: 5}
@@ -110,9 +113,11 @@ def test_a_simulation_is_written_and_read_back() -> None:
     - {at: 97, wind: {speed: 3, from: 2}, current: {speed: 0.1}}"""
     )
     assert first.simulation.hull.damping[1] == (0.0, 2.0, 0.5)
-    again = parse_scenario(scenario_text(first))
-    assert again == first
-    assert scenario_text(again) == scenario_text(first)
+    measured = scenario("{weather: {series: [[0, 10, 1], [60, 20, 2]]}}")
+    for asked in (first, measured):
+        again = parse_scenario(scenario_text(asked))
+        assert again == asked
+        assert scenario_text(again) == scenario_text(asked)
 
 
 FAULTS = {
@@ -137,6 +142,9 @@ FAULTS = {
     ),
     "{weather: {series: [[1, 2, 0], [0, 2, 0]]}}": (
         "5:32: simulation.weather.series: weather: the times of a series should increase"
+    ),
+    "{weather: {series: [[0, 2, 0]]}, events: [{at: 5, wind: {speed: 1}}]}": (
+        "5:13: simulation: a series says the wind, and an event changes it; leave out one of them"
     ),
     "{events: [{at: 5, lose: Ajx}]}": (
         "5:23: simulation.events.0: lose at 5 s: there is no robot called 'Ajx' then; did you mean "

@@ -43,11 +43,11 @@ GROUPS = (
 def write_log(run: Run, path: str | Path) -> Path:
     """Write a run as a Parquet file, whole or not at all.
 
-    Columns are `seed` and `time`, then the pose and where it should be, speeds through the water, the
-    streams of air and water, the wrenches of the weather, asked of the robots and given by them, and
-    what could not be given; and of each robot its `force`, `angle` and `share`, after its name and a
-    dot. The unit of each is in its metadata. What was simulated, what happened and who was there when
-    are in those of the file, as JSON under "swarmgrasp".
+    Columns are `seed` and `time`; then the pose and where it should be, speeds through the water,
+    the streams of air and water, the wrenches of the weather, asked of the robots and given by
+    them, and what is out of reach; and of each robot its `force`, `angle` and `share`, after its
+    name and a dot. The unit of each is in its metadata. What was simulated, what happened, and who
+    was there when, are in those of the file, as JSON under "swarmgrasp".
 
     Parameters
     ----------
