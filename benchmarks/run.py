@@ -15,6 +15,7 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 import families
 import force_sets
 import growth
+import motion
 import page
 import push
 import startup
@@ -29,6 +30,7 @@ SECTIONS = {
     "growth": growth,
     "force-sets": force_sets,
     "push": push,
+    "motion": motion,
     "startup": startup,
 }
 

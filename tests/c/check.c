@@ -143,7 +143,8 @@ int main(void) {
         void (*test)(void);
     } suites[] = {{"triangle", test_triangle},   {"facets", test_facets}, {"sphere", test_sphere},
                   {"criterion", test_criterion}, {"place", test_place},   {"forces", test_forces},
-                  {"sets", test_sets},           {"push", test_push},     {"boxes", test_boxes}};
+                  {"sets", test_sets},           {"push", test_push},     {"boxes", test_boxes},
+                  {"motion", test_motion}};
     for (size_t k = 0; k < sizeof suites / sizeof *suites; k++) {
         long before = checks;
         state = 88172645463325252u; /* the same numbers, whatever the others take */

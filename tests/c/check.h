@@ -43,5 +43,6 @@ void test_place(void);
 void test_sets(void);
 void test_forces(void);
 void test_push(void);
+void test_motion(void);
 
 #endif

@@ -6,6 +6,7 @@ import sys
 import numpy as np
 import pytest
 
+from afloat import random_run
 from alongside import while_it_computes
 from swarmgrasp.quality.weakest import weakest_of
 
@@ -31,6 +32,18 @@ def test_a_search_is_interrupted_from_the_keyboard():
         pytest.raises(KeyboardInterrupt),
     ):
         weakest_of(RING)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals differ")
+@pytest.mark.usefixtures("keyboard")
+def test_motion_is_interrupted_from_the_keyboard():
+    """One long run as well as many."""
+    plant, states, orders, streams, loads = random_run(0, 1)
+    with (
+        while_it_computes(lambda: signal.raise_signal(signal.SIGINT)),
+        pytest.raises(KeyboardInterrupt),
+    ):
+        plant.advance(states, orders, streams, loads, 1e-3, 10**7)
 
 
 def test_other_threads_go_on():
