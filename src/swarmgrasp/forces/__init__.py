@@ -2,6 +2,6 @@
 
 from swarmgrasp.forces.answer import Forces, ForcesAlong
 from swarmgrasp.forces.certificate import ForcesCertificate
-from swarmgrasp.forces.least import forces, forces_along, forces_in_step
+from swarmgrasp.forces.least import forces, forces_along, rows_in_step
 
-__all__ = ["Forces", "ForcesAlong", "ForcesCertificate", "forces", "forces_along", "forces_in_step"]
+__all__ = ["Forces", "ForcesAlong", "ForcesCertificate", "forces", "forces_along", "rows_in_step"]

@@ -138,37 +138,27 @@ def forces_along(swarm: Swarm, wrenches: ArrayLike, *, load: ArrayLike = CALM) -
     )
 
 
-def forces_in_step(
-    swarm: Swarm, wrenches: ArrayLike, last: ForcesAlong | None = None
-) -> ForcesAlong:
+def rows_in_step(swarm: Swarm, wrenches: Array, starts: Array) -> Rows:
     """Find how hard each robot pushes for wrenches that have nothing to do with each other.
 
     As `forces_along`, to the last bit the same for each whatever the others are: for runs of one
-    swarm in step.
+    swarm in step. What is given is trusted.
 
     Parameters
     ----------
     swarm : Swarm
     wrenches : (m, 3) [N, N, N m]
         What each object is to receive, about the outline's origin.
-    last : ForcesAlong, optional
-        What this gave for the same swarm a moment ago, for wrenches like these, each for the one in
-        the same place: then it is found sooner.
-
-    Returns
-    -------
-    ForcesAlong
+    starts : (m, 3)
+        The first normals of what this gave a moment ago for wrenches like these: they are found
+        sooner then. 0 where nothing is known.
 
     Raises
     ------
-    SwarmInvalid, WrenchInvalid
-        As for `forces_along`.
+    ForcesNotProven
+        If rounding decides.
     """
-    wanted, _ = check_forces_along(swarm, wrenches, CALM)
-    starts = np.zeros_like(wanted)
-    if last is not None and len(last) == len(wanted):
-        starts[:] = last.normals[:, 0]
-    return ForcesAlong(swarm, wanted, _NO_LOAD, *_rows(swarm, wanted * swarm.scale, CALM, starts))
+    return _rows(swarm, wrenches * swarm.scale, CALM, starts)
 
 
 def _rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None = None) -> Rows:

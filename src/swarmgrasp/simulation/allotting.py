@@ -5,7 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.forces import ForcesAlong, forces_in_step
+from swarmgrasp.forces import rows_in_step
+from swarmgrasp.forces.rows import Rows
 from swarmgrasp.ranges import WEAKEST
 from swarmgrasp.simulation.plant import Plant
 
@@ -28,30 +29,39 @@ class Allotment:
 
     def __init__(self, plant: Plant, vectors: Array, period: float) -> None:
         self.plant = plant
-        self.vectors = vectors
-        lags = [one.lag for one in plant.each_actuator]
-        self._gains = np.array([1.0 - math.exp(-period / lag) if lag else 1.0 for lag in lags])
-        slews = np.array([period / one.slew if one.slew else np.inf for one in plant.each_actuator])
-        self._most = slews * plant.swarm.limits
-        self._efficiencies = np.array([one.efficiency for one in plant.each_actuator])
-        self._arms = plant.swarm.contacts - plant.swarm.outline.origin
-        self._last: ForcesAlong | None = None
+        each, limits = plant.each_actuator, plant.swarm.limits
+        gains = [1.0 - math.exp(-period / one.lag) if one.lag else 1.0 for one in each]
+        slews = [period / one.slew if one.slew else math.inf for one in each]
+        self._gains, self._most = np.array(gains)[:, None], (np.array(slews) * limits)[:, None]
+        self._efficiencies = np.array([one.efficiency for one in each])[:, None]
+        self._arms = (plant.swarm.contacts - plant.swarm.outline.origin).T[..., None]
+        self._forces = np.array(vectors.transpose(2, 1, 0), order="C")  # quicker run by run
+        self._starts = np.zeros((len(vectors), 3))
 
-    def share_out(self, wanted: Array) -> ForcesAlong:
+    @property
+    def vectors(self) -> Array:
+        """(runs, n, 2) [N, N]: what the robots are believed to exert."""
+        return np.ascontiguousarray(self._forces.transpose(2, 1, 0))
+
+    def share_out(self, wanted: Array) -> Rows:
         """Return the forces for wanted wrenches (runs, 3) [N, N, N m], or the nearest there are."""
-        self._last = forces_in_step(self.plant.swarm, wanted, self._last)
-        return self._last
+        found = rows_in_step(self.plant.swarm, wanted, self._starts)
+        self._starts = np.ascontiguousarray(found.normals[:, 0])
+        return found
 
     def follow(self, vectors: Array) -> None:
         """Let a period pass in which forces (runs, n, 2) [N, N] are asked for."""
-        change = self._gains[:, None] * (vectors - self.vectors)
-        sizes = np.maximum(np.hypot(change[..., 0], change[..., 1]), WEAKEST)
-        change *= np.minimum(1.0, self._most / sizes)[..., None]
-        self.vectors = self.vectors + change
+        change = self._gains * (vectors.transpose(2, 1, 0) - self._forces)
+        sizes = np.maximum(np.sqrt(change[0] ** 2 + change[1] ** 2), WEAKEST)
+        self._forces += np.minimum(1.0, self._most / sizes) * change
 
     @property
     def made(self) -> Array:
         """(runs, 3) [N, N, N m]: the wrenches that the robots are believed to exert."""
-        x, y = self._efficiencies * self.vectors[..., 0], self._efficiencies * self.vectors[..., 1]
-        turns = self._arms[:, 0] * y - self._arms[:, 1] * x
-        return np.stack([part.sum(axis=1) for part in (x, y, turns)], axis=1)
+        x, y = self._efficiencies * self._forces
+        ahead, abeam = self._arms
+        parts = np.stack([x, y, ahead * y - abeam * x])
+        if not parts.size:
+            return np.zeros((parts.shape[2], 3))
+        sums = np.add.accumulate(parts, axis=1)[:, -1]  # one by one, whatever the number of runs
+        return np.ascontiguousarray(sums.T)

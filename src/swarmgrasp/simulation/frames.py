@@ -10,37 +10,48 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-def turned(rows: Array, headings: Array, back: bool = False) -> Array:
-    """Return vectors (runs, 3) of the object's frame in the earth's; the other way with `back`.
+class Headings:
+    """How the frames of some objects stand in the earth's.
+
+    Vectors are rows (runs, 3): x, y, and a turn, which is the same in both.
 
     Parameters
     ----------
-    rows : (runs, 3)
-        x, y, and a turn, which stays.
-    headings : (runs,) [rad]
-    back : bool
+    angles : (runs,) [rad]
 
     Examples
     --------
-    >>> turned(np.array([[1.0, 0.0, 5.0]]), np.array([0.5 * np.pi])).round(12).tolist()
+    >>> abeam = Headings(np.array([0.5 * np.pi]))
+    >>> abeam.to_earth(np.array([[1.0, 0.0, 5.0]])).round(12).tolist()
     [[0.0, 1.0, 5.0]]
     """
-    flat = np.ascontiguousarray(headings)
-    cos, sin = np.cos(flat), np.sin(flat)
-    if back:
-        sin = -sin
-    found = np.empty_like(rows)
-    found[:, 0] = cos * rows[:, 0] - sin * rows[:, 1]
-    found[:, 1] = sin * rows[:, 0] + cos * rows[:, 1]
-    found[:, 2] = rows[:, 2]
-    return found
+
+    def __init__(self, angles: Array) -> None:
+        flat = np.ascontiguousarray(angles)
+        self._cos, self._sin = np.cos(flat), np.sin(flat)
+
+    def to_earth(self, rows: Array) -> Array:
+        """Return vectors of the objects' frames in the earth's."""
+        return self._turned(rows, self._sin)
+
+    def to_object(self, rows: Array) -> Array:
+        """Return vectors of the earth's frame in the objects'."""
+        return self._turned(rows, -self._sin)
+
+    def _turned(self, rows: Array, sin: Array) -> Array:
+        """Return vectors turned by the angles of these sines."""
+        found, (x, y, turn) = np.empty_like(rows), rows.T
+        found[:, 0] = self._cos * x - sin * y
+        found[:, 1] = sin * x + self._cos * y
+        found[:, 2] = turn
+        return found
 
 
 def times(matrix: Array, rows: Array) -> Array:
     """Return a matrix (3, 3) times each of some vectors (runs, 3)."""
-    found = np.empty_like(rows)
+    found, (x, y, turn) = np.empty_like(rows), rows.T
     for i, (a, b, c) in enumerate(matrix.tolist()):
-        found[:, i] = a * rows[:, 0] + b * rows[:, 1] + c * rows[:, 2]
+        found[:, i] = a * x + b * y + c * turn
     return found
 
 

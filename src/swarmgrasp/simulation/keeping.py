@@ -41,8 +41,8 @@ class Keeper:
             "poses": 3, "velocities": 3, "streams": 4, "loads": 3, "wanted": 3, "given": 3,
             "forces": robots, "angles": robots, "shares": robots,
         }  # fmt: skip
-        shapes = {name: (runs, instants, width) for name, width in widths.items()}
-        single = dict.fromkeys(("distances", "turns", "shortfalls"), (runs, instants))
+        shapes = {name: (instants, runs, width) for name, width in widths.items()}
+        single = dict.fromkeys(("distances", "turns", "shortfalls"), (instants, runs))
         self._kept: dict[str, Kept] = {
             name: np.full(shape, np.nan if name == "angles" else 0.0, dtype=np.float32)
             for name, shape in {**shapes, **single}.items()
@@ -64,7 +64,7 @@ class Keeper:
         k = self._count
         told = {**told, "distances": self._distances, "turns": self._turns}
         for name, rows in told.items():
-            self._kept[name][:, k] = rows
+            self._kept[name][k] = rows
         self._references[k] = reference
         self._numbers.append(number)
         self._distances[:] = self._turns[:] = 0.0
@@ -77,5 +77,5 @@ class Keeper:
 
     def arrays(self) -> dict[str, Kept]:
         """Return what is kept, by name, up to the last instant that is."""
-        found = {name: rows[:, : self._count] for name, rows in self._kept.items()}
+        found = {name: rows[: self._count].swapaxes(0, 1) for name, rows in self._kept.items()}
         return {**found, "references": self._references[: self._count]}

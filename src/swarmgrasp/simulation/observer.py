@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.simulation.frames import nearest_turns, times, turned
+from swarmgrasp.simulation.frames import Headings, nearest_turns, times
 from swarmgrasp.simulation.hull import inverse_of
 
 Array = NDArray[np.float64]
@@ -45,17 +45,17 @@ class Observer:
 
     def predict(self, wrenches: Array, period: float) -> None:
         """Go on for a period [s] in which known wrenches (runs, 3) act, in the object's frame."""
-        headings = self.poses[:, 2]
-        acting = wrenches + turned(self.biases, headings, back=True)
-        speeding = turned(times(self._inverse, acting), headings)
+        headings = Headings(self.poses[:, 2])
+        acting = wrenches + headings.to_object(self.biases)
+        speeding = headings.to_earth(times(self._inverse, acting))
         self.poses += period * self.velocities
         self.velocities += period * speeding
 
     def correct(self, looks: Array, period: float) -> None:
         """Take a look (runs, 3) [m, m, rad] at the poses into account."""
-        w, headings = self._frequency, self.poses[:, 2].copy()
+        w, headings = self._frequency, Headings(self.poses[:, 2])
         off = nearest_turns(looks - self.poses)
-        pull = turned(times(self._matrix, turned(off, headings, back=True)), headings)
+        pull = headings.to_earth(times(self._matrix, headings.to_object(off)))
         self.poses += (3.0 * w * period) * off
         self.velocities += (3.0 * w * w * period) * off
         self.biases += (w * w * w * period) * pull

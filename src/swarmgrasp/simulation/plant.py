@@ -216,18 +216,28 @@ class Plant(Frozen):
         faults: list[str] = []
         wanted = _rows(vectors, (None, len(self), 2), "forces", faults)
         _refuse(faults)
-        swarm, following = self.swarm, self._following
-        own = swarm.directions
-        along = wanted[..., 0] * np.cos(own) + wanted[..., 1] * np.sin(own)
+        found, (cos, sin) = np.empty_like(wanted), self._ways
+        found[..., 0] = wanted[..., 0] * cos + wanted[..., 1] * sin
+        found[..., 1] = self.swarm.directions
+        rows = np.flatnonzero(self._following != FIXED)
+        if len(rows):
+            found[:, rows] = self._turning_orders(rows, wanted[:, rows])
+        return found
+
+    def _turning_orders(self, rows: NDArray[np.intp], wanted: Array) -> Array:
+        """Return the orders (runs, k, 2) of some robots whose forces turn."""
+        own, steers = self.swarm.directions[rows], self.swarm.steers[rows]
         sizes = np.hypot(wanted[..., 0], wanted[..., 1])
         turns = np.arctan2(wanted[..., 1], wanted[..., 0]) - own
         turns -= 2.0 * np.pi * np.round(turns / (2.0 * np.pi))
-        turns = np.where(following == SECTOR, np.clip(turns, -swarm.steers, swarm.steers), turns)
-        stays = (following == FIXED) | (sizes == 0.0)
-        found = np.empty_like(wanted)
-        found[..., 0] = np.where(following == FIXED, along, sizes)
-        found[..., 1] = own + np.where(stays, 0.0, turns)
-        return found
+        turns = np.where(self._following[rows] == SECTOR, np.clip(turns, -steers, steers), turns)
+        return np.stack([sizes, own + np.where(sizes == 0.0, 0.0, turns)], axis=-1)
+
+    @cached_property
+    def _ways(self) -> Array:
+        """(2, n): the unit vectors along the robots' own directions."""
+        own = self.swarm.directions
+        return read_only(np.array([np.cos(own), np.sin(own)]))
 
     @cached_property
     def _following(self) -> NDArray[np.intp]:

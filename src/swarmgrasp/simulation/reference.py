@@ -37,6 +37,8 @@ class Aim(NamedTuple):
         >>> Aim(np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]), 0.5, 10.0, 2.0).at(12.5).tolist()
         [4.0, 1.0, 0.5]
         """
+        if len(self.corners) == 1:
+            return np.array([*self.corners[0], self.heading])
         steps = np.hypot(*np.diff(self.corners, axis=0).T)
         along = np.concatenate([[0.0], np.cumsum(steps)])
         gone = self.speed * max(0.0, time - self.start)

@@ -11,7 +11,7 @@ from swarmgrasp.forces import forces
 from swarmgrasp.quality import quality
 from swarmgrasp.simulation.crew import Crew, travel
 from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Send
-from swarmgrasp.simulation.frames import turned
+from swarmgrasp.simulation.frames import Headings
 from swarmgrasp.simulation.motion import BODY
 from swarmgrasp.simulation.plant import Plant
 from swarmgrasp.simulation.reference import Reference
@@ -176,7 +176,7 @@ def resting(plant: Plant, streams: Array, heading: float) -> Array:
     found[:, 2] = heading
     flows = np.zeros((len(streams), 3))
     flows[:, :2] = -streams[:, 2:]
-    found[:, 3:BODY] = turned(flows, found[:, 2], back=True)
+    found[:, 3:BODY] = Headings(found[:, 2]).to_object(flows)
     return found
 
 

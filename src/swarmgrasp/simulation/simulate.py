@@ -111,6 +111,7 @@ class Course:
     ) -> None:  # fmt: skip
         self._simulation, self._seeds, self._controller = simulation, seeds, controller
         self._settings = settings = simulation.settings
+        self._steps = simulation.steps
         self._last = max(1, self._number(simulation.duration))
         self._columns = {name: i for i, name in enumerate(simulation.names)}
         _check_memory(len(seeds), self._last, len(self._columns), every)
@@ -173,7 +174,7 @@ class Course:
                 if progress is not None:
                     progress(number / self._last)
             self._happen(number)
-            self._instant(number, self._streams.block(number, 1)[:, 0], self._noise.block(1)[:, 0])
+            self._instant(number, self._streams.block(number, 1)[0], self._noise.block(1)[0])
         except KeyboardInterrupt:
             if not len(self._keeper.numbers):
                 raise
@@ -187,9 +188,8 @@ class Course:
         count = min(BLOCK, free, self._last - number)
         streams, noise = self._streams.block(number, count), self._noise.block(count)
         for k in range(count):
-            stream = np.ascontiguousarray(streams[:, k])
-            self._instant(number + k, stream, noise[:, k])
-            self._move(number + k, stream)
+            self._instant(number + k, streams[k], noise[k])
+            self._move(number + k, streams[k])
         return number + count
 
     def _happen(self, number: int) -> None:
@@ -210,7 +210,7 @@ class Course:
         reference = self._reference.at(time)
         self._keeper.measure(poses, reference.pose)
         look = Look(time, poses + noise, stream[:, :2].copy(), self._allotment.made, reference)
-        wanted = self._controller.wrenches(look)
+        wanted = _checked(self._controller.wrenches(look), len(poses))
         found = self._allotment.share_out(wanted)
         self._vectors = found.vectors
         if self._keeper.keeps(number):
@@ -243,8 +243,9 @@ class Course:
 
     def _move(self, number: int, stream: Array) -> None:
         """Let a period pass."""
-        period, steps = self._settings.period, self._simulation.steps
-        orders = self._there.orders(self._vectors[:, self._asked])
+        period, steps = self._settings.period, self._steps
+        asked = self._vectors if self._believed is self._there else self._vectors[:, self._asked]
+        orders = self._there.orders(asked)
         self._state = self._there.advance(self._state, orders, stream, None, period / steps, steps)
         self._allotment.follow(self._vectors)
         self._reference.advance(number * period, period)
@@ -282,9 +283,19 @@ class Noise:
         self._sizes = np.array([position, position, heading])
 
     def block(self, count: int) -> Array:
-        """Return the noise (runs, count, 3) [m, m, rad] of the next instants."""
-        draws = [source.standard_normal((count, 3)) for source in self._sources]
-        return np.asarray(np.array(draws) * self._sizes)
+        """Return the noise (count, runs, 3) [m, m, rad] of the next instants."""
+        draws = np.array([source.standard_normal((count, 3)) for source in self._sources])
+        return np.ascontiguousarray((draws * self._sizes).swapaxes(0, 1))
+
+
+def _checked(wanted: Array, runs: int) -> Array:
+    """Return what a controller wants, if it is a wrench for each run."""
+    found = np.ascontiguousarray(wanted, dtype=float)
+    if found.shape == (runs, 3) and np.isfinite(found).all():
+        return found
+    raise SimulationInvalid(
+        f"the controller wants {shown(found)}; it should be finite numbers ({runs}, 3) [N, N, N m]"
+    )
 
 
 def _check_memory(runs: int, last: int, robots: int, every: int) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.simulation.control import Settings
-from swarmgrasp.simulation.frames import nearest_turns, times, turned
+from swarmgrasp.simulation.frames import Headings, nearest_turns, times
 from swarmgrasp.simulation.observer import Observer
 from swarmgrasp.simulation.reference import Point
 from swarmgrasp.swarm import Swarm
@@ -97,7 +97,7 @@ class StationKeeping:
     def begin(self, known: Known, settings: Settings, poses: Array, rests: Array) -> None:
         """Begin at known poses, with known loads."""
         self._known, self._settings = known, settings
-        biases = turned(rests, poses[:, 2])
+        biases = Headings(poses[:, 2]).to_earth(rests)
         self._observer = Observer(settings.observer, known.matrix, poses, biases)
         self._acting = np.zeros_like(poses)
         self._is_begun = False
@@ -114,13 +114,12 @@ class StationKeeping:
             seen.predict(self._acting, period)
         self._is_begun = True
         seen.correct(look.poses, period)
-        headings, goal = seen.poses[:, 2], look.reference
+        headings, goal = Headings(seen.poses[:, 2]), look.reference
         off = nearest_turns(goal.pose - seen.poses)
         pull = (
             w * w * off + 2.0 * DAMPING * w * (goal.velocity - seen.velocities) + goal.acceleration
         )
-        back = turned(pull, headings, back=True)
-        wind = self._known.wind_loads(headings, look.air)
-        wanted = times(self._known.matrix, back) - turned(seen.biases, headings, back=True) - wind
+        wind = self._known.wind_loads(seen.poses[:, 2], look.air)
         self._acting = look.made + wind
-        return wanted
+        push = times(self._known.matrix, headings.to_object(pull))
+        return push - headings.to_object(seen.biases) - wind

@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 BANDS = (1.0 / 1200.0, 0.5)
 """Of the frequencies of gusts [Hz]: those of a storm, and those that a hull feels."""
 WAVES = 80
+TOGETHER = 64
+"""Runs whose waves are summed at once: they fit into a core's own memory."""
 CALM = 1e-3
 """The least mean wind [m/s] that has a spectrum: gusts of a calm are none."""
 GUSTS, SENSORS = 0, 1
@@ -169,17 +171,17 @@ class Streams:
         return speeds, bearings
 
     def block(self, first: int, count: int) -> Array:
-        """Return the velocities of air and water (runs, count, 4) [m/s] from an instant on.
+        """Return the velocities of air and water (count, runs, 4) [m/s] from an instant on.
 
         They are x and y of the air, then x and y of the water, in the earth's frame. Gusts have the
         spectrum of the mean wind at the first of these instants.
         """
         speeds, bearings = self.winds(np.arange(first, first + count, dtype=float) * self._period)
-        found = np.empty((self._runs, count, 4))
+        found = np.empty((count, self._runs, 4))
         if self._gusts is not None:
             speeds = speeds + self._gusts.speeds(first, count, self._period, speeds[:, 0])
-        found[..., :2] = flow(speeds, bearings)
-        found[..., 2:] = flow(self.mean.current_speed, self.mean.current_bearing)[:, None]
+        found[..., :2] = flow(speeds, bearings).swapaxes(0, 1)
+        found[..., 2:] = flow(self.mean.current_speed, self.mean.current_bearing)
         return found
 
     def steady(self, time: float) -> Array:
@@ -222,13 +224,17 @@ class Gusts:
     def speeds(self, first: int, count: int, period: float, mean: Array) -> Array:
         """Return what gusts add to mean winds (1 or runs,) [m/s], (runs, count) [m/s]."""
         turn = 2.0 * math.pi * self._frequencies * period
-        start = self._phases + turn * first
-        waves = self._sizes(mean) * (np.cos(start) + 1j * np.sin(start))
-        onward = np.cos(turn) + 1j * np.sin(turn)  # a turn for each instant is quicker than cosines
-        found = np.empty((len(waves), count))
-        for k in range(count):
-            np.sum(waves.real, axis=1, out=found[:, k])
-            waves *= onward
+        start, sizes = self._phases + turn * first, self._sizes(mean)
+        waves = sizes * np.cos(start), sizes * np.cos(start - turn), 2.0 * np.cos(turn)
+        found = np.empty((len(turn), count))
+        for row in range(0, len(turn), TOGETHER):
+            now, before, twice = (part[row : row + TOGETHER] for part in waves)
+            after = np.empty_like(now)
+            for k in range(count):  # cos(a + t) = 2 cos(t) cos(a) - cos(a - t): no cosine for each
+                np.sum(now, axis=1, out=found[row : row + TOGETHER, k])
+                np.multiply(twice, now, out=after)
+                after -= before
+                before, now, after = now, after, before
         return found
 
 
