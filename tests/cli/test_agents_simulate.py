@@ -58,6 +58,41 @@ def test_a_failing_schedule_is_told_with_the_command_that_repeats_it(run, barge,
     assert command in again
 
 
+def test_groups_are_told_in_words_and_repeated(run, monkeypatch):
+    """How many hold the object, what all know, what each sends; and the command that repeats it."""
+    arguments = ("agents", "simulate", "rectangle-5", "--robots", "12", "--seeds", "2")
+    status, said, complaints = run(*arguments, "--groups", "2")
+    assert (status, complaints) == (0, "")
+    assert said.startswith("All invariants hold in 1 schedule of groups")
+    assert "10 robots in 2 groups hold the object" in said
+    (schedule,) = json.loads(run(*arguments, "--mode", "groups", "--json", "-")[1])["schedules"]
+    assert schedule["groups"]["counted"] == schedule["attached"] >= 10
+    counted = schedule["attached"]
+    assert f"{counted} hold the object. Everybody knows that the quality is" in said
+
+    def check_end(_):
+        raise Broken("nothing ever happens", "something did")
+
+    monkeypatch.setattr(Book, "check_end", check_end)
+    status, said, _ = run(*arguments, "--groups", "2")
+    command = next(line for line in said.splitlines() if line.startswith("swarmgrasp agents"))
+    assert (status, run(*shlex.split(command)[1:])[0]) == (1, 1)
+
+
+def test_what_is_not_for_groups_is_told(run):
+    """Each in a line."""
+    wrong = ("--groups", "2", "--mode", "dead", "--faults", "join@1:J1", "--robots", "9")
+    status, _, complaints = run("agents", "simulate", "rectangle-5", *wrong)
+    assert status == 2
+    assert complaints.splitlines() == [
+        "--groups is for --mode groups, not dead",
+        "--robots is not for --faults, which say who joins",
+    ]
+    status, _, complaints = run("agents", "simulate", "harbour-tugs", "--groups", "2")
+    assert status == 2
+    assert "groups are for robots that push along one ray each" in complaints
+
+
 def test_all_that_is_wrong_is_told_at_once(run, tmp_path):
     """Options and file: a line for each fault, and nothing is run."""
     status, said, complaints = run(

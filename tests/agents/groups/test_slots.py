@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 import swarmgrasp as sg
 from swarmgrasp.agents.groups import GroupPlanner, Parts, Slots
+from swarmgrasp.agents.groups import seeking as sk
 from swarmgrasp.agents.groups import slot as sl
 from swarmgrasp.agents.knowledge.unevenness import unevenness
 from swarmgrasp.agents.protocol.planner import Who
@@ -199,3 +200,21 @@ def test_what_no_sound_robot_writes_is_refused():
             slots.merge(replace(slot, **values))
     assert list(slots) == []
     assert slots.merge(slot)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"",
+        b"\xc0",
+        sk.encode_seeking(sk.Elsewhere(1, 2))[:-1],
+        sk.encode_seeking(sk.Elsewhere(-1, 2)),
+        sk.encode_seeking(sk.Elsewhere(1, 1 << 60)),
+        sk.encode_seeking(sk.Seek(1, (("a/b", 1),))),
+        sk.encode_seeking(sk.Seek(1, (("A", 1),) * 1001)),
+    ],
+)
+def test_what_no_sound_robot_asks_is_refused(data):
+    """Damaged bytes, names and counts that cannot be."""
+    with pytest.raises(MessageInvalid):
+        sk.decode_seeking(data)

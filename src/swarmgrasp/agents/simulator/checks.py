@@ -135,7 +135,7 @@ class Book:
         page = self.pages[node.name]
         if isinstance(event, ev.Received):
             page.heard[event.sender] = now, life
-        elif isinstance(event, ev.Down) and self.nodes[event.name].agent is None:
+        elif isinstance(event, ev.Down) and self.nodes[event.name].process is None:
             page.heard.pop(event.name, None)  # it is told that the process has ended
 
     def has_heard(self, node: Node, other: Node, time: float) -> bool:
@@ -179,7 +179,7 @@ class Book:
         begins_attached = isinstance(event, ev.Start) and event.attached is not None
         if record.phase is Phase.ATTACHED and (begins_attached or isinstance(event, ev.Fastened)):
             page.lower = record.lower
-            page.counted = {row.id: row.place for row in agent.view.holding}
+            page.counted = self._counted(node)
             self._check_quality(node)
 
     def told(self, node: Node, what: str, about: tuple[str, ...]) -> None:
@@ -243,12 +243,17 @@ class Book:
             if (
                 other.is_moving
                 and mover is not node
-                and mover.agent is not None
+                and mover.process is not None
                 and self.has_heard(node, mover, time)
             ):
                 words = f"{node.name} lets go at {time:.3f} s to move while {name} is moving"
                 raise Broken("one moves at a time", words)
         page.is_moving = True
+
+    def _counted(self, node: Node) -> dict[str, Place]:
+        """Return whom a robot counts where."""
+        assert node.agent is not None
+        return {row.id: row.place for row in node.agent.view.holding}
 
     def _check_quality(self, node: Node) -> None:
         """Check a certified quality against the true one, if all that it counts are there (Q)."""
@@ -279,7 +284,7 @@ class Book:
 
     def check_end(self) -> None:
         """Check that all is as it should be once everything has come to rest."""
-        alive = [node for node in self.nodes.values() if node.agent is not None]
+        alive = [node for node in self.nodes.values() if node.process is not None]
         for node in alive:
             if node.held is not None:
                 self._check_quality(node)
@@ -321,7 +326,7 @@ class Book:
                 other = self.nodes[record.id]
                 if self.schedule.mode is Mode.ONE_WAY and record.phase is Phase.FASTENING:
                     continue
-                if other.held != record.place and other.agent is not None:
+                if other.held != record.place and other.process is not None:
                     words = (
                         f"{node.name} knows {record.id} at {record.place}; it is at {other.held}"
                     )

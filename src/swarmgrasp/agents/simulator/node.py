@@ -1,10 +1,14 @@
 """What the simulated network knows of one robot: its process, its clock and its body."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
+from swarmgrasp.agents.groups import Member
 from swarmgrasp.agents.protocol import Agent, Place
 from swarmgrasp.agents.protocol import events as ev
+
+Process = Agent | Member
+"""What runs on a robot; of one in groups, a member."""
 
 
 @dataclass
@@ -15,8 +19,8 @@ class Node:
     ----------
     name : str
     index : int
-    agent : Agent, optional
-        None while no process runs.
+    process : Process, optional
+        None while none runs.
     life : int
         Which life it is: a new one begins when a process starts without what was known.
     starts : int
@@ -38,13 +42,15 @@ class Node:
         What its body is about; another job stops it.
     wants : bool
         Whether it has been told to come.
-    sent : dict of int to int
-        Messages so far to each other robot, by its index.
+    group : int
+        Of which it was last, in a swarm of groups; -1 for none.
+    sent, received : int
+        Bytes, in a swarm of groups; one word to many is sent once.
     """
 
     name: str
     index: int
-    agent: Agent | None = None
+    process: Process | None = None
     life: int = 0
     starts: int = 0
     kept: bytes = b""
@@ -57,7 +63,14 @@ class Node:
     claimed: Place | None = None
     job: int = 0
     wants: bool = False
-    sent: dict[int, int] = field(default_factory=dict)
+    group: int = -1
+    sent: int = 0
+    received: int = 0
+
+    @property
+    def agent(self) -> Agent | None:
+        """What keeps the rules; None while no process runs, or while it has no group."""
+        return self.process.agent if isinstance(self.process, Member) else self.process
 
     def clock(self, time: float) -> float:
         """Return what its own clock shows."""

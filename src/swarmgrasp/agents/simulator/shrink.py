@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from swarmgrasp.agents.simulator.faults import LASTING, Fault, Schedule, What
-from swarmgrasp.agents.simulator.world import Outcome
+from swarmgrasp.agents.simulator.outcome import Outcome
 from swarmgrasp.errors import ScheduleInvalid
 
 MOST_RUNS = 600
@@ -52,6 +52,8 @@ def shrink(
 
 def _smaller(schedule: Schedule) -> Iterator[Schedule]:
     """Yield schedules that are a little smaller, those that save most first."""
+    if schedule.begin > 2 * schedule.groups:
+        yield replace(schedule, begin=schedule.begin // 2)
     for name in reversed(schedule.names):
         yield from _with(schedule, [_without(each, name) for each in schedule.faults])
     count = len(schedule.faults)

@@ -7,7 +7,7 @@ falls off. Every message is encoded and decoded. The invariants are checked afte
 import heapq
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from hashlib import blake2b
 from typing import Any
 
@@ -16,7 +16,6 @@ from swarmgrasp.agents.protocol import (
     Phase,
     Place,
     Planner,
-    ProblemPlanner,
     Settings,
     State,
     read_state,
@@ -25,14 +24,13 @@ from swarmgrasp.agents.protocol import (
 from swarmgrasp.agents.protocol import events as ev
 from swarmgrasp.agents.protocol.record import LIVES
 from swarmgrasp.agents.protocol.wire import Message, decode, encode
-from swarmgrasp.agents.simulator.chance import between, mixed, share_of
+from swarmgrasp.agents.simulator.chance import between, mixed
 from swarmgrasp.agents.simulator.checks import Book, Broken
 from swarmgrasp.agents.simulator.faults import Fault, Mode, Schedule, What
-from swarmgrasp.agents.simulator.node import Node
+from swarmgrasp.agents.simulator.links import Links
+from swarmgrasp.agents.simulator.node import Node, Process
+from swarmgrasp.agents.simulator.outcome import Outcome
 from swarmgrasp.errors import SwarmGraspError
-from swarmgrasp.placement import Problem
-from swarmgrasp.quality import Criterion
-from swarmgrasp.swarm import Swarm
 
 TRAVEL = (1.0, 8.0)
 """How long a robot travels to a place [s]."""
@@ -43,14 +41,13 @@ PATIENCE = 60.0
 travelling, fastening and moving one after the other take [s]."""
 QUIET = 2.0
 """For how long nothing may change before all counts as settled [s]."""
-CALM_DELAY = 0.01
 EFFORT = 10
 """Steps of a joint search for a plan."""
 SOON = 1e-3
 """Shortest time between two wishes of a process to be woken [s]."""
 
 # what chance is drawn for
-_LINK, _TRAVEL, _FASTEN, _MEASURE, _CLOCK, _NONCE, _KILLED, _WOKEN, _ANYONE, _WITNESS = range(10)
+_TRAVEL, _FASTEN, _MEASURE, _CLOCK, _NONCE, _KILLED, _WOKEN, _ANYONE, _WITNESS = range(1, 10)
 
 
 def settings_of(schedule: Schedule) -> Settings:
@@ -70,44 +67,6 @@ def settings_of(schedule: Schedule) -> Settings:
             return replace(usual, worth=0.0, gather=0.2)
         case _:
             return usual
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What became of a schedule.
-
-    Attributes
-    ----------
-    schedule : Schedule
-    broken : Broken, optional
-        The first invariant that does not hold.
-    events, messages, sent : int
-        Events that agents took, messages that came in, and bytes that were sent.
-    time : float [s]
-        When all was settled, in the simulated world.
-    excused : int
-        Pairs that fastened too close, neither having heard the other.
-    turns : int
-        Targets that were set.
-    places : tuple of (str, Place)
-        Of the robots that hold the object at the end, in the order of their tickets.
-    reports : tuple of (float, str)
-        What the robots said to people, and when.
-    trace : str
-        A digest of all that happened: the same for the same run.
-    """
-
-    schedule: Schedule
-    broken: Broken | None
-    events: int
-    messages: int
-    sent: int
-    time: float
-    excused: int
-    turns: int
-    places: tuple[tuple[str, Place], ...]
-    reports: tuple[tuple[float, str], ...]
-    trace: str
 
 
 class World:
@@ -132,12 +91,11 @@ class World:
         self.settings = settings or settings_of(schedule)
         self.time = 0.0
         self.nodes = {name: Node(name, k) for k, name in enumerate(schedule.names)}
-        self.book = Book(planner, schedule, self.settings, self.nodes)
+        self.book = self._opened()
         self._make = agent
         self._queue: list[tuple[float, int, Callable[..., None], tuple[Any, ...]]] = []
         self._pushed = 0
-        self._cuts: dict[tuple[str, str], int] = {}
-        self._links: dict[tuple[int, int], int] = {}
+        self._links = Links(schedule)
         self._trace = blake2b(digest_size=8)
         self.events = self.messages = self.sent = self.turns = 0
         self.reports: list[tuple[float, str]] = []
@@ -147,6 +105,10 @@ class World:
             node.rate = between(0.99, 1.01, schedule.seed, node.index, _CLOCK, 1)
         for fault in schedule.faults:
             self._push(fault.at, self._befall, fault)
+
+    def _opened(self) -> Book:
+        """Return the world's book, empty."""
+        return Book(self.planner, self.schedule, self.settings, self.nodes)
 
     def run(self) -> Outcome:
         """Run until all is settled, or until an invariant breaks."""
@@ -165,7 +127,8 @@ class World:
         """Run, and check."""
         calm, queue = self.schedule.calm, self._queue
         latest = calm + PATIENCE + self.settings.forget
-        latest += len(self.nodes) * (TRAVEL[1] + 2.0 * FASTENING[1] + self.settings.silent)
+        names = {name for each in self.schedule.faults for name in each.names}
+        latest += len(names) * (TRAVEL[1] + 2.0 * FASTENING[1] + self.settings.silent)
         self._push(calm, self._calm_down)
         self._push(calm + QUIET, self._look, latest)
         while queue:
@@ -177,21 +140,25 @@ class World:
         """End the run if all is settled."""
         nodes = self.nodes.values()
         deaf = self.schedule.mode is Mode.ONE_WAY
-        moving = [n for n in nodes if n.agent and not _is_at_rest(n.agent.record.phase, deaf=deaf)]
-        digests = {n.agent.memory.digest for n in nodes if n.agent}
+        phases = ((n.name, n.process.record.phase) for n in nodes if n.process)
+        moving = [each for each in phases if not _is_at_rest(each[1], deaf=deaf)]
+        maps = self._maps()
         is_long = self.time >= self.schedule.calm + self.book.silence_to_come + QUIET
         is_quiet = self.time - self._changed_at >= QUIET
-        if is_long and is_quiet and not moving and (len(digests) <= 1 or deaf):
+        if is_long and is_quiet and not moving and (maps <= 1 or deaf):
             self._queue.clear()
         elif self.time >= latest:
-            names = ", ".join(f"{n.name} is {n.agent.record.phase.name.lower()}" for n in moving
-                              if n.agent)  # fmt: skip
+            names = ", ".join(f"{name} is {phase.name.lower()}" for name, phase in moving)
             raise Broken(
                 "settles", f"at {self.time:.0f} s of calm since {self.schedule.calm:.0f} s nothing "
-                f"is settled: {names or f'{len(digests)} different maps, or turns'}"
+                f"is settled: {names or f'{maps} different maps, or turns'}"
             )  # fmt: skip
         else:
             self._push(self.time + 1.0, self._look, latest)
+
+    def _maps(self) -> int:
+        """Count how many different things robots know that should know the same."""
+        return len({n.agent.memory.digest for n in self.nodes.values() if n.agent})
 
     def _push(self, time: float, act: Callable[..., None], *about: Any) -> None:
         """Let something happen at a time."""
@@ -219,12 +186,12 @@ class World:
                 self._tell(node, ev.Move())
             case What.FALL:
                 self._fall(node)
-            case What.HANG if node.agent:
+            case What.HANG if node.process:
                 node.hung_until = max(node.hung_until, end)
                 node.mailbox = node.mailbox or []
                 self._push(end, self._wake_up, node, node.starts)
                 self._push(self.time + self.settings.silent, self._lose_lease, node, node.starts)
-            case What.CRASH | What.FORGET if node.agent:
+            case What.CRASH | What.FORGET if node.process:
                 self._kill(node, forgets=what is What.FORGET)
                 if self.schedule.mode is not Mode.DEAD or fault.until < math.inf:
                     self._push(end, self._start, node)
@@ -246,64 +213,69 @@ class World:
         self._trace.update(b"calm")
         if self.schedule.mode is not Mode.DEAD:
             for node in self.nodes.values():
-                if node.starts and node.agent is None:
+                if node.starts and node.process is None:
                     self._start(node)
         else:
             for node in self.nodes.values():
-                if node.starts and node.agent is None and node.held is None:
+                if node.starts and node.process is None and node.held is None:
                     self._be_witnessed(node)
 
     def _cut(self, pairs: Sequence[tuple[str, ...]], until: float) -> None:
         """Let messages from the first to the second of each pair be lost."""
-        for first, second in pairs:
-            self._cuts[first, second] = self._cuts.get((first, second), 0) + 1
+        self._links.cut(pairs)
         if until < math.inf:
-            self._push(until, self._mend, pairs)
-
-    def _mend(self, pairs: Sequence[tuple[str, str]]) -> None:
-        """Let messages pass again."""
-        for pair in pairs:
-            self._cuts[pair] -= 1
-            if not self._cuts[pair]:
-                del self._cuts[pair]
+            self._push(until, self._links.mend, pairs)
 
     # -- processes ------------------------------------------------------------------------
 
     def _start(self, node: Node) -> None:
         """Start a robot's process, if none runs."""
-        if node.agent is not None:
+        if node.process is not None:
             return
-        state: State | None = None
-        if node.kept:
-            state = read_state(node.kept, self.planner.mission, node.name)
-        else:
+        if not node.kept:
             node.life += 1
-        own = [r.place for r in self.planner.present if r.id == node.name and not node.starts]
-        if own:
-            node.held = node.claimed = own[0]
+        place = None if node.starts else self._first_place(node)
+        if place is not None:
+            node.held = node.claimed = place
             node.wants = True
         number = node.starts + 1 if node.kept else 1
         node.starts += 1
         nonce = mixed(self.schedule.seed, node.index, _NONCE, node.starts) % LIVES
-        node.agent = self._make(
-            node.name, self.planner, self.settings, incarnation=number * LIVES + nonce, state=state
-        )
+        node.process = self._made(node, number * LIVES + nonce)
         node.mailbox, node.hung_until, node.tick_at = None, 0.0, math.inf
         self.book.begin(node, self.time)
         self._handle(node, ev.Start(node.held))
         if node.starts > 1:  # what its owner wants may have changed meanwhile
             self._handle(node, ev.Join() if node.wants else ev.Leave())
-        for other in self.nodes.values():
-            if other is not node and other.agent:
-                self._tell_soon(other, ev.Up(node.name), node)
+        for other in self._peers(node):
+            self._tell_soon(other, ev.Up(node.name), node)
+
+    def _first_place(self, node: Node) -> Place | None:
+        """Return where a robot holds the object before its process first starts, if it does."""
+        return next((row.place for row in self.planner.present if row.id == node.name), None)
+
+    def _made(self, node: Node, incarnation: int) -> Process:
+        """Return a robot's process, with what was kept for it."""
+        state: State | None = None
+        if node.kept:
+            state = read_state(node.kept, self.planner.mission, node.name)
+        return self._make(
+            node.name, self.planner, self.settings, incarnation=incarnation, state=state
+        )
+
+    def _keep(self, node: Node) -> bytes:
+        """Return what a robot's process has kept for the next one."""
+        assert node.agent is not None
+        return state_bytes(node.agent.state, self.planner.mission, node.name)
+
+    def _peers(self, node: Node) -> list[Node]:
+        """Return the other robots with a process whom the network tells of this one's."""
+        return [n for n in self.nodes.values() if n is not node and n.process]
 
     def _kill(self, node: Node, *, forgets: bool) -> None:
         """Kill a robot's process."""
-        assert node.agent is not None
-        node.kept = (
-            b"" if forgets else state_bytes(node.agent.state, self.planner.mission, node.name)
-        )
-        node.agent, node.mailbox = None, None
+        node.kept, peers = b"" if forgets else self._keep(node), self._peers(node)
+        node.process, node.mailbox = None, None
         node.job += 1
         if node.claimed is not None and node.held is None:
             # what it was about to do is done or not, but not later
@@ -311,28 +283,25 @@ class World:
                 self._hold(node)
             else:
                 node.claimed = None
-        for other in self.nodes.values():
-            if other is not node and other.agent:
-                self._tell_soon(other, ev.Down(node.name), node)
+        for other in peers:
+            self._tell_soon(other, ev.Down(node.name), node)
 
     def _tell_soon(self, node: Node, event: ev.Event, about: Node) -> None:
         """Let the network tell of a process, if it can."""
-        if (about.name, node.name) not in self._cuts:
+        if not self._links.is_cut(about.name, node.name):
             self._push(self.time + SOON, self._hear_of, node, event, about, about.starts)
 
     def _hear_of(self, node: Node, event: ev.Event, about: Node, starts: int) -> None:
         """Take the network's word of another's process; it is not told what is no longer so."""
-        if isinstance(event, ev.Down) == (about.agent is None) and about.starts == starts:
+        if isinstance(event, ev.Down) == (about.process is None) and about.starts == starts:
             self._tell(node, event)
 
     def _lose_lease(self, node: Node, starts: int) -> None:
         """Let the network think that a stopped process has ended, where nothing else came in."""
         if node.starts != starts or node.mailbox is None:
             return
-        for other in self.nodes.values():
-            if other is node or other.agent is None or other.mailbox is not None:
-                continue
-            if not self.book.has_heard(other, node, self.time):
+        for other in self._peers(node):
+            if other.mailbox is None and not self.book.has_heard(other, node, self.time):
                 self._handle(other, ev.Down(node.name))
 
     def _wake_up(self, node: Node, starts: int) -> None:
@@ -347,9 +316,9 @@ class World:
         node.tick_at = math.inf
         self._plan_tick(node)
 
-    def _tell(self, node: Node, event: ev.Event, life: int = 0) -> None:
+    def _tell(self, node: Node, event: Any, life: int = 0) -> None:
         """Tell a process something, now or when it is no longer stopped."""
-        if node.agent is None:
+        if node.process is None:
             return
         if node.mailbox is not None:
             node.mailbox.append((event, life))
@@ -358,51 +327,51 @@ class World:
 
     def _tick(self, node: Node, starts: int, at: float | None) -> None:
         """Wake a process, if that is still what it wants."""
-        if node.agent is None or node.starts != starts or node.mailbox is not None:
+        if node.process is None or node.starts != starts or node.mailbox is not None:
             return
         if at is not None:
             if at != node.tick_at:
                 return
             node.tick_at = math.inf
-            if node.agent.wake > node.clock(self.time) + 1e-6:
+            if node.process.wake > node.clock(self.time) + 1e-6:
                 self._plan_tick(node)
                 return
         self._handle(node, ev.Tick())
 
     def _plan_tick(self, node: Node) -> None:
         """See to it that a process is woken when it wants to be."""
-        assert node.agent is not None
-        at = max(node.time(node.agent.wake), self.time + SOON)
+        assert node.process is not None
+        at = max(node.time(node.process.wake), self.time + SOON)
         if at < node.tick_at - SOON:
             node.tick_at = at
             self._push(at, self._tick, node, node.starts, at)
 
-    def _handle(self, node: Node, event: ev.Event, life: int = 0) -> None:
+    def _handle(self, node: Node, event: Any, life: int = 0) -> None:
         """Let a process take an event, check, and do what it wants done.
 
         `life` is that of the sender when it sent, if the event is a message.
         """
-        agent = node.agent
-        assert agent is not None
+        process = node.process
+        assert process is not None
         self.events += 1
         self.book.before(node, event, life, self.time)
-        record = agent.record
+        record = process.record
         try:
-            effects = agent.handle(node.clock(self.time), event)
+            effects: list[Any] = [*process.handle(node.clock(self.time), event)]
         except (ArithmeticError, AssertionError, AttributeError, LookupError, TypeError, ValueError,
                 SwarmGraspError) as error:  # fmt: skip
             words = f"{node.name} fails at {type(event).__name__}: {type(error).__name__}: {error}"
             raise Broken("nobody fails", words) from error
-        if agent.record is not record:
+        if process.record is not record:
             self._changed_at = self.time
-            self._trace.update(encode(agent.record))
+            self._trace.update(encode(process.record))
         self.book.after(node, event, effects, self.time)
         for effect in effects:
             self._effect(node, effect)
         if node.mailbox is None:
             self._plan_tick(node)
 
-    def _effect(self, node: Node, effect: ev.Effect) -> None:
+    def _effect(self, node: Node, effect: Any) -> None:
         """Do what a process wants done."""
         seed = self.schedule.seed
         match effect:
@@ -425,11 +394,16 @@ class World:
                 takes = between(*FASTENING, seed, node.index, _FASTEN, node.job)
                 self._push(self.time + takes, self._let_go, node, node.job)
             case ev.MakePlan(beside, names, who):
-                plan = self.planner.plan(beside, names, who)
+                plan = self._planner_of(node).plan(beside, names, who)
                 self._push(self.time + 0.5, self._tell_plan, node, node.starts, plan)
             case ev.Report(what, words, about):
                 self.reports.append((round(self.time, 3), words))
                 self.book.told(node, what, about)
+
+    def _planner_of(self, node: Node) -> Planner:
+        """Return a robot's planner."""
+        del node
+        return self.planner
 
     def _tell_plan(self, node: Node, starts: int, plan: Any) -> None:
         """Tell a process the plan that it asked for."""
@@ -442,46 +416,37 @@ class World:
         """Send a message to whom it is for."""
         data = encode(message)
         message = decode(data)
-        self._trace.update(data)
+        event = ev.Received(node.name, message, to != ev.EVERYONE)
+        others = [other for other in self.nodes.values() if other is not node]
+        self._post(node, data, self._chosen(node, others, to), event)
+
+    def _chosen(self, node: Node, others: list[Node], to: str) -> list[Node]:
+        """Return whom a message is for, of those it can be for."""
         if to == ev.EVERYONE:
-            names: list[str] = [name for name in self.nodes if name != node.name]
-        elif to == ev.ANYONE:
-            names = [n.name for n in self.nodes.values() if n is not node and n.agent]
-            if names:
-                self.messages += 1
-                chosen = mixed(self.schedule.seed, node.index, _ANYONE, self.messages)
-                names = [names[chosen % len(names)]]
-        else:
-            names = [to] if to in self.nodes else []
-        event = ev.Received(node.name, message, to not in {ev.EVERYONE})
-        for name in names:
-            self.sent += len(data)
-            self._carry(node, self.nodes[name], event)
+            return others
+        if to != ev.ANYONE:
+            return [other for other in others if other.name == to]
+        running = [other for other in others if other.process]
+        if not running:
+            return []
+        self.messages += 1
+        chosen = mixed(self.schedule.seed, node.index, _ANYONE, self.messages)
+        return [running[chosen % len(running)]]
 
-    def _carry(self, node: Node, other: Node, event: ev.Received) -> None:
-        """Carry a message to one robot: it may be lost, late, or come twice."""
-        if other.agent is None or (self._cuts and (node.name, other.name) in self._cuts):
-            return
-        pair = node.index, other.index
-        link = self._links.get(pair)
-        if link is None:
-            link = self._links[pair] = mixed(self.schedule.seed, *pair, _LINK)
-        count = node.sent[other.index] = node.sent.get(other.index, 0) + 1
-        bits, schedule = mixed(link + count), self.schedule
-        is_calm = self.time >= schedule.calm
-        if not is_calm and share_of(bits) < schedule.loss:
-            return
-        delay = CALM_DELAY if is_calm else schedule.delay
-        more = bits >> 32
-        late = -delay * math.log(1.0 - share_of(more))
-        self._push(self.time + late, self._deliver, other, event, node.life)
-        if not is_calm and share_of(bits * 0x9E3779B9 >> 7) < schedule.doubled:
-            late += delay * share_of(more * 0x9E3779B9)
-            self._push(self.time + late, self._deliver, other, event, node.life)
+    def _post(self, node: Node, data: bytes, others: list[Node], event: Any) -> None:
+        """Let a message come to others: each may be lost, late, or come twice."""
+        self._trace.update(data)
+        self.sent += len(data) * len(others)
+        node.sent += len(data) if others else 0
+        for other in others:
+            if other.process is not None:
+                for late in self._links.carry(node, other, self.time):
+                    other.received += len(data)
+                    self._push(self.time + late, self._deliver, other, event, node.life)
 
-    def _deliver(self, node: Node, event: ev.Received, life: int) -> None:
+    def _deliver(self, node: Node, event: Any, life: int) -> None:
         """Hand a message over."""
-        if node.agent is not None:
+        if node.process is not None:
             self.messages += 1
             self._tell(node, event, life)
 
@@ -538,14 +503,14 @@ class World:
             return
         self._lose(node)
         node.job += 1
-        if node.agent is not None:
+        if node.process is not None:
             self._tell(node, ev.Loosened())
         else:
             self._be_witnessed(node)
 
     def _be_witnessed(self, node: Node) -> None:
         """Let another see that a robot whose process has ended is not at the object."""
-        seeing = [n for n in self.nodes.values() if n.agent and n.mailbox is None and n is not node]
+        seeing = [other for other in self._peers(node) if other.mailbox is None]
         if seeing:
             chosen = mixed(self.schedule.seed, node.index, _WITNESS, node.starts) % len(seeing)
             self._handle(seeing[chosen], ev.Witness(node.name))
@@ -556,37 +521,3 @@ def _is_at_rest(phase: Phase, *, deaf: bool) -> bool:
     return phase in {Phase.LEFT, Phase.WAITING, Phase.ATTACHED} or (
         deaf and phase in {Phase.ARRIVED, Phase.ASKING}
     )
-
-
-def mission_of(problem: Problem, mode: Mode) -> ProblemPlanner:
-    """Return the planner of a problem for a mode: nobody is at the object in a cold start.
-
-    Joint plans are searched for briefly: whether robots agree does not depend on how good they are.
-
-    Parameters
-    ----------
-    problem : Problem
-    mode : Mode
-    """
-    if mode is Mode.COLD:
-        swarm = problem.swarm
-        empty = Swarm(swarm.outline, [], swarm.characteristic_length, swarm.force_weights)
-        problem = replace(problem, swarm=empty, criterion=Criterion())
-    return ProblemPlanner(problem, effort=EFFORT)
-
-
-def simulate(planner: Planner, schedule: Schedule, settings: Settings | None = None) -> Outcome:
-    """Run a schedule to its end.
-
-    Parameters
-    ----------
-    planner : Planner
-    schedule : Schedule
-    settings : Settings, optional
-        How the agents behave; as the mode asks when left out.
-
-    Returns
-    -------
-    Outcome
-    """
-    return World(planner, schedule, settings).run()

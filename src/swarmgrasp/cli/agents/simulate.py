@@ -3,7 +3,7 @@
 import re
 import shlex
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
@@ -21,12 +21,14 @@ from swarmgrasp.cli.question import check_newcomer
 from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
-    from swarmgrasp.agents.protocol import Planner
+    from swarmgrasp.agents.protocol import ProblemPlanner
     from swarmgrasp.agents.simulator import Mode, Outcome, Schedule
 
 BROKEN = 1
 """Exit status when an invariant does not hold."""
 MOST_SEEDS = 1_000_000
+MANY = 200
+"""Robots that know each other all, at most, unless a mode is given."""
 FIELDS = ("loss", "doubled", "delay", "missed", "turned", "calm")
 """Numbers of a schedule that have an option of the same name."""
 
@@ -36,8 +38,9 @@ def simulate(
     /,
     *,
     seeds: Annotated[str, Parameter(metavar="FIRST:LAST")] = "1:100",
-    mode: Annotated[str, Parameter(metavar="MODES")] = "main",
+    mode: Annotated[str | None, Parameter(metavar="MODES")] = None,
     robots: Annotated[str | None, Parameter(metavar="INT")] = None,
+    groups: Annotated[str | None, Parameter(metavar="INT")] = None,
     loss: float | None = None,
     doubled: float | None = None,
     delay: Annotated[float | None, Parameter(metavar="SECONDS")] = None,
@@ -56,7 +59,11 @@ def simulate(
     The invariants are checked after every event. The first schedule in which one breaks is told
     with the command that repeats it, and the exit status is 1.
 
+    Above 200 robots, or with --groups, they are in groups that share summaries: most hold the
+    object from the start, and a twentieth joins.
+
     Example: swarmgrasp agents simulate deck-barge --seeds 1:1000 --shrink
+    Example: swarmgrasp agents simulate rectangle-5 --robots 1000 --seeds 1
 
     Parameters
     ----------
@@ -67,9 +74,11 @@ def simulate(
     mode
         What kinds, with commas: main (everything mixed), roster, moves, resolve, dead (the killed
         never return), hangs, cold (nobody is there at first), one-way (one never hears another),
-        burst (10 to 20 at once); or all.
+        burst (10 to 20 at once); or all of these; or groups. Main unless given.
     robots
-        How many join; drawn too unless given.
+        How many join, drawn too unless given; in groups, how many there are in all.
+    groups
+        How many groups, from 2; so many that each has some 25 robots unless given.
     loss
         Share of messages that are lost, 0 to 1, instead of what is drawn.
     doubled
@@ -94,10 +103,12 @@ def simulate(
     from swarmgrasp.packages import check_installed
 
     check_installed("msgspec", purpose="Simulating robots on a network")
-    wrong = _seeds_faults(seeds) + _mode_faults(mode) + json_faults(json)
-    wrong += whole_faults("--robots", robots, 1, 1000)
+    wrong = _seeds_faults(seeds) + json_faults(json)
+    wrong += whole_faults("--robots", robots, 1, 1000) + whole_faults("--groups", groups, 2, 1000)
+    mode = mode or ("groups" if groups or (not wrong and int(robots or 0) > MANY) else "main")
+    wrong += _mode_faults(mode, groups)
     wrong += _number_faults(loss=loss, doubled=doubled, delay=delay, missed=missed, turned=turned)
-    wrong += _text_faults(faults, calm, robots)
+    wrong += _text_faults(faults, calm, robots, mode)
     scenario = read_scenario(file, wrong)
     check_newcomer(scenario, file, "agents simulate")
     from swarmgrasp.agents import simulator
@@ -106,6 +117,7 @@ def simulate(
         problem = scenario.problem()
         kinds = [simulator.Mode(each) for each in _modes(mode)]
         planners = {kind: simulator.mission_of(problem, kind) for kind in kinds}
+    asked = _Asked(robots, groups, faults)
     given: dict[str, Any] = {"loss": loss, "doubled": doubled, "delay": delay, "missed": missed,
                              "turned": turned, "calm": calm, "locks": locks or None}  # fmt: skip
     fixed = {what: value for what, value in given.items() if value is not None}
@@ -114,7 +126,8 @@ def simulate(
     with shown_progress(len(numbers) * len(kinds), "simulating") as told:
         for kind, seed in _each(kinds, numbers):
             run = _runner(planners[kind])
-            done.append(run(_schedule(kind, seed, planners[kind], robots, faults, fixed)))
+            with blaming(file):
+                done.append(run(_schedule(kind, seed, planners[kind], asked, fixed)))
             if told is not None:
                 told(len(done))
             if done[-1].broken:
@@ -131,21 +144,32 @@ def simulate(
     return BROKEN if last.broken else 0
 
 
+class _Asked(NamedTuple):
+    """What was asked for of all schedules, as it was written."""
+
+    robots: str | None
+    groups: str | None
+    faults: str | None
+
+
 def _schedule(
-    kind: "Mode", seed: int, planner: "Planner", robots: str | None, faults: str | None,
-    fixed: dict[str, Any],
-) -> "Schedule":  # fmt: skip
+    kind: "Mode", seed: int, planner: "ProblemPlanner", asked: _Asked, fixed: dict[str, Any]
+) -> "Schedule":
     """Return a schedule as asked for: drawn, or of faults given as text."""
     from swarmgrasp.agents import simulator
 
-    if faults is not None:
-        return simulator.Schedule(kind, seed, simulator.read_faults(faults), **fixed)
-    first = [row.id for row in planner.present]
-    count = None if robots is None else int(robots)
-    return simulator.draw(kind, seed, robots=count, first=first, **fixed)
+    count = None if asked.robots is None else int(asked.robots)
+    groups = None if asked.groups is None else int(asked.groups)
+    if asked.faults is None:
+        first = [row.id for row in planner.present]
+        return simulator.draw(kind, seed, robots=count, groups=groups, first=first, **fixed)
+    faults = simulator.read_faults(asked.faults)
+    if kind is simulator.Mode.GROUPS:
+        return simulator.crowded(seed, faults, count or 0, groups, **fixed)
+    return simulator.Schedule(kind, seed, faults, **fixed)
 
 
-def _runner(planner: "Planner") -> "Callable[[Schedule], Outcome]":
+def _runner(planner: "ProblemPlanner") -> "Callable[[Schedule], Outcome]":
     """Return what runs schedules of one mission."""
     from swarmgrasp.agents.simulator import simulate as run
 
@@ -161,6 +185,8 @@ def _command(file: str, schedule: "Schedule") -> str:
     """Return the command that repeats a schedule."""
     words = ["swarmgrasp", "agents", "simulate", file, "--mode", schedule.mode.value]
     words += ["--seeds", str(schedule.seed), "--faults", schedule.text]
+    if schedule.groups:
+        words += ["--robots", str(len(schedule.names)), "--groups", str(schedule.groups)]
     usual = {field: getattr(type(schedule), field) for field in FIELDS}
     for what, value in usual.items():
         if getattr(schedule, what) != value:
@@ -171,20 +197,23 @@ def _command(file: str, schedule: "Schedule") -> str:
 
 def _modes(mode: str) -> list[str]:
     """Return the modes that are asked for."""
-    from swarmgrasp.agents.simulator import Mode
+    from swarmgrasp.agents.simulator import FLAT
 
-    return [*Mode] if mode == "all" else list(dict.fromkeys(mode.split(",")))
+    return [*FLAT] if mode == "all" else list(dict.fromkeys(mode.split(",")))
 
 
-def _mode_faults(mode: str) -> list[str]:
+def _mode_faults(mode: str, groups: str | None) -> list[str]:
     """Return what is wrong with the modes."""
     from swarmgrasp.agents.simulator import Mode
 
-    return [
+    faults = [
         f"--mode is {each}; it should be all, or of {', '.join(Mode)}"
         for each in _modes(mode)
         if each not in [*Mode]
     ]
+    if groups and _modes(mode) != [Mode.GROUPS]:
+        faults.append(f"--groups is for --mode groups, not {mode}")
+    return faults
 
 
 def _seeds(seeds: str) -> range:
@@ -212,7 +241,9 @@ def _number_faults(**values: float | None) -> list[str]:
     return [f"--{fault}" for fault in number_faults(given)]
 
 
-def _text_faults(faults: str | None, calm: float | None, robots: str | None) -> list[str]:
+def _text_faults(
+    faults: str | None, calm: float | None, robots: str | None, mode: str
+) -> list[str]:
     """Return what is wrong with faults given as text."""
     wrong = []
     if faults is None:
@@ -221,8 +252,10 @@ def _text_faults(faults: str | None, calm: float | None, robots: str | None) -> 
         return wrong
     from swarmgrasp.agents.simulator import number_faults, read_faults
 
-    if robots is not None:
+    if robots is not None and mode != "groups":
         wrong.append("--robots is not for --faults, which say who joins")
+    if robots is None and mode == "groups":
+        wrong.append("--faults in groups needs --robots: how many there are in all")
     if calm is not None:
         wrong += [f"--{fault}" for fault in number_faults({"calm": calm})]
     try:
