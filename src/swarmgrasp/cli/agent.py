@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.inputs import UsageFault, blaming, read_scenario
+from swarmgrasp.cli.inputs import UsageFault, blaming, noting, read_scenario
 from swarmgrasp.cli.lasting import end_on_signals, say
 from swarmgrasp.cli.show.report import clean
 from swarmgrasp.files import target_faults
@@ -23,6 +23,11 @@ if TYPE_CHECKING:
 
 BEATS = 3.5
 """Signs of life within the time after which a robot counts as silent."""
+SHORTEST = 0.1
+"""The shortest such time [s], and lease."""
+ASTRAY = 0.05
+"""How far from the object a robot may be told to hold it, in extents: what a measurement may miss
+it by, but no other unit or frame."""
 Flag = Annotated[bool, Parameter(negative="")]
 
 
@@ -43,7 +48,7 @@ def agent(
     body: Literal["stand-in", "stdio", "zenoh"] = "stand-in",
     speed: float = 1.0,
     fastening: float = 1.0,
-    attached_at: tuple[float, float, float] | None = None,
+    attached_at: Annotated[tuple[float, float, float] | None, Parameter(negative="")] = None,
     waits: Flag = False,
     silent: float = 3.5,
     worth: float = 0.02,
@@ -112,33 +117,40 @@ def agent(
     check_installed("msgspec", "zenoh", purpose="A robot on the network")
     from swarmgrasp.agents.network import NetworkSettings
 
-    here = NetworkSettings(
-        mode="router" if router else mode or ("client" if tls else "peer"),
-        listen=listen, connect=connect, lease=lease, tls=tls,
-        name="router" if router else name or "",
-    ) if router or name else None  # fmt: skip
-    if router and here is not None:
+    def network() -> NetworkSettings:
+        return NetworkSettings(
+            mode="router" if router else mode or ("client" if tls else "peer"),
+            listen=listen, connect=connect, lease=lease, tls=tls,
+            name="router" if router else name or "",
+        )  # fmt: skip
+
+    if router:
         given = [word for word, there in (("FILE", file), ("--name", name), ("--mode", mode),
                  ("--state", state), ("--roster", roster)) if there]  # fmt: skip
         if given:
             raise UsageFault(f"a router is no robot; leave out {' and '.join(given)}")
-        _be_router(here, json)
+        _be_router(network(), json)
         return
-    if file is None or name is None or here is None:
+    if file is None or not name:
         raise UsageFault("a robot needs FILE and --name; --router makes a router instead")
-    faults = [] if state is None else target_faults(state)
-    if lease > silent:
-        faults.append(f"the lease is {lease:g} s; it should be at most --silent, {silent:g} s")
-    scenario = read_scenario(file, faults)
-    from swarmgrasp.agents.protocol import ProblemPlanner, Settings
+    from swarmgrasp.agents.protocol import ProblemPlanner
 
-    with blaming(file):
-        planner = ProblemPlanner(scenario.problem())
-    names = tuple(word.strip() for word in (roster or "").split(",") if word.strip())
-    beat = silent / BEATS
-    settings = Settings(beat=beat, silent=silent, worth=worth, roster=names, resolve=resolve)
-    _be_robot(here, planner, settings, name, _kind(planner, limit), state,
-              _place(attached_at), (body, speed, fastening), not waits, json)  # fmt: skip
+    faults = [] if state is None else target_faults(state)
+    with noting(faults):
+        here = network()
+    settings = _settings(silent, lease, worth, roster, resolve, faults)
+    with noting(faults):
+        scenario = read_scenario(file)
+        with blaming(file):
+            planner = ProblemPlanner(scenario.problem())
+        kind = _kind(planner, limit, faults)
+        attached = _place(planner, attached_at, faults)
+        if body == "stand-in":
+            _body(planner, name, attached, body, speed, fastening)
+    if faults:
+        raise UsageFault(faults)
+    _be_robot(here, planner, settings, name, kind, state, attached, (body, speed, fastening),
+              not waits, json)  # fmt: skip
 
 
 def _be_router(here: "NetworkSettings", json: bool) -> None:
@@ -186,26 +198,66 @@ def _be_robot(
         transport.end()
 
 
-def _kind(planner: "ProblemPlanner", limit: float | None) -> "Kind | None":
-    """Return what a robot is, if that differs from the newcomer."""
+def _settings(
+    silent: float, lease: float, worth: float, roster: str | None, resolve: bool, faults: list[str]
+) -> "Settings":
+    """Return how it behaves, and note what is wrong with it."""
+    from swarmgrasp.agents.protocol import Settings
+    from swarmgrasp.agents.protocol.settings import LONGEST
+
+    usual = Settings()
+    if not SHORTEST <= silent <= LONGEST:
+        faults.append(f"--silent is {silent:g}; it should be {SHORTEST:g} to {LONGEST:g} [s]")
+        silent = usual.silent
+    elif lease > silent:
+        faults.append(f"the lease is {lease:g} s; it should be at most --silent, {silent:g} s")
+    names = () if roster is None else tuple(word.strip() for word in roster.split(","))
+    with noting(faults):
+        return Settings(beat=silent / BEATS, silent=silent, worth=worth, roster=names,
+                        resolve=resolve)  # fmt: skip
+    return usual
+
+
+def _kind(planner: "ProblemPlanner", limit: float | None, faults: list[str]) -> "Kind | None":
+    """Return what a robot is, if that differs from the newcomer; note a limit out of range."""
     from swarmgrasp.agents.protocol import Kind
     from swarmgrasp.ranges import limit_faults
 
     if limit is None:
         return None
-    faults = limit_faults(limit)
-    if faults:
-        raise UsageFault(f"--limit: {fault}" for fault in faults)
+    wrong = limit_faults(limit)
+    if wrong:
+        faults += [f"--limit: {fault}" for fault in wrong]
+        return None
     usual = replace(planner.problem.newcomer, limit=limit)
     return Kind(usual.limit, usual.attachment, usual.half_angle, usual.steers,
                 usual.reverse_limit, usual.friction)  # fmt: skip
 
 
-def _place(given: tuple[float, float, float] | None) -> "Place | None":
-    """Return where it says that it is attached."""
+def _place(
+    planner: "ProblemPlanner", given: tuple[float, float, float] | None, faults: list[str]
+) -> "Place | None":
+    """Return where it says that it is attached; note a place that is far from the object."""
     from swarmgrasp.agents.protocol import Place
+    from swarmgrasp.ranges import angles, numbers
 
-    return None if given is None else Place(*given)
+    if given is None:
+        return None
+    *spot, direction = given
+    outline = planner.problem.swarm.outline
+    if not numbers(spot) or not angles((direction,)):
+        faults.append(
+            f"--attached-at is {' '.join(map(str, given))}; it should be finite numbers, the "
+            "direction within 1e6 [m, m, rad]"
+        )
+    elif not planner.problem.newcomer.mounted or not outline.contains(spot):
+        off, most = float(outline.nearest(spot)[0][0]), ASTRAY * outline.extent
+        if off > most:
+            faults.append(
+                f"--attached-at is ({spot[0]:g}, {spot[1]:g}) m, {off:.4g} m from the boundary; "
+                f"it should be at most {most:.4g} m from it, in the frame of the vertices"
+            )
+    return Place(*given)
 
 
 def _attached(planner: "ProblemPlanner", state: "State | None", name: str) -> "Place | None":

@@ -97,6 +97,15 @@ def blaming(file: str) -> Iterator[None]:
         raise UsageFault(f"{source_of(file)}: {fault}" for fault in error.faults) from error
 
 
+@contextmanager
+def noting(faults: list[str]) -> Iterator[None]:
+    """Note what is wrong, to be told with what else is; what follows within is left out."""
+    try:
+        yield
+    except SwarmGraspError as error:
+        faults += error.faults
+
+
 def output_faults(path: str | Path | None, suffixes: tuple[str, ...]) -> list[str]:
     """Return what is wrong with where to write, before anything is computed.
 

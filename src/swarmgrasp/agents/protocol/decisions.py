@@ -22,6 +22,7 @@ from swarmgrasp.agents.protocol.record import Phase, Place, Record
 from swarmgrasp.agents.protocol.reports import Reports
 from swarmgrasp.agents.protocol.settings import Settings
 from swarmgrasp.agents.protocol.word import Word
+from swarmgrasp.words import Unit
 
 
 class Decisions:
@@ -148,7 +149,7 @@ class Decisions:
         self._word.change(phase=Phase.ATTACHED, place=there)
         lower = self._planner.lower(in_order(self.view.holding, self._planner))
         self._word.change(lower=lower)
-        words = f"{self.name} is attached: quality {lower:.4g} N certified"
+        words = f"{self.name} is attached: quality {_told(lower)} certified"
         self._reports.tell("attached", words)
 
     def avoid(self, place: Place) -> None:
@@ -182,7 +183,7 @@ class Decisions:
         rows = tuple(row for row in in_order(view.holding, self._planner) if row.id != self.name)
         left = self._planner.lower(rows)
         if left < self._settings.floor:
-            return f"quality without it is {left:.4g} N, below {self._settings.floor:.4g} N"
+            return f"quality without it is {_told(left)}, below {_told(self._settings.floor)}"
         return ""
 
     def ask_to_move(self) -> None:
@@ -215,7 +216,7 @@ class Decisions:
         if place != now.place or now.phase is not Phase.COMING:
             self.out.append(Go(place))
             where = f"({place.x:.4g}, {place.y:.4g}) m"
-            words = f"{self.name} goes to {where}: quality {lower:.4g} N"
+            words = f"{self.name} goes to {where}: quality {_told(lower)}"
             self._reports.tell("going", words)
         self._word.change(phase=Phase.COMING, place=place, lower=lower, basis=choice.basis)
 
@@ -287,3 +288,8 @@ class Decisions:
             return False
         self._word.change(plan=None)
         return True
+
+
+def _told(quality: float) -> str:
+    """Say a quality [N] as reports of other commands do."""
+    return Unit.for_size(quality).text(quality)
