@@ -72,7 +72,7 @@ def test_a_failure_of_nobody_is_told() -> None:
     with pytest.raises(ScenarioInvalid) as caught:
         parse_scenario(f"{BUSES}criterion: {{failures: [bus C, [Ajax, Ayax], []]}}\n", "a.yaml")
     assert list(caught.value.faults) == [
-        "a.yaml:5:45: criterion.failures.2: should hold at least 1 values, not 0 (got [])"
+        "a.yaml:5:45: criterion.failures.2: should hold 1 or more values, not 0 (got [])"
     ]
     with pytest.raises(ScenarioInvalid) as caught:
         parse_scenario(f"{BUSES}criterion: {{failures: [busA, [Ajax, Ayax]]}}\n", "a.yaml")
@@ -90,7 +90,7 @@ FAULTS = {
     "{failures: R1}": "3:23: .failures: should be a list (got 'R1')",
     "{load: wind}": "3:19: .load: should be [fx, fy, tz] or 'environment' (got 'wind')",
     "{load: 5}": "3:19: .load: should be 'environment', or a list (got 5)",
-    "{load: [1, 2]}": "3:19: .load: should hold at least 3 values, not 2 (got [1, 2])",
+    "{load: [1, 2]}": "3:19: .load: should hold 3 or more values, not 2 (got [1, 2])",
     "{load: [1, 2, x]}": "3:26: .load.2: should be a number (got 'x')",
     "{load: environment}": (
         "3:19: .load: needs an environment, its wind with speed and from (got 'environment')"
@@ -104,10 +104,10 @@ FAULTS = {
         "3:19: .task: polytope and ellipsoid each say the wrenches; keep one"
     ),
     "{task: {polytope: []}}": (
-        "3:30: .task.polytope: should hold at least 1 values, not 0 (got [])"
+        "3:30: .task.polytope: should hold 1 or more values, not 0 (got [])"
     ),
     "{task: {polytope: [[1, 0]]}}": (
-        "3:31: .task.polytope.0: should hold at least 3 values, not 2 (got [1, 0])"
+        "3:31: .task.polytope.0: should hold 3 or more values, not 2 (got [1, 0])"
     ),
     "{task: {ellipsoid: [[0, 0, 0]]}}": (
         "3:31: .task.ellipsoid: should hold a wrench that is not zero (got [[...]])"

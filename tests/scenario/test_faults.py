@@ -120,7 +120,7 @@ REST = {
         "4:34: newcomer.half_angle: goes with attachment: push or pull only; a free one pushes "
         "in any direction (got 1)"
     ),
-    "zones: []": "4:8: zones: should hold at least 1 values, not 0 (got [])",
+    "zones: []": "4:8: zones: should hold 1 or more values, not 0 (got [])",
     "zones: [{from: 3, to: 13}]": (
         "4:23: zones.0.to: should lie in [0, 12] m, the length of the boundary (got 13)"
     ),

@@ -1,6 +1,7 @@
 """What robots can exert, in a scenario file: what it means, and its faults."""
 
 import math
+import re
 
 import jsonschema
 import pytest
@@ -101,7 +102,7 @@ FAULTS = {
     "direction: 0, limit: {ahead: 5, aster: 4, astern: 4}": (
         "aster:", ".limit.aster", "unknown key; did you mean 'astern'?"
     ),
-    "direction: 0, limit: [2]": ("[2]", ".limit", "should hold at least 2 values, not 1 (got [2])"),
+    "direction: 0, limit: [2]": ("[2]", ".limit", "should hold 2 or more values, not 1 (got [2])"),
     "direction: 0, limit: [20, 2]": (
         "[20", ".limit", "should be the least force, then the largest (got [20, 2])"
     ),
@@ -123,7 +124,7 @@ FAULTS = {
     ),
     "direction: 0": ("{edge", ".limit", "is missing; give the largest force"),
     "direction: 0, envelope: [[1, 0]]": (
-        "[[1", ".envelope", "should hold at least 2 values, not 1 (got [[...]])"
+        "[[1", ".envelope", "should hold 2 or more values, not 1 (got [[...]])"
     ),
     "direction: 0, envelope: [[0, 0], [0, 0]]": (
         "[[0", ".envelope", "should hold a force that is not zero (got [[...], [...]])"
@@ -158,8 +159,7 @@ def test_all_that_does_not_go_together_is_told_at_once() -> None:
             "a.yaml",
         )
     assert [fault.split(": ", 2)[1:] for fault in caught.value.faults[1:]] == [
-        ["robots.0.direction", "is missing; give the direction of the force: an angle, inward or "
-         "outward"],
+        ["robots.0.direction", "is missing; give the direction of the force: an angle"],
         ["robots.1.two_way", "the limits ahead and astern say so already; leave it out (got true)"],
         ["robots.1.friction", "a finger with friction only pushes: it neither steers nor pushes "
          "both ways (got 1)"],
@@ -236,7 +236,10 @@ AREAS = {
     "{area: [[1, 1]], attachment: push}": (
         "5:38: zones.0.attachment: an area touches no edge; leave the attachment out (got 'push')"
     ),
-    "{area: []}": "5:16: zones.0.area: should hold at least 1 values, not 0 (got [])",
+    "{edge: s}": (
+        "5:9: zones.0: is on the boundary, and a mounted newcomer goes inside; give an area instead"
+    ),
+    "{area: []}": "5:16: zones.0.area: should hold 1 or more values, not 0 (got [])",
 }
 
 
@@ -265,3 +268,21 @@ def test_sectors_are_written_as_they_are_read() -> None:
         jsonschema.validate(
             {"outline": outline, "robots": [robot | {"sectors": [[20]]}]}, scenario_schema()
         )
+
+
+def test_what_goes_only_inside_or_only_on_the_boundary_is_told_with_its_place() -> None:
+    """Zones, no-go stretches and spacing: all faults, each with line and column."""
+    zone, asked = "zones: [{area: [[1, 1]]}]", "no_go: [{edge: s}]\nspacing: 1"
+    ashore = f"robots: []\nnewcomer: {{limit: 5}}\n{zone}"
+    for said, faults in (
+        (ashore, ["zones.0.area: is for a mounted newcomer"]),
+        (
+            f"{MOUNTED}{asked}",
+            ["no_go: is for a newcomer on the boundary", "spacing: a mounted newcomer keeps no"],
+        ),
+    ):
+        with pytest.raises(ScenarioInvalid) as caught:
+            parse_scenario(f"{HEAD}{said}", "a.yaml")
+        assert len(caught.value.faults) == len(faults)
+        for told, fault in zip(caught.value.faults, faults, strict=True):
+            assert re.match(rf"a\.yaml:\d+:\d+: {re.escape(fault)}", told)

@@ -77,7 +77,7 @@ FAULTS = {
     "{contact: -1}": "10: .contact: should be at least 0 (got -1)",
     "{contact: [1, 3]}": "11: .contact.0: should be at most 0 (got 1)",
     "{contact: [-1, -3]}": "15: .contact.1: should be at least 0 (got -3)",
-    "{contact: [-1]}": "10: .contact: should hold at least 2 values, not 1 (got [-1])",
+    "{contact: [-1]}": "10: .contact: should hold 2 or more values, not 1 (got [-1])",
     "{contact: 7}": "10: .contact: spans 14 m, the whole boundary and more (got 7)",
     "{direction: 4}": "12: .direction: should lie in [0, 3.14159265] rad (got 4)",
     "{direction: [-4, 1]}": "13: .direction.0: should lie in [-3.14159265, 0] rad (got -4)",

@@ -50,6 +50,7 @@ def document():
         ),
         ((*ROBOT, "limit"), -1.0, "robots.0.limit"),
         ((*ROBOT, "mounted"), 0, "robots.0.mounted"),
+        ((*ROBOT, "envelope"), [], "robots.0.envelope: List should have at least 2 items"),
         (("placements",), [], "placements"),
         (("placements", 0, "quality"), True, "placements.0.quality"),
         (("placements", 0, "quality"), 10**400, "placements.0.quality"),
@@ -113,6 +114,22 @@ def test_a_mounted_robot_stays_where_it_is(document):
     """It may turn the wrong way, and not drift along the boundary."""
     document["problem"]["swarm"]["robots"][0].update(mounted=True, tolerance=TOLERANCE)
     with pytest.raises(AnswerInvalid, match="a mounted robot's contact has no tolerance"):
+        verify_document(document)
+
+
+@pytest.mark.parametrize(
+    ("more", "says"),
+    [
+        ({"envelope": [[1.0, 0.0], [0.0, 1.0]], "steers": 0.5}, "an envelope says all forces"),
+        ({"friction": 0.5, "reverse_limit": 1.0}, "friction goes with neither steering nor"),
+        ({"least": 0.5, "reverse_limit": 1.0}, "the least force is at most the limit"),
+        ({"least": 1e9}, "the least force is at most the limit"),
+    ],
+)
+def test_a_robot_is_of_one_kind(document, more, says):
+    """What no robot can be is refused, whatever the check would make of it."""
+    document["problem"]["swarm"]["robots"][0].update(more)
+    with pytest.raises(AnswerInvalid, match=says):
         verify_document(document)
 
 

@@ -10,6 +10,9 @@ from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.swarm.sectors import Sectors, sector_faults
 
+ON_BOUNDARY = ("edge", "along", "from", "to", "at", "theta", "contact")
+"""What says where on the boundary a zone is."""
+
 
 class Forces(TypedDict, total=False):
     """The limits [N] and the friction of a robot or a newcomer, as its keywords."""
@@ -37,6 +40,8 @@ def check_force_sets(checked: Checked, units: Units) -> None:
     newcomer = checked.file.newcomer
     if newcomer is not None and checked.is_known("newcomer"):
         _check_newcomer(newcomer, ("newcomer",), checked)
+    if newcomer is not None and checked.is_sound("newcomer", "mounted"):
+        _check_where(newcomer.mounted, checked)
 
 
 def largest(section: RobotSection | NewcomerSection) -> float:
@@ -109,7 +114,8 @@ def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Uni
     needs_none = section.steers == "any" or is_finger or not checked.is_sound(*path, "steers")
     needs_none |= checked.has(*path, "sectors")
     if not needs_none and not checked.has(*path, "direction"):
-        said = "is missing; give the direction of the force: an angle, inward or outward"
+        normals = "" if section.mounted else ", inward or outward"
+        said = f"is missing; give the direction of the force: an angle{normals}"
         checked.fault((*path, "direction"), said, got=False)
 
 
@@ -163,3 +169,22 @@ def _check_newcomer(section: NewcomerSection, path: Path, checked: Checked) -> N
     if section.mounted and section.attachment != "free":
         said = "a mounted newcomer touches no edge; leave the attachment out, or make it free"
         checked.fault((*path, "mounted"), said)
+
+
+def _check_where(is_mounted: bool, checked: Checked) -> None:
+    """Note zones where the newcomer does not go, and what one inside is not asked."""
+    for i in range(len(checked.file.zones or ())):
+        path: Path = ("zones", i)
+        if not checked.is_known(*path):
+            continue
+        has_area = checked.has(*path, "area")
+        if has_area and not is_mounted:
+            said = "is for a mounted newcomer; give a stretch of the boundary instead"
+            checked.fault((*path, "area"), said, got=False)
+        elif is_mounted and not has_area and any(checked.has(*path, key) for key in ON_BOUNDARY):
+            said = "is on the boundary, and a mounted newcomer goes inside; give an area instead"
+            checked.fault(path, said, got=False)
+    if is_mounted and checked.file.no_go:
+        checked.fault(("no_go",), "is for a newcomer on the boundary; leave it out", got=False)
+    if is_mounted and checked.file.spacing:
+        checked.fault(("spacing",), "a mounted newcomer keeps no distance; leave it out")

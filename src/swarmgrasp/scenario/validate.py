@@ -232,7 +232,7 @@ _SENTENCES = {
     "string_too_long": "should be at most {max_length} characters long",
     "string_type": "should be text; put it in quotes if it is",
     "too_long": "should hold {max_length} values, not {actual_length}",
-    "too_short": "should hold at least {min_length} values, not {actual_length}",
+    "too_short": "should hold {min_length} or more values, not {actual_length}",
 }
 
 

@@ -72,7 +72,7 @@ class RobotClaim(_Form):
     steers: HalfTurn
     friction: Size | None
     least: Size
-    envelope: list[Point] | None
+    envelope: list[Point] | None = Field(min_length=2)
     group: str
     sectors: list[tuple[Angle, Angle]] | None = Field(min_length=1)
 
@@ -86,6 +86,17 @@ class RobotClaim(_Form):
         """Refuse a mounted robot that may be elsewhere."""
         if self.mounted and self.tolerance and self.tolerance.contact != (0.0, 0.0):
             raise ValueError("a mounted robot's contact has no tolerance")
+        return self
+
+    @model_validator(mode="after")
+    def check_kind(self) -> Self:
+        """Refuse what a robot cannot be at once."""
+        if self.envelope and (self.steers or self.reverse_limit or self.friction or self.least):
+            raise ValueError("an envelope says all forces")
+        if self.friction and (self.steers or self.reverse_limit):
+            raise ValueError("friction goes with neither steering nor a reverse limit")
+        if self.least and (self.reverse_limit or self.least > self.limit):
+            raise ValueError("the least force is at most the limit, and without a reverse limit")
         return self
 
     @model_validator(mode="after")
