@@ -71,6 +71,7 @@ class Robot(Plain):
         it is at most so many times the normal force.
     least : float [N]
         The force, along `direction`, that it always exerts at least: a cable that must stay taut.
+        Of one that steers the hull of its forces counts, with less in its middle (T20).
     envelope : tuple of (float, float) [N, N], optional
         The corners of all forces it can exert, along `direction` and to the left of it, instead of
         all the above. `limit` is then that of the largest, and may be left out.
