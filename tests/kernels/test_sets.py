@@ -41,6 +41,9 @@ def test_what_sets_are_worth():
     assert np.transpose(forces).tolist() == [[0.0, 1.0, 1.0, 0.0], [0.0, 1.0, -1.0, 0.0]]
     assert sets.least(1e-9, np.inf, 1.0)[2] == 0.0
     assert sets.least(1e-9, 0.5)[:2] == (0.5, (0.0, 0.0, 0.0))
+    some = sets.least(1e-9, np.inf, 1e9, 2.0 * value)
+    assert value <= some[0] < 2.0 * value
+    assert some[2] == 0.0
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,7 @@ from swarmgrasp import (
     quality,
 )
 from swarmgrasp.answer_file import document_of
-from swarmgrasp.errors import ForceSetUnsupported, ZoneInvalid
-from swarmgrasp.swarm import Tolerance
+from swarmgrasp.errors import ZoneInvalid
 from swarmgrasp.verify import verify_document
 from swarmgrasp.verify.digest import digest_of
 
@@ -154,9 +153,6 @@ def test_questions_that_do_not_go_together_are_refused():
     assert len(caught.value.faults) == 3
     with pytest.raises(ZoneInvalid, match="leaves the outline"):
         Problem(CREW, mounted, [Zone(area=[(0.5, 0.5), (2.5, 0.5), (0.5, 1.8)])])
-    drifting = Newcomer(mounted=True, tolerance=Tolerance(direction=0.1))
-    with pytest.raises(ForceSetUnsupported, match="leave out its tolerance"):
-        place(CREW, drifting, worst_case=True)
 
 
 def test_areas_survive_their_plain_form():

@@ -111,8 +111,8 @@ def test_qualities_that_would_take_minutes(seed, monkeypatch):
     swarm, newcomer, terms = question_of(seed)
     within, spent = Aim.weakest_within, []
 
-    def counted(aim, units):
-        found = within(aim, units)
+    def counted(aim, units, enough):
+        found = within(aim, units, enough)
         spent.append(units - found[2])
         return found
 

@@ -29,7 +29,7 @@ from swarmgrasp import (
     quality,
 )
 from swarmgrasp.answer_file import document_of
-from swarmgrasp.errors import ForceSetUnsupported, NowhereToAttach
+from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.placement.spans import robot_on
 from swarmgrasp.verify import judge, verify_document
 from swarmgrasp.verify.digest import digest_of
@@ -223,13 +223,6 @@ def test_no_normal_travels_over_named_failures():
     failures = [[f"r{k}"] for k in rng.permutation(len(crew))[:2].tolist()]
     answer = place(Swarm(RECTANGLE, crew), Newcomer(steers=True), failures=failures)
     assert best_on_a_grid(answer.problem, 100) <= answer.upper_bound * (1.0 + 1e-7)
-
-
-def test_what_is_not_known_is_refused():
-    """A steering newcomer that may miss its place is refused in words."""
-    swarm = Swarm(RECTANGLE, [])
-    with pytest.raises(ForceSetUnsupported, match="leave out its tolerance"):
-        place(swarm, Newcomer(steers=True, tolerance=Tolerance(0.1)), worst_case=True)
 
 
 FOUR = [

@@ -52,14 +52,15 @@ def test_robots_without_their_own_have_the_tolerance_of_the_file() -> None:
 
 
 def test_the_tolerance_of_the_file_is_cut_to_what_fits() -> None:
-    """A mounted robot stays where it is, and a newcomer comes."""
-    scenario = parse_scenario(
-        f"{OUTLINE}tolerance: {{contact: 1, direction: 0.5, may_be_absent: true}}\n"
-        f"robots: [{{{THRUSTER}}}]\nnewcomer: {{limit: 1}}\n"
-    )
-    assert tolerances(scenario) == [Tolerance(0.0, 0.5, None, True)]
-    assert scenario.newcomer is not None
-    assert scenario.newcomer.tolerance == Tolerance(1.0, 0.5)
+    """A mounted robot stays where it is, as does a mounted newcomer, and a newcomer comes."""
+    for more, contact in (("", 1.0), (", mounted: true", 0.0)):
+        scenario = parse_scenario(
+            f"{OUTLINE}tolerance: {{contact: 1, direction: 0.5, may_be_absent: true}}\n"
+            f"robots: [{{{THRUSTER}}}]\nnewcomer: {{limit: 1{more}}}\n"
+        )
+        assert tolerances(scenario) == [Tolerance(0.0, 0.5, None, True)]
+        assert scenario.newcomer is not None
+        assert scenario.newcomer.tolerance == Tolerance(contact, 0.5)
 
 
 def test_the_tugs_of_the_deck_barge_are_not_quite_where_they_should_be() -> None:

@@ -140,13 +140,13 @@ class Sets:
         /,
     ) -> Sets: ...
     def least(
-        self, gap: float, below: float, work: float = ..., /
+        self, gap: float, below: float, work: float = ..., enough: float = ..., /
     ) -> tuple[float, Normal, float, float]:
         """Return the least H / D, a unit normal that attains it, and what no normal falls below.
 
         The last number is the work left. What is 0 but for rounding is 0, and so is what is left of
         a load that is not held. A value of `below` or more is not wanted: it is then `below`, and
-        the normal is zero.
+        the normal is zero. Less than `enough` will do, if it is not the least: the bound is 0 then.
         """
 
     def heights(self, normals: Array, /) -> bytes:

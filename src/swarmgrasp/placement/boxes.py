@@ -44,12 +44,9 @@ class BoxOptimum(Optimum[Best]):
     ----------
     boxes : (m, BOX)
         See `core.Boxes`.
-    normals_met : (n, 3)
-        Unit normals that the search has met.
     """
 
     boxes: Array
-    normals_met: Array
     _rows: Array
     _origin: Array
     _machines: Mapping[int, tuple[str, ...]]
@@ -137,8 +134,8 @@ class BoxSearch(SetSearch[core.Boxes]):
             best,
             float(bounds.max()),
             bounds,
-            boxes,
             self._normals(),
+            boxes,
             self._rows,
             self._origin,
             self._machines,

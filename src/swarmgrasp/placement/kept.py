@@ -37,23 +37,45 @@ class Kept:
         u, v, turn = (normals * self._aim.swarm.scale).T
         px, py = u - turn * arms[:, 1:], v + turn * arms[:, :1]
         middle, half = sectors.mean(axis=1)[:, None], 0.5 * np.ptp(sectors, axis=1)[:, None]
-        c, s = np.cos(middle), np.sin(middle)
-        ahead, side = px * c + py * s, np.abs(px * s - py * c)
-        limit, friction = self._limit, self._newcomer.friction
-        if friction:
-            return np.asarray(limit * np.maximum(ahead + friction * side, 0.0))
-        size, back = np.hypot(px, py), self._newcomer.reverse_limit
-        c, s = np.cos(half), np.sin(half)
-        worths = [
-            most * np.where(way >= size * c, size, np.maximum(way * c + side * s, 0.0))
-            for most, way in ((limit, ahead), (back, -ahead))
-        ]
-        return np.asarray(np.maximum(*worths))
+        limits = self._limit, self._newcomer.reverse_limit
+        return support(px, py, middle, half, limits, self._newcomer.friction or 0.0)
 
     def scores(self, arms: Array, sectors: Array) -> Array:
         """Return what the soft minimum makes of it at moment arms and in sectors (c, 2): (c,)."""
         least = SoftMinimum(self._aim, self._limit)
         return least.scores(self.gains(arms, sectors, least.normals))
+
+
+def support(
+    px: Array, py: Array, middle: Array, half: Array, limits: tuple[float, float], friction: float
+) -> Array:
+    """Return what forces are worth along p (...), the parts of it (T20): those of a sector.
+
+    Parameters
+    ----------
+    px, py : (...)
+    middle, half : (...) [rad]
+        The sector's middle, and how far it reaches to both sides.
+    limits : tuple of float [N, N]
+        Ahead and astern.
+    friction : float
+        Of a finger along the middle; 0 for what is none.
+
+    Returns
+    -------
+    (...) [N]
+    """
+    c, s = np.cos(middle), np.sin(middle)
+    ahead, side = px * c + py * s, np.abs(px * s - py * c)
+    if friction:
+        return np.asarray(limits[0] * np.maximum(ahead + friction * side, 0.0))
+    size, c, s = np.hypot(px, py), np.cos(half), np.sin(half)
+    worths = [
+        most * np.where(way >= size * c, size, np.maximum(way * c + side * s, 0.0))
+        for most, way in zip(limits, (ahead, -ahead), strict=True)
+        if most > 0.0
+    ]
+    return np.asarray(np.maximum.reduce(worths))
 
 
 def kept_robot(

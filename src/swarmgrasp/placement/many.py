@@ -154,7 +154,7 @@ def _qualities_on(problem: Problem, pieces: Pieces) -> Callable[[int, Array, Arr
 
     What keeps its force set has the same quality in all directions of it.
     """
-    if problem.newcomer.steers or problem.newcomer.friction:
+    if problem.newcomer.keeps:
         spans = SpanSearch(problem, pieces)
 
         def kept(index: int, arms: Array, directions: Array) -> Array:

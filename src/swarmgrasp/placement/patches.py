@@ -113,12 +113,9 @@ class PatchOptimum(Optimum[Berth]):
     Attributes
     ----------
     patches : tuple of Patch
-    normals_met : (n, 3)
-        Unit normals that the search has met.
     """
 
     patches: tuple[Patch, ...]
-    normals_met: Array
     _decks: Decks
 
     @cached_property
@@ -233,7 +230,7 @@ class PatchSearch:
             bounds[patch.deck] = max(bounds[patch.deck], patch.bound)
         self._patches, top = patches, float(bounds.max())
         return PatchOptimum(
-            top <= self._enough, self._best, top, bounds, patches, self._normals, self._decks
+            top <= self._enough, self._best, top, bounds, self._normals, patches, self._decks
         )
 
     @property

@@ -2,17 +2,18 @@
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any, Protocol, Unpack, overload
 
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, SwarmGraspError, refuse
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement.answer import Placement, Placements, RunnerUp
 from swarmgrasp.placement.areas import Decks
-from swarmgrasp.placement.boxes import BoxOptimum, BoxSearch
+from swarmgrasp.placement.boxes import BoxSearch
 from swarmgrasp.placement.gaps import beside_gaps
 from swarmgrasp.placement.patches import Berth, PatchSearch, robot_in
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
-from swarmgrasp.placement.search import Best, Optimum, RayOptimum, Search, search_for
+from swarmgrasp.placement.search import Best, Optimum, Search, search_for
 from swarmgrasp.placement.sides import hills, parts_of
 from swarmgrasp.placement.spans import SpanSearch, Stand, robot_on
 from swarmgrasp.placement.tolerant import Found as Aimed
@@ -252,7 +253,7 @@ class _Placing:
         """Return the search of the problem."""
         if isinstance(self.pieces, Decks):
             return PatchSearch(self.problem, self.pieces)
-        if self.problem.newcomer.steers or self.problem.newcomer.friction:
+        if self.problem.newcomer.keeps:
             return SpanSearch(self.problem, self.problem.pieces())
         if self.problem.has_rays_only:
             return search_for(self.problem, self.pieces.rows)
@@ -394,7 +395,6 @@ class _Aiming(_Placing):
     def winner(self, found: Optimum[Any], name: str) -> tuple[RunnerUp, Weakest, float]:
         """Return the best robot, its quality, and what no robot exceeds."""
         search = self.search
-        assert isinstance(found, (RayOptimum, BoxOptimum))  # see check_newcomer
         search.work.left += search.left  # it is not asked again
         self.aiming = TolerantSearch(
             self.problem, self.problem.pieces(), found, search.zero, search.work
@@ -404,8 +404,7 @@ class _Aiming(_Placing):
 
     def aimed(self, best: Aimed, name: str) -> tuple[RunnerUp, Weakest]:
         """Turn a place into a robot in contact, with its quality."""
-        robot = self.robot(best.contact, best.direction, name)
-        place = self.pieces.each[best.piece].place
+        robot, place = replace(best.robot, name=name), self.pieces.each[best.piece].place
         return RunnerUp(robot, best.after.quality, place), best.after
 
     def best_on(self, chosen: list[int], name: str) -> tuple[RunnerUp, Weakest] | None:

@@ -17,6 +17,7 @@ from swarmgrasp.placement.areas import Areas, Decks, areas_of, decks_of
 from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
+from swarmgrasp.quality.robot_sets import turn_faults
 from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 from swarmgrasp.swarm.swarm import check_gaps, check_rays, swarm_faults
@@ -180,7 +181,7 @@ class Problem(Frozen, Plain):
     def has_rays_only(self) -> bool:
         """Whether all robots push along one ray each, the newcomer too, and fail one by one."""
         newcomer, swarm, criterion = self.newcomer, self.swarm, self.criterion
-        is_ray = not (newcomer.steers or newcomer.reverse_limit or newcomer.friction)
+        is_ray = not (newcomer.keeps or newcomer.reverse_limit)
         has_machines = bool(criterion.failures or (criterion.losing and swarm.rare.groups))
         return is_ray and swarm.has_rays_only and not has_machines
 
@@ -220,11 +221,15 @@ def check_several(problem: Problem, what: str) -> None:
 def check_newcomer(problem: Problem) -> None:
     """Raise `ForceSetUnsupported` for a newcomer whose place is not known how to find."""
     newcomer = problem.newcomer
-    if problem.is_tolerant and (newcomer.mounted or not newcomer.is_ray):
-        raise ForceSetUnsupported(
-            "where a newcomer ends up is known how to bound of one that pushes along one ray only, "
-            "from a place on the boundary: leave out its tolerance, or ask without the worst case"
-        )
+    if problem.is_tolerant and newcomer.tolerance is not None:
+        kinds = {
+            "friction": bool(newcomer.friction),
+            "steering both ways": newcomer.steers and newcomer.reverse_limit > 0.0,
+            "a place inside": newcomer.mounted,
+        }
+        faults = turn_faults(newcomer.name or "newcomer", newcomer.tolerance, kinds)
+        if faults:
+            raise ForceSetUnsupported(faults)
 
 
 def problem_faults(problem: object) -> list[str]:

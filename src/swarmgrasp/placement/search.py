@@ -58,12 +58,15 @@ class Optimum(Frozen, ABC, Generic[Found]):
         What no robot exceeds.
     bounds : (k,) [N]
         What no robot on each piece exceeds, of those looked at.
+    normals_met : (n, 3)
+        Unit normals that the search has met, or of them those that bound the pieces.
     """
 
     solved: bool
     best: Found
     upper_bound: float
     bounds: Array
+    normals_met: Array
 
     @property
     @abstractmethod
@@ -77,12 +80,6 @@ class RayOptimum(Optimum[Best]):
 
     _rows: bytes
     _shares: bytes
-    _normals: bytes
-
-    @property
-    def normals_met(self) -> Array:
-        """(m, 3): unit normals that the search has met."""
-        return np.frombuffer(self._normals).reshape(-1, 3)
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -176,11 +173,11 @@ class Search:
             wanted[list(chosen)] = True
             mask = wanted.tobytes()
         solved, best, bound, bounds, rows, shares = self._core.solve(gap, mask)
-        normals = self._core.normals()  # kept: joining robots change them
+        normals = np.frombuffer(self._core.normals()).reshape(-1, 3)  # they change as robots join
         unit = self._unit
         found = Best(best[0] / unit, *best[1:])
         each = np.frombuffer(bounds) / unit
-        return RayOptimum(solved, found, bound / unit, each, rows, shares, normals)
+        return RayOptimum(solved, found, bound / unit, each, normals, rows, shares)
 
     def break_tie(self, best: Best, target: float) -> Best:
         """Of the robots of at least the target quality [N], take the one that lifts the rest most.

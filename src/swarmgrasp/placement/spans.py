@@ -101,7 +101,9 @@ class SpanSearch(SetSearch[core.Spans]):
         self._spans, bounds = self._bounded(found, core.SPAN, BOUND)
         best = Stand(value / self._unit, piece, share)
         top = float(bounds.max())
-        return SpanOptimum(solved, best, top, bounds, self._spans, self._pieces)
+        terms = self._spans[:, TERMS:].reshape(-1, 4)
+        normals = np.unique(terms[terms[:, 3] > 0.0, :3], axis=0)
+        return SpanOptimum(solved, best, top, bounds, normals, self._spans, self._pieces)
 
     def quality_at(self, piece: int, share: float, enough: float = 0.0) -> float:
         """Return the quality [N] with the newcomer at a share of the way along a row.

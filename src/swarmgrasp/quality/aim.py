@@ -1,7 +1,6 @@
 """A swarm and a criterion in the kernels' terms."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +9,6 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import ProblemInvalid
 from swarmgrasp.kernels import core
 from swarmgrasp.quality.criterion import Criterion
-from swarmgrasp.quality.poses import Poses
 from swarmgrasp.quality.rays import Normal, Rays
 from swarmgrasp.quality.robot_sets import RobotSets
 from swarmgrasp.quality.task import Polytope
@@ -34,12 +32,16 @@ class Work:
 
     left: float
 
-    def quality(self, aim: "Aim", most: float = math.inf) -> Weakest:
-        """Compute a quality; 0 if that takes more than is left, or more than `most` units."""
+    def quality(self, aim: "Aim", most: float = math.inf, enough: float = 0.0) -> Weakest:
+        """Compute a quality; 0 if that takes more than is left, or more than `most` units.
+
+        Below `enough` any upper bound will do.
+        """
         units = min(self.left, most)
-        found, bound, left = aim.weakest_within(units)
+        found, bound, left = aim.weakest_within(units, enough)
         self.left -= units - left
-        return found if bound > 0.0 else found._replace(quality=0.0)
+        is_known = bound > 0.0 or found.quality < enough
+        return found if is_known else found._replace(quality=0.0)
 
 
 class Aim:
@@ -52,8 +54,6 @@ class Aim:
     ----------
     swarm : Swarm
     criterion : Criterion
-    more : sequence of Poses
-        Further robots of uncertain pose.
     as_sets : bool
         Take rays for sets, too.
 
@@ -64,16 +64,14 @@ class Aim:
     unit : float [N]
     """
 
-    def __init__(
-        self, swarm: Swarm, criterion: Criterion, more: Sequence[Poses] = (), as_sets: bool = False
-    ) -> None:
+    def __init__(self, swarm: Swarm, criterion: Criterion, as_sets: bool = False) -> None:
         self.swarm, self.criterion = swarm, criterion
         task = NO_TASK if criterion.task is None else criterion.task.generators * swarm.scale
         self.unit = 1.0 if criterion.task is None else float(np.linalg.norm(task, axis=1).max())
         x, y, z = (np.array(criterion.load) * swarm.scale).tolist()
         asked = (
             swarm, criterion.worst_case, criterion.losing, (x, y, z),
-            np.ascontiguousarray(task / self.unit), isinstance(criterion.task, Polytope), more,
+            np.ascontiguousarray(task / self.unit), isinstance(criterion.task, Polytope),
         )  # fmt: skip
         has_machines = bool(criterion.failures or (criterion.losing and swarm.rare.groups))
         self.robots: Rays | RobotSets
@@ -122,9 +120,17 @@ class Aim:
         """
         return self.weakest_within(None)[:2]
 
-    def weakest_within(self, units: float | None) -> tuple[Weakest, float, float]:
-        """Find the same with so many units of work, and how many are left; the bound may be 0."""
-        value, normal, bound, left = self.robots.least(units)
+    def weakest_within(
+        self, units: float | None, enough: float = 0.0
+    ) -> tuple[Weakest, float, float]:
+        """Find the same with so many units of work, and how many are left; the bound may be 0.
+
+        Of robots that are no rays less than `enough` will do, if it is not the least.
+        """
+        if isinstance(self.robots, RobotSets):
+            value, normal, bound, left = self.robots.least(units, enough * self.unit)
+        else:
+            value, normal, bound, left = self.robots.least(units)
         return Weakest(value / self.unit, normal), bound / self.unit, left
 
     def values(self, normals: Array) -> Array:
@@ -165,7 +171,7 @@ class Aim:
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the wrenches (n, 3) [N] of the robots at their best in their worst poses.
 
-        In the metric's coordinates; 0 for those that may be absent. Further robots come last.
+        In the metric's coordinates; 0 for those that may be absent.
         """
         return self.robots.worst_wrenches(normal)
 

@@ -1,7 +1,5 @@
 """Robots that push along one ray each, in the kernels' terms."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -31,8 +29,6 @@ class Rays:
     task : (m, 3)
         In the metric's coordinates, the longest row about 1; no rows: the unit ball.
     is_polytope : bool
-    more : sequence of Poses
-        Further robots of uncertain pose.
 
     Attributes
     ----------
@@ -49,9 +45,9 @@ class Rays:
 
     def __init__(
         self, swarm: Swarm, worst_case: bool, losing: int, load: Normal, task: Array,
-        is_polytope: bool, more: Sequence[Poses],
+        is_polytope: bool,
     ) -> None:  # fmt: skip
-        self._swarm, self._more, self._losing = swarm, tuple(more), losing
+        self._swarm, self._losing = swarm, losing
         self.spreads = poses_of(swarm) if worst_case else {}
         certain, known = np.ones(len(swarm), dtype=bool), np.array(swarm.scaled_generators)
         spread: list[Poses] = []
@@ -62,7 +58,7 @@ class Rays:
             elif found is not None:
                 spread.append(found)
         origin = swarm.outline.origin
-        rows = [row for u, s in enumerate([*spread, *more]) for row in s.rows(u, origin)]
+        rows = [row for u, s in enumerate(spread) for row in s.rows(u, origin)]
         self.known = np.ascontiguousarray(known[certain])
         self.gap = CERTIFIED if rows else EXACT
         x, y, z = swarm.scale.tolist()
@@ -70,7 +66,7 @@ class Rays:
         self.core = core.Criterion(
             self.known, (x, y, z), self.poses, losing, load, task, is_polytope
         )
-        limits = sum(s.limit for s in [*spread, *more])
+        limits = sum(s.limit for s in spread)
         self.size = float(np.linalg.norm(self.known, axis=1).sum()) + limits
 
     def least(self, units: float | None) -> tuple[float, Normal, float, float]:
@@ -101,12 +97,11 @@ class Rays:
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the generators (n, 3) of the robots in their worst poses along a normal.
 
-        In the metric's coordinates; 0 for those that may be absent. Further robots come last.
+        In the metric's coordinates; 0 for those that may be absent.
         """
-        found = np.concatenate([self._swarm.scaled_generators, np.zeros((len(self._more), 3))])
+        found = np.array(self._swarm.scaled_generators)
         covector, origin = np.asarray(normal) * self._swarm.scale, self._swarm.outline.origin
-        spreads = {**self.spreads, **dict(enumerate(self._more, start=len(self._swarm)))}
-        for i, spread in spreads.items():
+        for i, spread in self.spreads.items():
             found[i] = 0.0
             if spread is not None:
                 (x, y), direction = spread.worst(origin, covector)

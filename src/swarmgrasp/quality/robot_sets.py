@@ -13,7 +13,7 @@ from swarmgrasp.kernels import core
 from swarmgrasp.quality.heights import ON_FACET, largest
 from swarmgrasp.quality.poses import Poses, poses_of
 from swarmgrasp.ranges import shown
-from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.swarm import Robot, Swarm, Tolerance
 from swarmgrasp.swarm.force_set import force_sets_of
 
 Array = NDArray[np.float64]
@@ -41,10 +41,8 @@ class Certain(NamedTuple):
     """The robots that the last rows are the other ways of."""
 
 
-def certain_sets(
-    swarm: Swarm, spreads: Mapping[int, Poses | None], more: Sequence[Poses] = ()
-) -> Certain:
-    """Return what the robots of a swarm, and further rays of uncertain pose, can certainly do.
+def certain_sets(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> Certain:
+    """Return what the robots of a swarm can certainly do.
 
     A robot steers once its pose is drawn: what a sector has of whatever direction it is drawn in is
     left of it. If nothing is, it is a ray of uncertain direction (T14). One that reverses is two
@@ -57,7 +55,9 @@ def certain_sets(
     """
     _check(swarm, spreads)
     n, origin = len(swarm), swarm.outline.origin
-    rays, astern, parts = {n + k: poses for k, poses in enumerate(more)}, {}, []
+    rays: dict[int, Poses] = {}
+    astern: dict[int, Poses] = {}
+    parts: list[tuple[float, ...]] = []
     directions, steers, limits = (
         np.array(column) for column in (swarm.directions, swarm.steers, swarm.limits)
     )
@@ -84,17 +84,15 @@ def certain_sets(
     if spreads:
         changed = swarm.columns._replace(directions=directions, steers=steers, limits=limits)
         found = force_sets_of(changed, swarm.rare.envelopes, swarm.rare.hulls)
-    rays.update(enumerate(astern.values(), start=n + len(more)))
-    others = np.zeros(len(more) + len(astern))
-    first = int(swarm.machines.max(initial=-1)) + 1
-    machines = [swarm.machines, first + np.arange(len(more)), swarm.machines[list(astern)]]
+    rays.update(enumerate(astern.values(), start=n))
+    others = np.zeros(len(astern))
     counts = found.counts * is_plain
     rows = [row for i, poses in sorted(rays.items()) for row in poses.rows(i, origin)]
     return Certain(
         np.concatenate([swarm.contacts - origin, np.zeros((len(others), 2))]),
         np.ascontiguousarray(found.elements[np.repeat(is_plain, found.counts)]),
         np.concatenate([counts, others]),
-        np.concatenate(machines).astype(float),
+        np.concatenate([swarm.machines, swarm.machines[list(astern)]]).astype(float),
         np.array(parts, dtype=float).reshape(-1, 5),
         np.array(rows, dtype=float).reshape(-1, 12),
         tuple(astern),
@@ -135,7 +133,6 @@ def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
     faults = []
     for i in spreads:
         tolerance, name = swarm.tolerances[i], swarm.names[i]
-        is_turned = tolerance.turns != (0.0, 0.0)
         is_envelope = i in swarm.rare.envelopes
         kinds = {
             "friction": swarm.frictions[i] > 0.0,
@@ -144,12 +141,7 @@ def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
             "a least force": swarm.leasts[i] > 0.0,
             "steering both ways": swarm.reverse_limits[i] > 0.0 and swarm.steers[i] > 0.0,
         }
-        faults += [
-            f"{name}: the worst direction of what has {kind} is not known how to find; leave out "
-            "the tolerance of its direction, or ask without the worst case"
-            for kind, is_so in kinds.items()
-            if is_so and is_turned
-        ]
+        faults += turn_faults(name, tolerance, kinds)
         if is_envelope and tolerance.least_limit is not None:
             faults.append(f"{name}: an envelope says what it can exert; leave out its least limit")
         if swarm.leasts[i] > (tolerance.least_limit or math.inf):
@@ -161,12 +153,24 @@ def _check(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> None:
         raise RobotInvalid(faults)
 
 
+def turn_faults(name: str, tolerance: Tolerance, kinds: Mapping[str, bool]) -> list[str]:
+    """Return what is wrong with the tolerance of a robot's direction, of the kinds that it is."""
+    if tolerance.turns == (0.0, 0.0):
+        return []
+    return [
+        f"{name}: the worst direction of what has {kind} is not known how to find; leave out the "
+        "tolerance of its direction, or ask without the worst case"
+        for kind, is_so in kinds.items()
+        if is_so
+    ]
+
+
 class RobotSets:
     """The force sets of a swarm's robots, as they are or in all their poses.
 
     Parameters
     ----------
-    swarm, worst_case, losing, load, task, is_polytope, more
+    swarm, worst_case, losing, load, task, is_polytope
         As for `Rays`, but that `losing` counts machines.
     failures : sequence of sequence of str
         The worst of them happens, before any loss: each takes robots and groups, by name.
@@ -181,13 +185,11 @@ class RobotSets:
 
     def __init__(
         self, swarm: Swarm, worst_case: bool, losing: int, load: Normal, task: Array,
-        is_polytope: bool, more: Sequence[Poses], failures: Sequence[Sequence[str]] = (),
+        is_polytope: bool, failures: Sequence[Sequence[str]] = (),
     ) -> None:  # fmt: skip
-        self._swarm, self._losing, self._count = swarm, losing, len(swarm) + len(more)
+        self._swarm, self._losing, self._count = swarm, losing, len(swarm)
         self.spreads = poses_of(swarm) if worst_case else {}
-        arms, elements, counts, machines, parts, poses, astern = certain_sets(
-            swarm, self.spreads, more
-        )
+        arms, elements, counts, machines, parts, poses, astern = certain_sets(swarm, self.spreads)
         self.gap = UNSURE if len(parts) or len(poses) else CERTIFIED
         self._machines = machines.astype(int)
         self.failing = _failing(swarm, failures, len(machines), astern)
@@ -198,12 +200,13 @@ class RobotSets:
         )  # fmt: skip
         self.size = self.core.weight
 
-    def least(self, units: float | None) -> tuple[float, Normal, float, float]:
+    def least(self, units: float | None, enough: float = 0.0) -> tuple[float, Normal, float, float]:
         """Find the least H / D, a unit normal that attains it, and what no normal falls below.
 
-        Within so many units of work; the last number is how many are left.
+        Within so many units of work; the last number is how many are left. Less than `enough` will
+        do: the bound is then 0.
         """
-        budget = () if units is None else (units,)
+        budget = () if units is None else (units, enough)
         return self.core.least(self.gap, np.inf, *budget)
 
     def heights(self, normals: Array) -> bytes:
@@ -250,7 +253,7 @@ class RobotSets:
     def worst_wrenches(self, normal: Normal) -> Array:
         """Return the wrenches (n, 3) that are best along a normal, in the robots' worst poses.
 
-        In the metric's coordinates; 0 for those that may be absent. Further robots come last.
+        In the metric's coordinates; 0 for those that may be absent.
         """
         _, fx, fy, x, y = self._best(normal)[: self._count].T
         return np.column_stack([fx, fy, x * fy - y * fx]) * self._swarm.scale

@@ -41,8 +41,7 @@ def tolerance_of(
 ) -> Tolerance | None:
     """Return the tolerance of a robot or of the newcomer, in SI units: its own or the file's.
 
-    Of the file's, a mounted robot leaves out the contact, and the newcomer that it may be
-    absent.
+    Of the file's, what is mounted leaves out the contact, and the newcomer that it may be absent.
 
     Returns
     -------
@@ -59,8 +58,7 @@ def tolerance_of(
     if given is None:
         return None
     is_robot = isinstance(section, RobotSection)
-    is_mounted = isinstance(section, RobotSection) and section.mounted
-    first, last = (0.0, 0.0) if is_mounted else _ends(given.contact)
+    first, last = (0.0, 0.0) if section.mounted else _ends(given.contact)
     least = given.least_limit
     found = Tolerance(
         contact=(units.metres(first), units.metres(last)),
@@ -120,8 +118,7 @@ def _check_own(
     """Note what of its own tolerance does not go with a robot."""
     own = section.tolerance
     here: Path = (*path, "tolerance")
-    is_mounted = isinstance(section, RobotSection) and section.mounted
-    if is_mounted and checked.is_sound(*path, "mounted") and checked.has(*here, "contact"):
+    if section.mounted and checked.is_sound(*path, "mounted") and checked.has(*here, "contact"):
         said = "a mounted robot stays where it is; leave the contact out"
         checked.fault((*here, "contact"), said)
     least = None if own is None else own.least_limit

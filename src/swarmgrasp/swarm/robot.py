@@ -152,8 +152,7 @@ class Robot(Plain):
         faults += [fault.replace("name", "group", 1) for fault in name_faults(self.group)]
         if not is_flag(self.mounted):
             faults += flag_faults(self.mounted, "mounted")
-        elif self.mounted and isinstance(self.tolerance, Tolerance) and self.tolerance.is_adrift:
-            faults.append("a mounted robot stays where it is: its tolerance can have no contact")
+        faults += _adrift_faults(self.mounted, self.tolerance)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
         vars(self).update(
@@ -307,6 +306,7 @@ class Newcomer(Plain):
             faults.append("a finger with friction pushes: its attachment should be push")
         if self.mounted is True and self.attachment != "free":
             faults.append("a mounted newcomer touches no edge: its attachment should be free")
+        faults += _adrift_faults(self.mounted, self.tolerance)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
         vars(self).update(
@@ -319,6 +319,11 @@ class Newcomer(Plain):
             friction=float(self.friction) if self.friction else None,
             mounted=bool(self.mounted),
         )
+
+    @property
+    def keeps(self) -> bool:
+        """Whether it keeps all it can exert: only its contact is chosen."""
+        return bool(self.steers or self.friction)
 
     @property
     def is_ray(self) -> bool:
@@ -518,6 +523,13 @@ def _tolerance_faults(tolerance: object, limit: object) -> list[str]:
     least = tolerance.least_limit
     if least is not None and least > number(limit):
         return [f"the least limit is {least!r}; it should be <= {shown(limit)}, the limit [N]"]
+    return []
+
+
+def _adrift_faults(mounted: object, tolerance: object) -> list[str]:
+    """Return what is wrong with the contact of a tolerance of what is mounted."""
+    if isinstance(tolerance, Tolerance) and tolerance.is_adrift and is_flag(mounted) and mounted:
+        return ["a mounted robot stays where it is: its tolerance can have no contact"]
     return []
 
 

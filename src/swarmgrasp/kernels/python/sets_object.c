@@ -118,12 +118,12 @@ done:
 /* least(gap, below, units) -> (value, normal, bound, units left) */
 static PyObject *sets_least(PyObject *object, PyObject *args) {
     const Sets *sets = &((SetsObject *)object)->sets;
-    double gap, below, units = -1.0, value, bound, n[3];
-    if (!PyArg_ParseTuple(args, "dd|d:least", &gap, &below, &units))
+    double gap, below, units = -1.0, enough = 0.0, value, bound, n[3];
+    if (!PyArg_ParseTuple(args, "dd|dd:least", &gap, &below, &units, &enough))
         return NULL;
     Work work = work_of(units < 0.0 ? WORK + SETS_PER_ROBOT * sets->count : units, interrupted);
     leave(1);
-    Status status = sets_search(sets, NULL, gap, below, 0.0, NULL, 0, &work, &value, &bound, n);
+    Status status = sets_search(sets, NULL, gap, below, enough, NULL, 0, &work, &value, &bound, n);
     come_back();
     if (is_raised(status))
         return NULL;

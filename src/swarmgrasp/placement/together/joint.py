@@ -177,6 +177,6 @@ def _parts_of(problem: Problem, budget: Budget) -> tuple[Ground, Gauge, Polish, 
         return ground, gauge, Polish(gauge, budget), Gathering(gauge, budget)
     places = SetGround(problem)
     worth = SetGauge(places)
-    if problem.newcomer.steers or problem.newcomer.friction:
+    if problem.newcomer.keeps:
         return places, worth, KeptPolish(worth, budget), None
     return places, worth, SetPolish(worth, budget), Gathering(worth, budget)

@@ -79,17 +79,17 @@ class SetGround(Ground):
         """Return the newcomers in contact."""
         newcomer = self.problem.newcomer
         return tuple(
-            self.robot(point, newcomer.limit, name)
+            replace(self.robot(point, newcomer.limit, name), tolerance=newcomer.tolerance)
             for point, name in zip(self.points_of(stands), names, strict=True)
         )
 
     def robot(self, point: Array, limit: float, name: str = "") -> Robot:
-        """Return a newcomer at a point (6,), so strong ahead [N]."""
+        """Return a newcomer at a point (6,), so strong ahead [N], that is sure to be there."""
         x, y, c, s, half, size = point.tolist()
         newcomer = self.problem.newcomer
         contact = tuple((np.array([x, y]) + self.outline.origin).tolist())
         return Robot(
-            contact, math.atan2(s, c), size * limit, name, False, newcomer.tolerance,
+            contact, math.atan2(s, c), size * limit, name, False, None,
             size * newcomer.reverse_limit, half, newcomer.friction,
         )  # fmt: skip
 
@@ -157,7 +157,7 @@ class SetGauge(Gauge):
         swarm, limit = self.swarm, self.ground.problem.certain_limit
         for point, count in zip(points, mass, strict=True):
             more = np.append(point[:5], point[5] * count)
-            swarm = swarm.with_robot(replace(self.ground.robot(more, limit), tolerance=None))
+            swarm = swarm.with_robot(self.ground.robot(more, limit))
         self._note(Aim(swarm, self.criterion).weakest()[0])
         return self.met
 
