@@ -1,6 +1,7 @@
 """How an object moves in wind and water, against closed forms, published models and symmetries."""
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -353,6 +354,17 @@ def test_attached_robots_are_moved_too():
     loaded = hull.with_robots([2e5], [np.array([-40.0, 5.0]) - BARGE.origin])
     np.testing.assert_allclose(plant.matrix, loaded.matrix, rtol=1e-15)
     assert plant.hull == hull
+
+
+def test_plants_are_equal_by_value_and_travel():
+    """To other processes and back, and then move to the same bytes."""
+    plant, states, orders, streams, loads = random_run(8, 2)
+    other = pickle.loads(pickle.dumps(plant))
+    assert other == plant
+    assert hash(other) == hash(plant)
+    assert other != Plant(plant.swarm, plant.hull, plant.environment)
+    found = other.advance(states, orders, streams, loads, 0.1, 10)
+    assert found.tobytes() == plant.advance(states, orders, streams, loads, 0.1, 10).tobytes()
 
 
 def test_every_fault_is_told_at_once():

@@ -56,7 +56,7 @@ def following_of(swarm: Swarm) -> NDArray[np.intp]:
     found = np.where(one_way, np.where(swarm.steers < math.pi, SECTOR, AROUND), FREE)
     found[swarm.is_line] = FIXED
     found[list(swarm.rare.envelopes)] = FREE
-    found[list(swarm.rare.gaps)] = AROUND
+    found[[*swarm.rare.gaps, *swarm.rare.hulls]] = AROUND
     return found.astype(np.intp)
 
 

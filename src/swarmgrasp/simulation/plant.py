@@ -109,7 +109,7 @@ class Plant(Frozen):
                 faults.append(f"the {called}s are {shown(given)}; they should be by robots' names")
             elif not swarm:
                 faults += [
-                    f"there is no robot called {shown(name)}, which has an {called} of its own"
+                    f"there is no robot called {shown(name)} to have this {called}"
                     f"{nearest_name(str(name), [*self.swarm.names][:1000])}"
                     for name in given
                     if name not in self.swarm
@@ -347,7 +347,8 @@ def _rows(
     except (TypeError, ValueError):
         faults.append(f"the {called} are {shown(values)}; they should be numbers")
         return np.zeros(tuple(size or 0 for size in shape))
-    if found.ndim != len(shape) or found.shape[shape[0] is None :] != shape[shape[0] is None :]:
+    first = 1 if shape[0] is None else 0
+    if found.ndim != len(shape) or found.shape[first:] != shape[first:]:
         wanted = ", ".join("runs" if size is None else str(size) for size in shape)
         faults.append(f"the {called} have shape {found.shape}; it should be ({wanted})")
         return np.zeros(tuple(size or 0 for size in shape))
