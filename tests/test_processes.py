@@ -16,10 +16,35 @@ import multiprocessing, signal
 from swarmgrasp.processes import Pool
 if __name__ == "__main__":
     pool = Pool(2)
-    futures = [pool.executor.submit(signal.pause) for _ in range(2)]
+    futures = [pool.submit(signal.pause) for _ in range(2)]
     print(*(child.pid for child in multiprocessing.active_children()), flush=True)
     signal.pause()
 """
+
+INTERRUPTED = """
+import os, signal
+from swarmgrasp.processes import Pool
+if __name__ == "__main__":
+    pool = Pool(1)
+    future = pool.submit(abs, -3)
+    try:
+        os.killpg(0, signal.SIGINT)
+        signal.pause()
+    except KeyboardInterrupt:
+        print(future.result())
+    pool.close()
+"""
+
+
+def test_ctrl_c_is_not_heard_by_a_worker_that_is_just_starting(tmp_path):
+    """A terminal sends it to all processes; this one decides what becomes of the work."""
+    script = tmp_path / "interrupted.py"
+    script.write_text(INTERRUPTED)
+    done = subprocess.run(
+        [sys.executable, script], capture_output=True, text=True, check=True,
+        start_new_session=True,
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("3\n", "")
 
 
 @needs_proc
@@ -37,8 +62,8 @@ def test_no_worker_outlives_a_parent_that_is_killed(tmp_path):
 def test_a_pool_that_is_closed_ends_what_it_is_at():
     """Without waiting for it, and calls what is lost broken."""
     pool = Pool(1)
-    assert pool.executor.submit(abs, -3).result() == 3
-    endless = pool.executor.submit(signal.pause)
+    assert pool.submit(abs, -3).result() == 3
+    endless = pool.submit(signal.pause)
     while not endless.running():
         os.sched_yield()
     pool.close()
@@ -52,9 +77,10 @@ def test_workers_use_one_thread_and_leave_ctrl_c_alone(monkeypatch):
     monkeypatch.delenv(THREADS[1], raising=False)
     with one_thread_each():
         pool = Pool(1)
-        told = [pool.executor.submit(os.getenv, name).result() for name in THREADS]
-        handler = pool.executor.submit(signal.getsignal, signal.SIGINT).result()
+        told = [pool.submit(os.getenv, name).result() for name in THREADS]
+        held_back = pool.submit(signal.pthread_sigmask, signal.SIG_BLOCK, set()).result()
         pool.close()
     assert told == ["1", "1", "1"]
-    assert handler == signal.SIG_IGN
+    assert signal.SIGINT in held_back
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, set())
     assert (os.environ[THREADS[0]], os.environ.get(THREADS[1])) == ("7", None)

@@ -42,11 +42,11 @@ class Inline(Executor):
         return future
 
 
-class InlinePool:
+class InlinePool(Inline):
     """A pool of no processes."""
 
     def __init__(self, _):
-        self.executor = Inline()
+        super().__init__()
 
     def close(self):
         """End nothing."""

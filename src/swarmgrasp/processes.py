@@ -2,13 +2,16 @@
 
 import os
 import signal
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection, wait
 from threading import Thread
+from typing import Any, ParamSpec, TypeVar
 
+Given = ParamSpec("Given")
+Found = TypeVar("Found")
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 """What tells NumPy how many threads a matrix product may use."""
 
@@ -18,12 +21,12 @@ def cores() -> int:
     return os.cpu_count() or 1
 
 
-class Pool:
+class Pool(ProcessPoolExecutor):
     """Processes that run functions of modules, each with arguments that can be pickled.
 
-    They are started anew, without the state of this one; a matrix product uses one thread, for
-    small ones are slower on several. They leave Ctrl-C to this process, and end when it does, even
-    if it is killed, and when the pool is closed, whatever they are at.
+    They are started anew, without the state of this one. They do not hear Ctrl-C, which is this
+    one's, and end when it does, even if it is killed, and when the pool is closed, whatever they
+    are at.
 
     Parameters
     ----------
@@ -34,12 +37,25 @@ class Pool:
     def __init__(self, count: int) -> None:
         context = get_context("spawn")
         theirs, self._held = context.Pipe(duplex=False)
-        self.executor = ProcessPoolExecutor(count, context, _serve, (theirs,))
+        super().__init__(count, context, _end_with_parent, (theirs,))
+
+    def submit(
+        self, work: Callable[Given, Found], /, *args: Given.args, **kwargs: Given.kwargs
+    ) -> Future[Found]:
+        """Hand out work; a process that is started for it does not hear Ctrl-C, not even at first.
+
+        It inherits which signals are held back. Here Ctrl-C is only late.
+        """
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            return super().submit(work, *args, **kwargs)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
     def close(self) -> None:
         """End the processes; what they have not finished is lost."""
         self._held.close()
-        self.executor.shutdown(cancel_futures=True)
+        self.shutdown(cancel_futures=True)
 
 
 @contextmanager
@@ -57,14 +73,14 @@ def one_thread_each() -> Iterator[None]:
                 os.environ[name] = value
 
 
-def _serve(held: "Connection[None, None]") -> None:
-    """Get a process ready to work for its parent."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    Thread(target=_end_with_parent, args=(held,), daemon=True).start()
-
-
 def _end_with_parent(held: "Connection[None, None]") -> None:
-    """End this process when its parent does, or lets go of what it holds the other end of."""
+    """Let this process end when its parent does, or lets go of what it holds the other end of."""
     parent = parent_process()
-    wait([held] if parent is None else [held, parent.sentinel])
-    os._exit(1)
+    watched: list[Any] = [held] if parent is None else [held, parent.sentinel]
+
+    def watch() -> None:
+        """Wait for that, and end at once."""
+        wait(watched)
+        os._exit(1)
+
+    Thread(target=watch, daemon=True).start()

@@ -70,6 +70,6 @@ def workers() -> Iterator[Executor]:
     with one_thread_each():
         pool = Pool(min(cores(), MOST_WORKERS))
         try:
-            yield pool.executor
+            yield pool
         finally:
             pool.close()

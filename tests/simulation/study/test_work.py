@@ -106,15 +106,11 @@ def test_a_shard_that_ends_its_process_again_and_again_is_told(plan_of, tmp_path
             broke.extend([1] * (is_deadly and not self.broken))
             return super().submit(work, *arguments)
 
-    class Falling:
-        def __init__(self, _):
-            self.executor = Once(7)
-
         def close(self):
             pass
 
     broke = []
-    monkeypatch.setattr(work, "Pool", Falling)
+    monkeypatch.setattr(work, "Pool", lambda _: Once(7))
     plan = plan_of(100, 10)
     with pytest.raises(StudyStopped) as caught:
         run_plan(tmp_path / "a", plan, workers=3)

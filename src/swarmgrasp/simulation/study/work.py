@@ -52,7 +52,7 @@ class _Own:
     @property
     def executor(self) -> Executor:
         """Where shards go."""
-        return self._pool.executor
+        return self._pool
 
     def renew(self, broken: BrokenExecutor) -> None:  # noqa: ARG002
         """Begin with new processes."""
