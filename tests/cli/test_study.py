@@ -74,6 +74,27 @@ def test_an_interrupt_says_how_to_go_on(run, pontoon, tmp_path, monkeypatch):
     assert (status, "Runs  100\n" in said) == (0, True)
 
 
+SIMULATION = """
+environment:
+  wind: {vessel: tender, frontal_area: 1, lateral_area: 2, speed: 3, from: 20}
+  current: {frontal_area: 1, lateral_area: 2}
+simulation: {duration: 5, hull: {draught: 0.5}, weather: {gusts: npd}}
+"""
+
+
+@pytest.mark.parametrize("kind", ["gusts", "story"])
+def test_studies_of_simulations(run, pontoon, tmp_path, kind):
+    """Of the file's own; told and drawn."""
+    pontoon.write_text(pontoon.read_text() + SIMULATION)
+    picture = tmp_path / "a.png"
+    asked = ("study", pontoon, tmp_path / "a", "--of", kind, "--runs", "3", "--plot", picture)
+    status, said, told = run(*asked)
+    assert (status, told) == (0, "3 of 3 runs" + told.removeprefix("3 of 3 runs"))
+    assert said.startswith("Pontoon: ")
+    assert "Fault" not in said
+    assert picture.stat().st_size > 0
+
+
 @pytest.mark.parametrize(
     ("options", "faults"),
     [
@@ -81,7 +102,10 @@ def test_an_interrupt_says_how_to_go_on(run, pontoon, tmp_path, monkeypatch):
          ["--runs is 1x", "--workers is 0", "--robots is a"]),
         (["--runs", "9", "--of", "sums"], ["--of is sums; it should be sizes or losses or tog"]),
         (["--of", "losses"], ["--runs is missing; say how many, such as --runs 10000"]),
-        (["--runs", "9", "--newcomers", "3"], ["--newcomers goes with --of together"]),
+        (["--runs", "9", "--newcomers", "3"], ["--newcomers is not for --of sizes"]),
+        (["--runs", "9", "--of", "story", "--robots", "3", "--newcomers", "3"],
+         ["--robots is not for --of story", "--newcomers is not for --of story"]),
+        (["--runs", "9", "--of", "gusts"], ["simulation: is missing; say what is to be simulated"]),
         (["--runs", "9", "--robots", "9:4"], ["the robots are from 9 to 4"]),
         (["--runs", "9", "--workers", "2", "--dask", "tcp://h:1"], ["--workers and --dask excl"]),
         (["--report", "--seed", "2", "--workers", "1"], ["--report runs nothing", "--seed: the"]),

@@ -4,8 +4,9 @@ import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
+from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
@@ -67,9 +68,10 @@ def study(
     folder
         Where the runs go, created if need be.
     of
-        What is asked: sizes (quality against the number of robots, the default), losses (what the
-        loss of one robot leaves), or together (newcomers placed together against one after the
-        other).
+        What is asked. Of random robots that are like the newcomer: sizes (quality against their
+        number, the default), losses (what the loss of one leaves), together (newcomers placed
+        together against one after the other), gusts (whether they hold in weather from anywhere,
+        against their margin). Or story: the file's own simulation, with other gusts in each run.
     runs
         How many.
     robots
@@ -148,25 +150,42 @@ def _plan(
     return folder, plan
 
 
-def _study(
-    kind: "Callable[..., Study]", scenario: "Scenario", given: dict[str, str | None]
-) -> "Study":
-    """Return the study that is asked for of a scenario."""
-    from swarmgrasp.simulation.study import PlacedTogether
+def _study(kind: "type[Study]", scenario: "Scenario", given: dict[str, str | None]) -> "Study":
+    """Return the study that is asked for of a scenario.
 
-    numbers = {}
+    Raises
+    ------
+    UsageFault
+        If an option is not for it.
+    SwarmGraspError
+        If the scenario does not say what it needs.
+    """
+    taken = {part.name for part in fields(kind)}  # type: ignore[arg-type]
+    faults = [
+        f"{option} is not for --of {kind.kind}"
+        for option, part in (("--robots", "fewest"), ("--newcomers", "newcomers"))
+        if given[option[2:]] and part not in taken
+    ]
+    if faults:
+        raise UsageFault(faults)
+    of: dict[str, Any] = {}
     if given["robots"]:
-        numbers["fewest"], numbers["most"] = _robots(given["robots"])
+        of["fewest"], of["most"] = _robots(given["robots"])
     if given["newcomers"]:
-        if kind is not PlacedTogether:
-            raise UsageFault("--newcomers goes with --of together")
-        numbers["newcomers"] = int(given["newcomers"])
-    if scenario.newcomer is None:
-        raise SwarmGraspError(
+        of["newcomers"] = int(given["newcomers"])
+    if scenario.newcomer is None and "fewest" in taken:
+        faults.append(
             "newcomer: is missing; say what the random robots are like, such as `newcomer: "
             "{limit: 60, attachment: push, half_angle: 30}`"
         )
-    return kind(problem=scenario.problem(), **numbers)
+    if scenario.simulation is None and "simulation" in taken:
+        faults.append("simulation: is missing; say what is to be simulated, such as `simulation: "
+                      "{hull: {draught: 2.4}, weather: {gusts: npd}}`")  # fmt: skip
+    if faults:
+        raise SwarmGraspError(faults)
+    subject = scenario.simulation if "simulation" in taken else scenario.problem()
+    making: Callable[..., Study] = kind
+    return making(subject, **of)
 
 
 def _run(folder: Path, plan: "Plan", workers: str | None, dask: str | None) -> None:

@@ -1,11 +1,12 @@
 """What studies find."""
 
+import math
 from collections.abc import Callable
 from typing import Any, Final
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, PercentFormatter
+from matplotlib.ticker import AutoLocator, MaxNLocator, PercentFormatter
 
 from swarmgrasp.plot import style
 from swarmgrasp.simulation.study import Findings, Gathered
@@ -99,9 +100,42 @@ def _draw_together(axes: Any, findings: Findings) -> None:
     right.yaxis.set_major_formatter(PercentFormatter(1.0))
 
 
+def _draw_gusts(axes: Any, findings: Findings) -> None:
+    """Draw how many runs hold, and how far the object goes, by their margin over the spread."""
+    left, right = axes
+    ends = [f"{row[1]:g}" if math.isfinite(row[1]) else "" for row in findings.rows]
+    places = [index + 0.5 for index in range(len(ends))]
+    look: dict[str, Any] = {"width": 0.86, "color": style.BLUE}
+    left.bar(places, _column(findings, 3), **look)
+    _shares(left, "held")
+    right.bar(places, _column(findings, 5), label="90 % of runs", **look | {"color": style.SKY})
+    right.bar(places, _column(findings, 4), label="median", **look)
+    right.set(yscale="log", ylabel="largest error [m]")
+    right.legend(loc="upper right")
+    for ax in axes:
+        ax.set_xticks([index + 1.0 for index in range(len(ends))], ends)
+        ax.set(xlabel="margin over the gusts' spread", xlim=(0.0, len(ends)))
+        ax.grid(False, axis="x")
+
+
+def _draw_story(axes: Any, findings: Findings) -> None:
+    """Draw within what how many runs stay."""
+    parts = _column(findings, 0)
+    turns = [math.degrees(turn) for turn in _column(findings, 2)]
+    for ax, values, label in zip(
+        axes, (_column(findings, 1), turns), ("position [m]", "heading [°]"), strict=True
+    ):
+        ax.plot(values, parts, color=style.BLUE, **LINE)
+        ax.set(xlabel=f"largest error of {label}", xlim=(0.0, None))
+        ax.xaxis.set_major_locator(AutoLocator())
+        _shares(ax, "of runs within")
+
+
 KINDS: Final[dict[str, tuple[Callable[[Any, Findings], None], int]]] = {
     "sizes": (_draw_sizes, 2),
     "losses": (_draw_losses, 2),
     "together": (_draw_together, 2),
+    "gusts": (_draw_gusts, 2),
+    "story": (_draw_story, 2),
 }
 """How each kind of study is drawn, and in how many panels."""

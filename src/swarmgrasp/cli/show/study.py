@@ -63,8 +63,10 @@ def _cell(value: float, unit: str, force: Unit, decimals: int) -> str:
     Examples
     --------
     >>> kilo = Unit.for_size(2000.0)
-    >>> [_cell(*cell, kilo, 2) for cell in ((0.1234, "%"), (1500.0, "N"), (7, ""), (1.25, ""))]
-    ['12.3', '1.50', '7', '1.25']
+    >>> [_cell(*cell, kilo, 2) for cell in ((0.1234, "%"), (1500.0, "N"), (7, ""))]
+    ['12.3', '1.50', '7']
+    >>> _cell(math.pi, "deg", kilo, 2)
+    '180.00'
     >>> _cell(math.nan, "%", kilo, 2)
     '-'
     """
@@ -72,6 +74,8 @@ def _cell(value: float, unit: str, force: Unit, decimals: int) -> str:
         return "-"
     if unit == "%":
         return f"{100.0 * value:.1f}"
+    if unit == "deg":
+        return f"{math.degrees(value):.2f}"
     if unit == "N":
         return f"{value / force.newtons:.{decimals}f}"
     return str(value) if isinstance(value, int) else f"{value:.2f}"

@@ -40,7 +40,8 @@ class Heading(NamedTuple):
     ----------
     words : str
     unit : str
-        "" for what has none; a share is shown in percent, if it is "%".
+        "" for what has none. Values are in SI: if it is "%", shares are shown in percent; if it is
+        "deg", radians in degrees.
     """
 
     words: str
