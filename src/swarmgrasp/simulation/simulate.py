@@ -10,6 +10,7 @@ from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.ranges import call_faults, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.allotting import Allotment
 from swarmgrasp.simulation.crew import Crew, state_of, vectors_of
+from swarmgrasp.simulation.frames import Headings
 from swarmgrasp.simulation.keeping import MOST_NUMBERS, Keeper, numbers_kept
 from swarmgrasp.simulation.motion import BODY
 from swarmgrasp.simulation.reference import Reference
@@ -134,20 +135,20 @@ class Course:
         steady = np.broadcast_to(self._streams.steady(0.0), (runs, 4))
         state = resting(plant, steady, 0.0)
         loads = plant.load(state, steady)
-        self._settle(np.zeros((runs, len(plant), 2)))
-        vectors = self._allotment.share_out(-loads).vectors
-        self._settle(vectors)
+        self._settle()
+        idle = Allotment(plant, np.zeros((runs, len(plant), 2)), self._settings.period)
+        vectors = idle.share_out(-loads).vectors
+        self._allotment = Allotment(plant, vectors, self._settings.period)
         orders = plant.orders(vectors)
         state[:, BODY : BODY + len(plant)] = orders[..., 0]
         state[:, BODY + len(plant) :] = orders[..., 1]
-        self._state = state
+        self._state, self._water = state, steady[:, 2:]
         rests = loads - plant.wind(state, steady)
         self._controller.begin(self._known(), self._settings, state[:, :3].copy(), rests)
 
-    def _settle(self, vectors: Array) -> None:
-        """Take note of who is there now, and what those believed to be exert (runs, n, 2) [N]."""
+    def _settle(self) -> None:
+        """Take note of who is there now, and who is believed to be."""
         self._there, self._believed = self._crew.there, self._crew.believed
-        self._allotment = Allotment(self._believed, vectors, self._settings.period)
         believed = {name: i for i, name in enumerate(self._believed.swarm.names)}
         there = list(self._there.swarm.names)
         self._asked = np.array([believed[name] for name in there], dtype=np.intp)
@@ -187,22 +188,34 @@ class Course:
         free = self._number(due) - number if due < self._simulation.duration else BLOCK
         count = min(BLOCK, free, self._last - number)
         streams, noise = self._streams.block(number, count), self._noise.block(count)
+        self._keep_way(streams[0])
         for k in range(count):
             self._instant(number + k, streams[k], noise[k])
             self._move(number + k, streams[k])
         return number + count
+
+    def _keep_way(self, stream: Array) -> None:
+        """Keep the objects' velocities over the ground where the water's have changed at once."""
+        change = np.zeros((len(stream), 3))
+        change[:, :2] = self._water - stream[:, 2:]
+        if change.any():
+            self._state[:, 3:BODY] += Headings(self._state[:, 2]).to_object(change)
+            self._water = stream[:, 2:]
 
     def _happen(self, number: int) -> None:
         """Let events happen at an instant."""
         there, believed = self._there, self._believed
         period = self._settings.period
         self._schedule.pass_to(number * period, (number + SAME) * period)
-        if there is self._crew.there and believed is self._crew.believed:
-            return
-        self._state = state_of(there.swarm, self._crew.there, self._state)
-        old, new = believed.swarm, self._crew.believed.swarm
-        self._settle(vectors_of(old, new, self._allotment.vectors))
-        self._controller.change(self._known())
+        if there is not self._crew.there:
+            self._state = state_of(there.swarm, self._crew.there, self._state)
+        if believed is not self._crew.believed:
+            new = self._crew.believed
+            vectors = vectors_of(believed.swarm, new.swarm, self._allotment.vectors)
+            self._allotment = Allotment(new, vectors, period)
+        self._settle()
+        if believed is not self._believed:
+            self._controller.change(self._known())
 
     def _instant(self, number: int, stream: Array, noise: Array) -> None:
         """Look at the objects, and decide."""
