@@ -102,6 +102,21 @@ def centroid(corners: NDArray[np.float64]) -> NDArray[np.float64]:
     return centroid
 
 
+def triangles_of(corners: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Cut a simple polygon into triangles (k - 2, 3, 2) whose corners are its own.
+
+    Examples
+    --------
+    >>> square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    >>> [abs(signed_area(triangle)) for triangle in triangles_of(square)]
+    [0.5, 0.5]
+    """
+    from shapely import Polygon, constrained_delaunay_triangles, get_coordinates
+
+    found = constrained_delaunay_triangles(Polygon(corners))
+    return np.array([get_coordinates(part)[:3] for part in found.geoms])
+
+
 def as_point(value: ArrayLike) -> NDArray[np.float64]:
     """Return a point as a fresh array (2,); nan where it is none."""
     point = array_of(value)

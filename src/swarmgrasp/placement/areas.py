@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline
+from swarmgrasp.outline.polygon import triangles_of
 from swarmgrasp.placement.pieces import Interval, rows_of, zone_labels
 from swarmgrasp.swarm import Zone
 from swarmgrasp.swarm.sectors import SAME_ANGLE
@@ -137,10 +138,7 @@ def _parts(corners: Array, outline: Outline) -> tuple[Array, ...]:
     """Cut an area into triangles, of moment arms; a line and a spot are as they are."""
     if len(corners) <= 3:
         return (corners - outline.origin,)
-    from shapely import Polygon, constrained_delaunay_triangles, get_coordinates
-
-    found = constrained_delaunay_triangles(Polygon(corners))
-    return tuple(get_coordinates(part)[:3] - outline.origin for part in found.geoms)
+    return tuple(triangles_of(corners) - outline.origin)
 
 
 def areas_of(outline: Outline, zones: Sequence[Zone] | None) -> Areas:

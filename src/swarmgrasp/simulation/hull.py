@@ -180,6 +180,34 @@ class Hull(Plain):
         added = (surge, sway, sway * length**2 / 12.0)
         return cls(weight, _pair(centre), weight * spread, added, _pair(midship))
 
+    @classmethod
+    def ashore(cls, outline: Outline, mass: float) -> Self:
+        """Make the hull of an object that no water touches, such as a pallet on a floor.
+
+        Its mass is spread evenly over the outline, and nothing moves along.
+
+        Parameters
+        ----------
+        outline : Outline
+        mass : float [kg]
+
+        Raises
+        ------
+        OutlineInvalid, SimulationInvalid
+            If one is none; all faults at once.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> round(Hull.ashore(square, 30.0).inertia, 9)
+        20.0
+        """
+        wrong = [f"hull: {fault}" for fault in MASS.faults("mass", mass)]
+        shape = kind_faults(outline, Outline, "Outline(vertices)")
+        refuse((OutlineInvalid, shape), (SimulationInvalid, wrong))
+        centre, spread = _spread(outline.vertices - outline.origin)
+        return cls(float(mass), _pair(centre), float(mass) * spread, (0.0, 0.0, 0.0))
+
     def with_robots(self, masses: ArrayLike, contacts: ArrayLike) -> "Hull":
         """Return the hull with robots rigidly attached, each as a mass at a point.
 

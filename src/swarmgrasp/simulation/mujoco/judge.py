@@ -1,0 +1,136 @@
+"""Whether MuJoCo holds what the quality says is held, and no more."""
+
+from dataclasses import dataclass
+from importlib.metadata import version
+
+import numpy as np
+
+from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.forces import forces
+from swarmgrasp.frozen import Frozen
+from swarmgrasp.quality import Quality
+from swarmgrasp.ranges import kind_faults
+from swarmgrasp.simulation.hull import Hull
+from swarmgrasp.simulation.mujoco.world import World
+
+FACTORS = (0.99, 1.0, 1.01)
+"""Sizes of disturbances, relative to the quality."""
+DURATION = 60.0
+"""Of a trial [s]."""
+STEP = 0.1
+"""Of MuJoCo [s]; forces are constant, which any step integrates exactly."""
+STILL = 1e-7
+"""Way that counts as none, relative to that on which a force of the quality pushes the object.
+
+The quality of robots that steer is certified to 1e-9, and an object that has turned turns more.
+"""
+
+
+@dataclass(frozen=True, eq=False)
+class Trial(Frozen):
+    """What came of one disturbance.
+
+    Attributes
+    ----------
+    factor : float
+        Its size, relative to the quality.
+    net : float [N]
+        The wrench that was left of disturbance and robots at the start, in the metric.
+    distance : float [m]
+        Of the outline's origin from where it was, at the end.
+    turn : float [rad]
+        By which the object had turned.
+    is_held : bool
+    """
+
+    factor: float
+    net: float
+    distance: float
+    turn: float
+    is_held: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Judgement(Frozen):
+    """What MuJoCo says of a quality; true if the same.
+
+    Attributes
+    ----------
+    quality : Quality
+    hull : Hull
+    trials : tuple of Trial
+        By rising factors.
+    version : str
+        Of MuJoCo.
+    """
+
+    quality: Quality
+    hull: Hull
+    trials: tuple[Trial, ...]
+    version: str
+
+    def __bool__(self) -> bool:
+        """Tell whether what is held is what the quality says."""
+        return all(trial.is_held == (trial.factor <= 1.0) for trial in self.trials)
+
+
+def judge(quality: Quality, hull: Hull) -> Judgement:
+    """Let MuJoCo say whether a quality is right.
+
+    Against the swarm as it is in the worst case comes a disturbance along the weakest wrench, for
+    60 s; the robots answer it with the forces of `forces`, which stay. Up to the quality the
+    object should stay where it is, and beyond it move off.
+
+    Parameters
+    ----------
+    quality : Quality
+        As `quality` finds it by any criterion.
+    hull : Hull
+
+    Raises
+    ------
+    PackageMissing
+        Without MuJoCo.
+    SimulationInvalid
+        If a value is none of these, or the quality is 0: nothing is held in some direction.
+
+    Examples
+    --------
+    >>> import math
+    >>> from swarmgrasp import Outline, Robot, Swarm
+    >>> from swarmgrasp import quality as quality_of
+    >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    >>> crowd = [Robot((x, y), math.atan2(-y, -x) + turn) for x, y, turn in (
+    ...     (1, 0, 0.5), (1, 0, -0.5), (0, 1, 0.5), (0, 1, -0.5), (-1, -1, 0.5), (-1, -1, -0.5))]
+    >>> found = judge(quality_of(Swarm(square, crowd)), Hull.ashore(square, 30.0))
+    >>> bool(found), [trial.is_held for trial in found.trials]
+    (True, [True, True, False])
+    """
+    faults = kind_faults(quality, Quality, "quality(swarm)")
+    faults += kind_faults(hull, Hull, "Hull.ashore(outline, mass)")
+    if not faults and quality.value <= quality.noise:
+        faults.append(
+            "the quality is 0, so there is a direction in which nothing is held, and nothing to "
+            "judge; add robots until they have force closure"
+        )
+    if faults:
+        raise SimulationInvalid(faults)
+    trials = tuple(_tried(quality, hull, factor) for factor in FACTORS)
+    return Judgement(quality, hull, trials, version("mujoco"))
+
+
+def _tried(quality: Quality, hull: Hull, factor: float) -> Trial:
+    """Return what comes of one disturbance."""
+    swarm, load = quality.worst_swarm, np.array(quality.criterion.load)
+    wanted = factor * quality.weakest_wrench
+    answer = forces(swarm, wanted, load=load)
+    world = World(swarm, hull, step=STEP)
+    acting = load - wanted
+    world.order(answer.vectors, acting)
+    net = float(np.linalg.norm(world.net * swarm.scale))
+    x, y, turn = world.advance(answer.vectors, acting, steps=round(DURATION / STEP)).tolist()
+    distance = float(np.hypot(x, y))
+    push = float(np.linalg.norm(quality.weakest_wrench * swarm.scale))
+    way = 0.5 * push / hull.mass * DURATION**2
+    is_held = max(distance, abs(turn) * swarm.characteristic_length) <= STILL * way
+    return Trial(factor, net, distance, abs(turn), is_held)
