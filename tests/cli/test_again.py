@@ -54,10 +54,10 @@ def test_the_same_answer_comes_out(answer_of, tmp_path, name):
 
 
 def test_every_command_that_reads_a_question_is_asked():
-    """But those without an answer file: of pictures, of many runs, and of a check."""
+    """But those without an answer file: of pictures, of many runs, and of checks."""
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
-        "agent", "examples", "paper", "plot", "schema", "study", "verify"
+        "agent", "examples", "judge", "paper", "plot", "schema", "study", "verify"
     }  # fmt: skip
 
 

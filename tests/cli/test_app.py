@@ -5,7 +5,7 @@ import sys
 import pytest
 
 COMMANDS = [
-    "place", "move", "count", "quality", "capability", "study", "verify", "plot", "paper",
+    "place", "move", "count", "quality", "capability", "study", "verify", "judge", "plot", "paper",
     "examples", "schema", "agent",
 ]  # fmt: skip
 
@@ -25,7 +25,7 @@ def test_help_lists_commands_and_exit_status(run):
     status, said, _ = run("--help")
     assert status == 0
     assert all(f"\n {command} " in said for command in COMMANDS)
-    assert "Exit status: 0 done; 1 an answer was refused (verify)" in said
+    assert "Exit status: 0 done; 1 an answer was refused (verify, judge)" in said
     assert "swarmgrasp place deck-barge" in said
 
 

@@ -16,6 +16,7 @@ from swarmgrasp.cli.count import count
 from swarmgrasp.cli.dash import hidden, shown
 from swarmgrasp.cli.examples import examples
 from swarmgrasp.cli.forces import forces
+from swarmgrasp.cli.judge import judge
 from swarmgrasp.cli.move import move
 from swarmgrasp.cli.paper import paper
 from swarmgrasp.cli.place import place
@@ -30,8 +31,8 @@ from swarmgrasp.errors import SwarmGraspError
 WRONG_INPUT = 2
 INTERRUPTED = 130
 COMMANDS = (
-    place, move, count, quality, forces, capability, study, verify, plot, agent, paper, examples,
-    schema,
+    place, move, count, quality, forces, capability, study, verify, judge, plot, agent, paper,
+    examples, schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
@@ -53,8 +54,8 @@ is in radians.
 """
 
 STATUS = """
-Exit status: 0 done; 1 an answer was refused (verify) or an invariant broke (agents simulate);
-2 wrong input or usage; 130 interrupted with Ctrl-C.
+Exit status: 0 done; 1 an answer was refused (verify, judge) or an invariant broke (agents
+simulate); 2 wrong input or usage; 130 interrupted with Ctrl-C.
 """
 
 
