@@ -18,6 +18,7 @@ import growth
 import motion
 import page
 import push
+import runs
 import startup
 
 import placement
@@ -31,6 +32,7 @@ SECTIONS = {
     "force-sets": force_sets,
     "push": push,
     "motion": motion,
+    "runs": runs,
     "startup": startup,
 }
 

@@ -1,14 +1,17 @@
 """Runs in closed loop: at rest when nothing happens, back after a loss, alone or in a batch."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from afloat import BARGE, ROBOTS, sea_of
 from moored import moored
-from swarmgrasp import Newcomer
+from swarmgrasp import Newcomer, Problem, Stretch, Swarm, Zone
 from swarmgrasp.environment import KNOT
 from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.simulation import Actuator, Hull, Simulation
 from swarmgrasp.simulation.control import Control
 from swarmgrasp.simulation.events import Change, Follow, Leave, Lose, Move, Send
 from swarmgrasp.simulation.run import Run
@@ -195,3 +198,42 @@ def test_an_object_goes_on_over_the_ground_when_the_current_changes() -> None:
     assert 0.05 < run.distances.max() < 2.0
     assert run.distances[0, -1] < 0.4 * run.distances.max()
     np.testing.assert_allclose(np.hypot(*run.streams[0, -1, 2:]), 1.0, rtol=1e-6)
+
+
+def test_robots_of_any_kind_go_in_step_as_they_go_alone() -> None:
+    """Those that steer, reverse, have friction or an envelope, beside one on a line."""
+    robots = [robot for robot in ROBOTS if robot.sectors is None]
+    swarm = Swarm(BARGE, robots)
+    sea = sea_of(0.4, speed=8.0, bearing=1.0)
+    aft = Zone(Stretch(0.0, 30.0, "aft"))
+    mixed = Simulation(
+        Problem(swarm, Newcomer(100e3), (aft,)), sea, Hull.afloat(BARGE, sea),
+        actuators=(("ray", Actuator(follows="earth")), ("tug", Actuator(mass=5e5))),
+        weather=GUSTS, events=(Lose(3, "tug"), Send(3, away=45.0, make_fast=0.0, speed=20.0)),
+        duration=12.0,
+    )  # fmt: skip
+    batch = simulate(mixed, range(5), every=1)
+    assert [at.kind for at in batch.happenings] == ["start", "lost", "sent", "joined"]
+    assert batch.distances.max() < 1.0
+    for seed in (0, 3):
+        assert_same(simulate(mixed, [seed], every=1), 0, batch, seed)
+
+
+def test_a_simulation_is_read_back_from_its_plain_form_and_from_a_pickle() -> None:
+    """Events, actuators and weather included."""
+    series = Weather("npd", Series([0.0, 9.0], [1.0, 2.0], [0.0, 0.1]))
+    tug = Newcomer(400e3, "push", 0.5, name="Gaia")
+    whole = moored(
+        "deck-barge", 10.0, 60.0, weather=series, seed=7, step=0.05,
+        actuators=(("Ajax", Actuator(lag=2.0)), ("Gaia", Actuator(mass=1e5))),
+        events=(Send(2, tug), Leave(1, "Ajax"), Follow(3, [(1, 2)], 1.0), Lose(5, "Gaia")),
+    )  # fmt: skip
+    assert Simulation.from_data(whole.to_data()) == whole
+    assert pickle.loads(pickle.dumps(whole)) == whole
+
+
+def test_a_newcomer_that_can_have_no_place_is_refused_before_it_is_sent() -> None:
+    """By what its zones say."""
+    afloat = Newcomer(100e3, mounted=True)
+    with pytest.raises(SimulationInvalid, match=r"send at 3 s: (.|\n)*has no area"):
+        moored("deck-barge", 10.0, 60.0, events=(Send(3, afloat),))

@@ -60,8 +60,9 @@ class Allotment:
         """(runs, 3) [N, N, N m]: the wrenches that the robots are believed to exert."""
         x, y = self._efficiencies * self._forces
         ahead, abeam = self._arms
-        parts = np.stack([x, y, ahead * y - abeam * x])
-        if not parts.size:
-            return np.zeros((parts.shape[2], 3))
-        sums = np.add.accumulate(parts, axis=1)[:, -1]  # one by one, whatever the number of runs
+        turns = ahead * y - abeam * x
+        sums = np.zeros((3, x.shape[1]))
+        for i in range(len(x)):  # one by one, whatever the number of runs
+            for total, part in zip(sums, (x, y, turns), strict=True):
+                total += part[i]
         return np.ascontiguousarray(sums.T)

@@ -87,6 +87,8 @@ class Leave(_Event):
 class Lose(_Event):
     """A robot exerts nothing any more: its line parts, its engine stops.
 
+    Others of its group, if it has one, are not lost with it: say so of each.
+
     Attributes
     ----------
     at : float [s]

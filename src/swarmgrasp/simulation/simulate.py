@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.ranges import call_faults, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.allotting import Allotment
-from swarmgrasp.simulation.crew import Crew, state_of, vectors_of
+from swarmgrasp.simulation.crew import Crew, plant_of, state_of, vectors_of
 from swarmgrasp.simulation.frames import Headings
 from swarmgrasp.simulation.keeping import MOST_NUMBERS, Keeper, numbers_kept
 from swarmgrasp.simulation.motion import BODY
@@ -121,6 +121,8 @@ class Course:
         self._noise = Noise(seeds, settings.position_noise, settings.heading_noise)
         self._reference = Reference(settings.frequency)
         self._crew = Crew(simulation)
+        nobody = simulation.problem.swarm.without_rows(range(len(simulation.problem.swarm)))
+        self._bare = plant_of(simulation, nobody)
         self._schedule = Schedule(simulation, self._crew, self._reference, self._streams)
         self._keeper = Keeper(len(seeds), self._last, len(self._columns), every)
         self._begin()
@@ -161,10 +163,9 @@ class Course:
 
     def _wind_loads(self, headings: Array, air: Array) -> Array:
         """Return the wrenches (runs, 3) of the wind at headings (runs,) [rad]."""
-        states = np.zeros((len(air), BODY + 2 * len(self._there)))
-        streams = np.zeros((len(air), 4))
+        states, streams = np.zeros((len(air), BODY)), np.zeros((len(air), 4))
         states[:, 2], streams[:, :2] = headings, air
-        return self._there.wind(states, streams)
+        return self._bare.wind(states, streams)
 
     def run(self, progress: Progress) -> Run:
         """Go on to the end, or until stopped from the keyboard."""

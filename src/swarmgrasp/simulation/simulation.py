@@ -1,20 +1,29 @@
 """The question of a run: which object, robots, weather and events."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.environment.limits import Range
-from swarmgrasp.errors import SimulationInvalid
+from swarmgrasp.errors import SimulationInvalid, SwarmGraspError
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement import Problem
+from swarmgrasp.placement.problem import check_newcomer
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.actuator import Actuator
 from swarmgrasp.simulation.control import PERIOD, Control, Settings
-from swarmgrasp.simulation.events import KINDS, Change, Event, event_faults, in_order, joining_names
+from swarmgrasp.simulation.events import (
+    KINDS,
+    Change,
+    Event,
+    Send,
+    event_faults,
+    in_order,
+    joining_names,
+)
 from swarmgrasp.simulation.hull import Hull
 from swarmgrasp.simulation.weather import Weather
 
@@ -122,7 +131,19 @@ class Simulation(Frozen, Plain):
             if name not in known
         ]
         twice = dict.fromkeys(name for name in named if named.count(name) > 1)
-        return faults + [f"{shown(name)} has two actuators; leave out one" for name in twice]
+        faults += [f"{shown(name)} has two actuators; leave out one" for name in twice]
+        return faults + [fault for event in self.events for fault in self._sent_faults(event)]
+
+    def _sent_faults(self, event: Event) -> list[str]:
+        """Return why the newcomer of an event has no place, wherever the others are."""
+        if not isinstance(event, Send):
+            return []
+        newcomer = event.newcomer or self.problem.newcomer
+        try:
+            check_newcomer(replace(self.problem, newcomer=newcomer))
+        except SwarmGraspError as error:
+            return [f"{event.does} at {event.at:g} s: {fault}" for fault in error.faults]
+        return []
 
     def _weather_faults(self) -> list[str]:
         """Return what is missing of the mean weather, or said twice."""
