@@ -5,6 +5,7 @@ import pytest
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.pieces import SLIVER
 from swarmgrasp.placement.place import RISE
+from swarmgrasp.quality.robot_sets import UNSURE
 from swarmgrasp.swarm.robot import SAME_ANGLE
 from swarmgrasp.verify import boundary, judge, placement, recompute
 
@@ -17,6 +18,7 @@ from swarmgrasp.verify import boundary, judge, placement, recompute
         (SLIVER, boundary.SLIVER),
         (SAME_ANGLE, recompute.ANGLE),
         (RISE, placement.RISE),
+        (UNSURE, placement.CERTIFIED),
     ],
 )
 def test_twins_agree(search, check):

@@ -226,3 +226,24 @@ def test_several_at_once(run, tmp_path):
 def test_options_that_do_not_go_together(run, options, fault):
     """None is silently ignored."""
     assert run("place", "deck-barge", *options) == (2, "", f"{fault}\n")
+
+
+def test_as_things_stand_is_told_in_a_unit_of_its_size(run, tmp_path):
+    """Nothing is left after the failure, and much is there before it."""
+    path = tmp_path / "tugs.yaml"
+    path.write_text(
+        "units: {force: kN, angle: deg}\n"
+        "outline: {vertices: [[-40, -10], [40, -10], [40, 10], [-40, 10]], edges: [s, e, n, w]}\n"
+        "robots:\n"
+        "  - {name: A, edge: s, along: 10, direction: inward, limit: 300, steers: 30}\n"
+        "  - {name: B, edge: s, along: 70, direction: inward, limit: 300, steers: 30}\n"
+        "  - {name: C, edge: n, along: 10, direction: inward, limit: 300, steers: 30}\n"
+        "  - {name: D, edge: n, along: 70, direction: inward, limit: 300, steers: 30}\n"
+        "newcomer: {name: N, limit: 200, steers: true, attachment: push, half_angle: 20}\n"
+        "zones: [{edge: w}]\n"
+        "criterion: {failures: [[A, C], [B, D]]}\n"
+    )
+    status, said, _ = run("place", path)
+    assert status == 0
+    assert "stays 0 N\n" in said
+    assert "As it stands  stays 404.15 kN" in said

@@ -187,4 +187,5 @@ def test_sectors_with_gaps_are_told_by_every_command(run, tmp_path):
     assert "at the end of a sector" in said
     status, _, complaints = run("quality", file, "--sensitivities")
     assert status != 0
+    assert complaints.startswith(f"{file}: what is asked for is not known of robots whose sectors")
     assert "sectors have gaps between: bow, mid, stern" in complaints

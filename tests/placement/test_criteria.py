@@ -154,3 +154,17 @@ def test_wrong_terms_are_named():
         place(swarm, Newcomer(tolerance=Tolerance(may_be_absent=True)), worst_case=True)
     with pytest.raises(CriterionInvalid, match="no Criterion"):
         Problem(swarm, Newcomer(), criterion="losing")
+
+
+def test_a_gain_that_is_not_certain_is_none():
+    """Worst cases are certified to 1e-7: less more is no improvement, to search and check alike."""
+    barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
+    amiss = Tolerance(contact=1.0, direction=math.radians(5), least_limit=180e3)
+    tugs = [
+        Robot((x, y), math.copysign(math.pi / 2, -y), 300e3, steers=math.pi / 6, tolerance=amiss)
+        for x, y in ((-30, -10), (30, -10), (-30, 10), (30, 10))
+    ]
+    answer = place(Swarm(barge, tugs), Newcomer(200e3, "push", math.pi / 6), worst_case=True)
+    assert not answer.improves
+    assert answer.quality == pytest.approx(answer.quality_before, rel=1e-7)
+    assert answer.verify()

@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
-from swarmgrasp.cli.inputs import PICTURES, json_faults, output_faults, read_scenario
+from swarmgrasp.cli.inputs import PICTURES, blaming, json_faults, output_faults, read_scenario
 from swarmgrasp.cli.question import asked_before, missing
 
 if TYPE_CHECKING:
@@ -82,10 +82,11 @@ def capability(
     bearings = asked_before(scenario, "capability").get("bearings") if step is None else None
     if bearings is None:
         bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
-    found = capability_of(
-        scenario.swarm, environment, bearings, criterion.losing or int(not criterion.failures),
-        criterion.worst_case, criterion.failures,
-    )  # fmt: skip
+    with blaming(file):
+        found = capability_of(
+            scenario.swarm, environment, bearings, criterion.losing or int(not criterion.failures),
+            criterion.worst_case, criterion.failures,
+        )  # fmt: skip
 
     def draw() -> list[Path]:
         """Draw the diagram if it is wanted."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from swarmgrasp.cli.inputs import UsageFault, whole_faults
 from swarmgrasp.cli.question import missing
 from swarmgrasp.ranges import shown
-from swarmgrasp.words import list_words
+from swarmgrasp.words import list_words, machine_words
 
 if TYPE_CHECKING:
     from swarmgrasp.quality import Criterion
@@ -86,9 +86,10 @@ def criterion_of(
         raise missing(scenario, file, "tolerance", "--worst-case", advice)
     robots = int(scenario.swarm.machines.max(initial=-1)) + 1 + more
     if losing is not None and int(losing) >= max(robots, 1):
-        what = "robots and groups" if scenario.swarm.rare.groups else "robots"
+        what = machine_words(robots, bool(scenario.swarm.rare.groups))
+        there = "is" if robots == 1 else "are"
         raise UsageFault(
-            f"--losing is {int(losing)}, and there are {robots} {what}: none would be left"
+            f"--losing is {int(losing)}, and there {there} {robots} {what}: none would be left"
         )
     if losing is not None:
         criterion = replace(criterion, losing=int(losing))

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.inputs import PICTURES, output_faults, read_scenario
+from swarmgrasp.cli.inputs import PICTURES, blaming, output_faults, read_scenario
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import check_newcomer, tell_omitted
 
@@ -36,5 +36,6 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
     from swarmgrasp.cli.show.report import told_written
 
     answers = solve(scenario, file) if scenario.newcomer else ()
-    written = pictures({what: picture}, scenario.swarm, answers, scenario.criterion)
+    with blaming(file):
+        written = pictures({what: picture}, scenario.swarm, answers, scenario.criterion)
     told_written(written)

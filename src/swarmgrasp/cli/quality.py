@@ -8,7 +8,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
-from swarmgrasp.cli.inputs import UsageFault, json_faults, read_scenario, source_of
+from swarmgrasp.cli.inputs import UsageFault, blaming, json_faults, read_scenario, source_of
 from swarmgrasp.cli.question import asked_before, tell_omitted
 
 
@@ -71,10 +71,11 @@ def quality(
     from swarmgrasp.quality import quality as quality_of
     from swarmgrasp.quality import sensitivities as sensitivities_of
 
-    found = quality_of(scenario.swarm, **criterion.terms)
-    rest = replace(criterion, losing=0).terms
-    lost = losses(scenario.swarm, **rest) if criterion.losing else ()
-    slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
+    with blaming(file):
+        found = quality_of(scenario.swarm, **criterion.terms)
+        rest = replace(criterion, losing=0).terms
+        lost = losses(scenario.swarm, **rest) if criterion.losing else ()
+        slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
     told = {**found.to_data(), "losses": plain(lost), "sensitivities": plain(slopes)}
     from swarmgrasp.cli.show.quality import show
 

@@ -20,6 +20,7 @@ from swarmgrasp.placement.tolerant import Found as Aimed
 from swarmgrasp.placement.tolerant import TolerantSearch
 from swarmgrasp.quality.aim import Aim, Work
 from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
+from swarmgrasp.quality.robot_sets import UNSURE
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import call_faults, count_faults, gap_faults, items, number, shown
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
@@ -35,6 +36,11 @@ BESIDE = (
 )
 RISE = 1e-9
 """Relative gain below which a newcomer does not count as an improvement."""
+
+
+def rise_of(criterion: Criterion) -> float:
+    """Return the relative gain below which nothing counts as an improvement by a criterion."""
+    return UNSURE if criterion.worst_case else RISE  # certified no nearer in the worst case
 
 
 @overload
@@ -274,7 +280,8 @@ class _Placing:
                 runners = [pair for pair in runners if pair is not best] + [(winner, after)]
                 winner, after = best
         noise = self.noise(winner, after)
-        improves = winner.quality > before.quality * (1.0 + RISE) + 10.0 * search.zero + noise
+        rise = rise_of(self.problem.criterion)
+        improves = winner.quality > before.quality * (1.0 + rise) + 10.0 * search.zero + noise
         asked_for = winner.quality * (1.0 + self.gap) + (0.0 if improves else noise)
         if found.solved:  # as near as rounding lets it come
             asked_for += 2.0 * search.floor

@@ -594,7 +594,7 @@ def check_rays(swarm: Swarm, what: str) -> None:
         )
 
 
-def check_gaps(swarm: Swarm, what: str = "this") -> None:
+def check_gaps(swarm: Swarm, what: str = "what is asked for") -> None:
     """Raise `ForceSetUnsupported` if robots have sectors with gaps between.
 
     Parameters

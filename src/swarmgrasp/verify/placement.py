@@ -180,7 +180,8 @@ class _Check:
         gain = claim.quality - claim.quality_before
         if claim.improves and gain <= self.rounding + 0.5 * self.noise:
             yield "the newcomer is said to improve the swarm, and does not"
-        counts = RISE * claim.quality_before + 10.0 * self.zero + self.noise
+        rise = CERTIFIED if self.asked.criterion.worst_case else RISE
+        counts = rise * claim.quality_before + 10.0 * self.zero + self.noise
         if not claim.improves and gain > 2.0 * counts:
             yield "the newcomer is said not to improve the swarm, and does"
 

@@ -68,7 +68,12 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
             ("Where", _where(answer, placed)),
             ("", _spot(answer, placed)),
             *_way(robot, placed),
-            ("Quality", _gain(answer.quality_before, answer.quality, unit)),
+            (
+                "Quality",
+                _gain(answer.quality_before, answer.quality, unit)
+                if answer.improves
+                else f"stays {unit.text(answer.quality_before)}",
+            ),
             *_kept(answer),
             *_beside(answer, answer, unit),
             ("Proven", _sure(answer, unit)),
@@ -207,8 +212,14 @@ def _beside(first: Placement, last: Placement, unit: Unit) -> list[tuple[str, st
             quality(swarm, load=criterion.load, task=criterion.task).value
             for swarm in (first.problem.swarm, last.swarm_after)
         )
-        facts.append(("As it stands", _gain(before, after, unit)))
+        own = criterion.unit(before, after)
+        facts.append(("As it stands", _gain(before, after, max(unit, own, key=_size))))
     return facts
+
+
+def _size(unit: Unit) -> float:
+    """Return the size of a unit [N]."""
+    return unit.newtons
 
 
 def _percent_gain(before: float, after: float) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, RobotInvalid, refuse
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import Placement, relative_gap
-from swarmgrasp.placement.place import RISE, place
+from swarmgrasp.placement.place import place, rise_of
 from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
@@ -159,7 +159,7 @@ class Move(Frozen, Answer):
     def improves(self) -> bool:
         """Whether the best move raises the quality, by more than the outline's rounding may."""
         noise = max(self.before.noise, self.best.placement.noise)
-        return self.is_worth_it(RISE * self.quality_before + noise)
+        return self.is_worth_it(rise_of(self.problem.criterion) * self.quality_before + noise)
 
     def is_worth_it(self, least_gain: float) -> bool:
         """Tell whether the best move raises the quality by more than so much [N].
@@ -272,8 +272,8 @@ def _movable(problem: Problem, names: str | Iterable[str] | None) -> list[Robot]
         ]
         if not free:
             raise RobotInvalid(
-                "there is no robot that could move: all are mounted, fail with others, or are of a "
-                "kind whose best place is not known how to find, or there is none"
+                "there is no robot that could move: each is mounted, fails with others as one of a "
+                "group, or is of a kind that a newcomer cannot be"
             )
         return [robot for robot in free if not _is_worthless(problem, robot)] or free
     wanted, faults = [swarm[name] for name in swarm.known(names)], []

@@ -11,7 +11,7 @@ import numpy as np
 from swarmgrasp.errors import NowhereToAttach, ProblemInvalid, refuse
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement.answer import relative_gap
-from swarmgrasp.placement.place import RISE, place_sequence
+from swarmgrasp.placement.place import place_sequence, rise_of
 from swarmgrasp.placement.problem import Problem, check_several, problem_faults
 from swarmgrasp.placement.reason import too_few_words
 from swarmgrasp.placement.together.effort import EFFORT, Budget, effort_faults
@@ -90,7 +90,8 @@ class Together(Frozen, Answer):
     @property
     def improves(self) -> bool:
         """Whether the newcomers raise the quality, by more than the `noise`."""
-        return self.quality > self.quality_before * (1.0 + RISE) + self.noise
+        rise = rise_of(self.problem.criterion)
+        return self.quality > self.quality_before * (1.0 + rise) + self.noise
 
     @property
     def noise(self) -> float:
