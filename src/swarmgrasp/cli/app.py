@@ -54,8 +54,9 @@ is in radians.
 """
 
 STATUS = """
-Exit status: 0 done; 1 an answer was refused (verify, judge) or an invariant broke (agents
-simulate); 2 wrong input or usage; 130 interrupted with Ctrl-C.
+Exit status: 0 done; 1 an answer was refused (verify, judge), a statement does not hold (paper,
+agents curve), an invariant broke (agents simulate), places differ (agents demo) or a robot cannot
+do what is asked (agents ask); 2 wrong input or usage; 130 interrupted with Ctrl-C.
 """
 
 

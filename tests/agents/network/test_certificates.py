@@ -42,14 +42,18 @@ def gate(fleet, papers):
 
 
 def test_certificates_are_made_once_and_keys_are_for_their_owner_alone(papers):
-    """An authority, a router's, a watcher's, and the robots'; others may be added."""
-    names = {"Ajax", "Boreas", "authority", "router", "watch"}
+    """An authority, a router's, a watcher's, an operator's, the robots'; more may be added."""
+    names = {"Ajax", "Boreas", "authority", "router", "watch", "operator"}
     files = {f"{name}.{kind}" for name in names for kind in ("pem", "key")}
     assert {path.name for path in papers.iterdir()} == files
     assert all(path.stat().st_mode & 0o777 == 0o600 for path in papers.glob("*.key"))
     before = {path: path.read_bytes() for path in papers.iterdir()}
     assert [path.name for path in make_papers(papers, ["Castor"])] == ["Castor.pem", "Castor.key"]
     assert all(path.read_bytes() == content for path, content in before.items())
+    (papers / "operator.pem").unlink()
+    (papers / "operator.key").unlink()
+    made = [path.name for path in make_papers(papers, ["Dione"])]
+    assert made == ["operator.pem", "operator.key", "Dione.pem", "Dione.key"]
 
 
 @pytest.mark.parametrize(
@@ -78,18 +82,37 @@ def test_a_robot_writes_its_own_keys_and_no_other_s(gate):
     watcher.liveliness().declare_subscriber(everything, lambda s: heard.put(str(s.key_expr)))
     tokens, queries = [], []
     for keys in (AJAX, BOREAS):  # his own last: what came before has then been refused
-        for key in (keys.to_all, keys.to("Castor"), keys.event, keys.order):
+        for key in (keys.to_all, keys.to("Castor"), keys.event, keys.order, keys.answer, keys.ask):
             boreas.put(key, b"x")
         queries.append(boreas.declare_queryable(keys.records, lambda q: q.reply(q.key_expr, b"x")))
         tokens.append(boreas.liveliness().declare_token(keys.alive))
     boreas.put(BOREAS.to_all, b"last")
-    own = {BOREAS.to_all, BOREAS.to("Castor"), BOREAS.event, BOREAS.order, BOREAS.alive}
+    own = {BOREAS.to_all, BOREAS.to("Castor"), BOREAS.event, BOREAS.order, BOREAS.alive,
+           BOREAS.answer}  # fmt: skip
     got = set()
     while not own <= got:
         got.add(heard.get(timeout=60.0))
     assert own == {key for key in got if "/router/" not in key}
     replies = watcher.get("swarmgrasp/1/m/records/*", timeout=1.0)
     assert {str(r.ok.key_expr) for r in replies if r.ok} <= {BOREAS.records}
+
+
+def test_an_operator_asks_and_does_nothing_else(gate):
+    """With the operator's certificate nobody speaks as a robot; who watches may not ask."""
+    listener, operator, watcher, heard = (
+        gate("Ajax"),
+        gate("operator"),
+        gate("watch"),
+        SimpleQueue(),
+    )
+    listener.declare_subscriber("swarmgrasp/**", lambda s: heard.put((str(s.key_expr), s.payload)))
+    for key in (AJAX.to_all, AJAX.to("Boreas"), AJAX.event, AJAX.order, AJAX.answer):
+        operator.put(key, b"x")
+    watcher.put(AJAX.ask, b"watch")
+    watcher.get("swarmgrasp/1/m/records/*", lambda _: None, timeout=0.1)
+    operator.put(AJAX.ask, b"operator")
+    key, payload = heard.get(timeout=60.0)
+    assert (key, payload.to_bytes()) == (AJAX.ask, b"operator")
 
 
 def test_another_swarm_s_certificate_and_none_are_refused(gate, tmp_path, monkeypatch):
@@ -140,3 +163,5 @@ def test_robots_with_certificates_attach_and_are_watched(fleet, papers, run, tmp
     with (tmp_path / "a.mcap").open("rb") as file:
         recorded = [json.loads(message.data) for *_, message in make_reader(file).iter_messages()]
     assert recorded == [json.loads(line) for line in said.splitlines()]
+    status, said, _ = run("agents", "ask", "Ajax", "move", "--connect", end, "--tls", papers)
+    assert (status, said.splitlines()[0]) == (0, "Ajax is asked to move: it is asking")

@@ -4,12 +4,14 @@ import msgspec
 import pytest
 
 from swarmgrasp.agents.network import NetworkSettings
+from swarmgrasp.agents.network.asking import read_answer, read_wish
 from swarmgrasp.agents.network.fleet import free_ports
 from swarmgrasp.agents.network.keys import Keys, own_keys
 from swarmgrasp.agents.network.session import open_session
 from swarmgrasp.agents.protocol import Phase, Place, ProblemPlanner, Record
 from swarmgrasp.agents.protocol.record import LIVES, MOST_TICKET
 from swarmgrasp.agents.protocol.wire import MOST_BYTES, Beat, Put, encode
+from swarmgrasp.errors import AgentInvalid
 from swarmgrasp.scenario import load_example
 
 FILE = "deck-barge"
@@ -29,6 +31,7 @@ def victim(fleet):
         token = session.liveliness().declare_token(own_keys(MISSION, "Mallory").alive)
         fleet.wait(lambda: "Mallory" in robot.sees, "that it sees Mallory")
         token.undeclare()
+        robot.endpoint = end
         yield robot, session
 
 
@@ -58,6 +61,44 @@ def test_garbage_is_dropped_counted_and_told(fleet, victim):
     session.put(robot_key("event"), b'{"event": "join"}')
     fleet.wait(lambda: robot.phase == "attached", "that it attaches")
     assert robot.record["place"]["x"] == pytest.approx(-12.192)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        b"", b"\xff" * 9, b"[" * 1024, b"null", b'{"wish": "fly", "number": 1}',
+        b'{"wish": "join"}', b'{"wish": "join", "number": NaN}', b'{"wish": ["join"], "number": 1}',
+        b'{"wish": "join", "number": -1}', b'{"wish": "join", "number": 281474976710656}',
+        b'{"wish": "join", "number": 1, "more": "' + b"x" * 1024 + b'"}',
+    ],
+)  # fmt: skip
+def test_what_is_no_wish_is_refused(data):
+    """Noise, another wish, a number that cannot be, a giant; an answer cannot be so either."""
+    with pytest.raises(AgentInvalid):
+        read_wish(data)
+    with pytest.raises(AgentInvalid):
+        read_answer(data)
+
+
+def test_wishes_that_are_none_are_counted_and_an_operator_is_answered(fleet, victim, run):
+    """Garbage does nothing; then the robot joins when asked, and leaves when asked."""
+    robot, session = victim
+    for data in (b"\xff" * 9, b'{"wish": "fly", "number": 1}'):
+        session.put(robot_key("ask"), data)
+    fleet.wait(lambda: refused(robot, "(2 so far)"), "that two are refused")
+    assert refused(robot, "an operator asks what is none")
+    end = robot.endpoint
+    status, said, complaints = run("agents", "ask", "Fortuna", "join", "--connect", end)
+    assert (status, complaints) == (0, "")
+    assert said.splitlines()[0] == "Fortuna is asked to join: it is left"
+    fleet.wait(lambda: robot.phase == "attached", "that it attaches")
+    status, said, _ = run("agents", "ask", "Fortuna", "leave", "--connect", end)
+    fleet.wait(lambda: robot.phase == "left", "that it leaves")
+    status, said, _ = run("agents", "ask", "Fortuna", "move", "--connect", end)
+    assert status == 1
+    assert "Fortuna is not attached: it cannot move" in said
+    status, _, complaints = run("agents", "ask", "Nobody", "leave", "--connect", end)
+    assert (status, complaints) == (2, "no robot Nobody is on the network\n")
 
 
 def test_a_robot_that_tells_two_stories_is_told_of(fleet, victim):

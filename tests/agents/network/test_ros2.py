@@ -4,6 +4,7 @@ import json
 import math
 import threading
 from queue import Queue
+from types import SimpleNamespace
 
 import pytest
 import zenoh
@@ -11,6 +12,7 @@ import zenoh
 from swarmgrasp.agents.network.fleet import free_ports
 from swarmgrasp.agents.network.keys import own_keys
 from swarmgrasp.agents.network.ros2 import (
+    MOST_WAITING,
     POSE,
     TEXT,
     Ros2Bridge,
@@ -110,3 +112,29 @@ def test_orders_go_out_and_events_come_in():
         carrier.join(20)
         for session in (swarm, ros, *routers):
             session.close()
+
+
+def test_what_comes_too_fast_is_dropped_and_counted():
+    """The bridge keeps so many messages and no more, and goes on; an order that is none is told."""
+    end = f"tcp/127.0.0.1:{free_ports(1)[0]}"
+    router = open_session(NetworkSettings(mode="router", listen=(end,)))
+    here, said = NetworkSettings(mode="client", connect=(end,)), []
+    bridge = Ros2Bridge(here, here, own_keys("m", "Fortuna"), 0, said.append)
+    pose = pose_message(1.0, 2.0, 0.0, 0.0)
+    for word, data, count in (
+        ("order", b"[", 1),
+        ("order", b'{"x": 1}', 1),
+        ("pose", pose, MOST_WAITING),
+    ):
+        sample = SimpleNamespace(kind=zenoh.SampleKind.PUT, payload=zenoh.ZBytes(data))
+        take = bridge._take(word)
+        for _ in range(count):
+            take(sample)
+    bridge.stop()
+    bridge.run()
+    router.close()
+    assert said == [
+        "Fortuna: 2 messages lost, which came too fast",
+        "Fortuna: 1 bytes are no order",
+        "Fortuna: 8 bytes are no order",
+    ]

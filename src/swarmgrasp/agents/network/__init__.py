@@ -1,5 +1,6 @@
 """Robots as real processes on a network: the only place that has a clock, chance and a network."""
 
+from swarmgrasp.agents.network.asking import ask_robot
 from swarmgrasp.agents.network.body import RealBody, StandIn
 from swarmgrasp.agents.network.certificates import make_papers
 from swarmgrasp.agents.network.ears import Item
@@ -21,6 +22,7 @@ __all__ = [
     "Store",
     "Transport",
     "Watch",
+    "ask_robot",
     "incarnation_of",
     "make_papers",
     "steady_clock",

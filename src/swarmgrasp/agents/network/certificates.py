@@ -25,8 +25,9 @@ if TYPE_CHECKING:
 AUTHORITY = "authority"
 ROUTER = "router"
 WATCH = "watch"
+OPERATOR = "operator"
 """Who are no robots, though they have certificates."""
-NOT_ROBOTS = (AUTHORITY, ROUTER, WATCH)
+NOT_ROBOTS = (AUTHORITY, ROUTER, WATCH, OPERATOR)
 USUAL_HOSTS = ("localhost", "127.0.0.1", "::1")
 YEARS = 2
 """How long certificates hold."""
@@ -68,7 +69,8 @@ class Papers:
     def faults(self) -> list[str]:
         """Return what is missing."""
         missing = [path for path in (self.authority, self.certificate, self.key) if not _is(path)]
-        remedy = f"swarmgrasp agents keys {self.folder} {self.name}"
+        robot = "with a new robot" if self.name in NOT_ROBOTS else self.name
+        remedy = f"swarmgrasp agents keys {self.folder} {robot}"
         return [f"{path}: there is no such file, or it may not be read; {remedy} makes it"
                 for path in missing]  # fmt: skip
 
@@ -100,14 +102,17 @@ class Papers:
             _rule("read", reading, [everything], "ingress", "egress"),
             _rule("hear", _ALL, [everything], "egress"),
             _rule("pass on", _ALL, [everything], "ingress", "egress"),
+            _rule("ask", ["put"], [Keys("*", "*", "*").ask], "ingress"),
         ]
         subjects: list[dict[str, Any]] = [
             {"id": "anyone"},
             {"id": ROUTER, "cert_common_names": [ROUTER]},
+            {"id": OPERATOR, "cert_common_names": [OPERATOR]},
         ]
         policies = [
             {"rules": ["read", "hear"], "subjects": ["anyone"]},
             {"rules": ["pass on"], "subjects": [ROUTER]},
+            {"rules": ["ask"], "subjects": [OPERATOR]},
         ]
         for name, keys in zip(names, own, strict=True):
             # a robot may be called "read": its rule and its subject have names of their own
@@ -135,7 +140,9 @@ def _rule(name: str, messages: Iterable[str], keys: Iterable[str], *flows: str) 
 
 
 def make_papers(folder: Path, names: Iterable[str], hosts: Iterable[str] = ()) -> list[Path]:
-    """Make certificates for robots; an authority, a router's and a watcher's, if there are none.
+    """Make certificates for robots; an authority, a router's, a watcher's and an operator's too.
+
+    The latter four are made if there are none.
 
     Parameters
     ----------
@@ -175,6 +182,8 @@ def make_papers(folder: Path, names: Iterable[str], hosts: Iterable[str] = ()) -
     folder.mkdir(parents=True, exist_ok=True, mode=0o700)
     authority = _Authority.read(folder) if has_authority else _Authority.new()
     made = [] if has_authority else authority.write(folder, hosts)
+    if not os.path.lexists(folder / f"{OPERATOR}.pem"):  # a folder of before may have none
+        made += authority.write_for(folder, OPERATOR)
     for name in wanted:
         made += authority.write_for(folder, name)
     return made

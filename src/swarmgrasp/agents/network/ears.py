@@ -21,7 +21,9 @@ from swarmgrasp.errors import MessageInvalid
 MOST_WAITING = 100_000
 """Messages in the queue; more are dropped, and counted."""
 
-What = Literal["all", "to", "token", "router", "line", "asked", "told", "body", "end", "planned"]
+What = Literal[
+    "all", "to", "token", "router", "line", "asked", "told", "body", "wish", "end", "planned"
+]
 _SIGNS = ("token", "router")
 
 

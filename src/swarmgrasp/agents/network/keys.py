@@ -57,9 +57,20 @@ class Keys:
         return f"{self.base}/body/{self.name}/event"
 
     @property
+    def ask(self) -> str:
+        """What an operator wishes of it."""
+        return f"{self.base}/ask/{self.name}"
+
+    @property
+    def answer(self) -> str:
+        """What it makes of an operator's wish."""
+        return f"{self.base}/answer/{self.name}"
+
+    @property
     def written(self) -> tuple[str, ...]:
         """All keys that it and its own software write."""
-        return (self.to_all, self.to("*"), self.alive, self.records, self.order, self.event)
+        said = (self.to_all, self.to("*"), self.alive, self.records, self.answer)
+        return (*said, self.order, self.event)
 
 
 def own_keys(mission: str, name: str) -> Keys:

@@ -14,7 +14,8 @@ from queue import Empty
 from threading import Thread
 from typing import Any
 
-from swarmgrasp.agents.network.body import Body, order_data
+from swarmgrasp.agents.network.asking import Answer, answer_bytes, read_wish
+from swarmgrasp.agents.network.body import WISHES, Body, order_data
 from swarmgrasp.agents.network.ears import Item
 from swarmgrasp.agents.network.plain import record_data
 from swarmgrasp.agents.network.transport import Transport
@@ -48,6 +49,8 @@ from swarmgrasp.files import read_fault, write_whole
 
 AT_ONCE = 64
 """Items of the queue that are taken before what they lead to is sent."""
+MOST_TOLD = 4
+"""Reports that an operator is told of."""
 MOST_STATE = 64 << 20
 """Bytes of a state."""
 
@@ -179,6 +182,7 @@ class Process:
         self._ends = False
         self._orders = 0
         self._order: bytes = b""
+        self._wishes: list[int] = []
         self._told_record: Record | None = None
 
     def stop(self) -> None:
@@ -241,6 +245,14 @@ class Process:
                         events += self.body.told(item.content)
                     except AgentInvalid as error:
                         events.append(Refuted(f"{self.agent.name}'s software", error.faults[0]))
+                case "wish":
+                    try:
+                        wish = read_wish(item.content)
+                    except AgentInvalid as error:
+                        events.append(Refuted("an operator", f"asks what is none: {error}"))
+                    else:
+                        self._wishes.append(wish.number)
+                        events.append(WISHES[wish.what]())
                 case _:
                     events += self.transport.events(clock, item)
         events += self.transport.due(clock)
@@ -258,11 +270,22 @@ class Process:
             self._keep()
         for effect in effects:
             self._do(effect)
+        self._answer(effects)
         if self.agent.record != self._told_record:
             self._told_record = self.agent.record
             self._tell({"record": record_data(self.agent.record)})
         for event in events:
             self._check_name(event)
+
+    def _answer(self, effects: list[Effect]) -> None:
+        """Tell operators what has come of their wishes."""
+        told = [effect for effect in effects if isinstance(effect, Report)]
+        words = tuple(report.words for report in told)[:MOST_TOLD]
+        refuses = any(report.what == "cannot move" for report in told)
+        phase = self.agent.record.phase.name.lower()
+        for number in self._wishes:
+            self.transport.say_to_operator(answer_bytes(Answer(number, phase, words, refuses)))
+        self._wishes.clear()
 
     def _keep(self) -> None:
         """Keep the state; tell a person if that fails."""

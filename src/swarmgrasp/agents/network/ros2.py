@@ -28,6 +28,8 @@ TYPES = get_typestore(Stores.ROS2_JAZZY)
 POSE, TEXT = "geometry_msgs/msg/PoseStamped", "std_msgs/msg/String"
 FRAME = "object"
 """The frame of all poses: that of the outline's vertices."""
+MOST_WAITING = 1000
+"""Messages that wait to be carried; more are dropped, and counted."""
 MOST_DOMAIN = 232
 """Largest domain of ROS 2."""
 QOS = "::,10:,:,:,,"
@@ -149,6 +151,27 @@ def text_of(data: bytes) -> str:
     return str(_read(data, TEXT).data)
 
 
+def target_of(data: bytes) -> tuple[float, float, float] | None:
+    """Return where an order sends a robot: x, y [m] and direction [rad]; None for nowhere.
+
+    Raises
+    ------
+    AgentInvalid
+        If the bytes are no order.
+    """
+    try:
+        order = json.loads(data)
+    except (ValueError, RecursionError):
+        order = None
+    match order:
+        case {"order": str(), "x": float(x), "y": float(y), "direction": float(direction)}:
+            if all(map(math.isfinite, (x, y, direction))):
+                return x, y, direction
+        case {"order": str()} if "x" not in order:
+            return None
+    raise AgentInvalid(f"{len(data)} bytes are no order")
+
+
 def attachment(sequence: int, stamp: int, writer: bytes) -> bytes:
     """Return what rmw_zenoh sends beside each message.
 
@@ -186,6 +209,7 @@ class Ros2Bridge:
         self._keys, self._tell = keys, tell
         self._topics = topics_of(keys.name, domain)
         self._inbox: SimpleQueue[tuple[str, bytes]] = SimpleQueue()
+        self._dropped = 0
         self._swarm, self._ros = open_session(swarm), open_session(ros)
         self._writer = bytes.fromhex(str(self._ros.info.zid()).zfill(32))
         self._sequence = 0
@@ -210,6 +234,9 @@ class Ros2Bridge:
         """Carry until `stop`."""
         while (taken := self._inbox.get())[0] != "end":
             word, data = taken
+            dropped, self._dropped = self._dropped, 0
+            if dropped:
+                self._tell(f"{self._keys.name}: {dropped} messages lost, which came too fast")
             try:
                 self._carry(word, data)
             except AgentInvalid as error:
@@ -224,9 +251,8 @@ class Ros2Bridge:
     def _carry(self, word: str, data: bytes) -> None:
         """Carry a message from one side to the other."""
         if word == "order":
-            order = json.loads(data)
-            if "x" in order:
-                place = (order["x"], order["y"], order["direction"])
+            place = target_of(data)
+            if place is not None:
                 self._write("target", pose_message(*place, time.time()))
             self._write("order", text_message(data.decode()))
         elif word == "pose":
@@ -249,7 +275,9 @@ class Ros2Bridge:
         """Return what takes samples of a kind."""
 
         def take(sample: zenoh.Sample) -> None:
-            if sample.kind == zenoh.SampleKind.PUT:
+            if self._inbox.qsize() >= MOST_WAITING:
+                self._dropped += 1
+            elif sample.kind == zenoh.SampleKind.PUT:
                 self._inbox.put((word, sample.payload.to_bytes()))
 
         return take

@@ -72,6 +72,7 @@ class Transport:
         ears.hear("all", every(self.keys.to_all))
         ears.hear("to", every(self.keys.to(self.name)))
         ears.hear("body", self.keys.event, own=True)
+        ears.hear("wish", self.keys.ask)
         ears.watch_lines()
         ears.watch("token", ALL_ALIVE)
         ears.watch("router", ALL_ROUTERS)
@@ -110,6 +111,10 @@ class Transport:
     def order(self, data: bytes) -> None:
         """Tell the robot's own software what to do."""
         self._put(self.keys.order, data)
+
+    def say_to_operator(self, data: bytes) -> None:
+        """Answer an operator's wish."""
+        self._put(self.keys.answer, data)
 
     def answer(self, item: Item, records: Records) -> None:
         """Answer someone, who is no robot, with all records."""

@@ -2,6 +2,7 @@
 
 from cyclopts import App
 
+from swarmgrasp.cli.agents.ask import ask
 from swarmgrasp.cli.agents.curve import curve
 from swarmgrasp.cli.agents.demo import demo
 from swarmgrasp.cli.agents.keys import keys
@@ -9,7 +10,7 @@ from swarmgrasp.cli.agents.ros2 import ros2
 from swarmgrasp.cli.agents.simulate import simulate
 from swarmgrasp.cli.agents.watch import watch
 
-COMMANDS = (curve, demo, keys, ros2, simulate, watch)
+COMMANDS = (ask, curve, demo, keys, ros2, simulate, watch)
 HELP = "Run, watch, try and study swarms of robots that decide for themselves."
 
 

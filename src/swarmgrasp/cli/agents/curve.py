@@ -14,12 +14,14 @@ def curve(
     *,
     quick: Annotated[bool, Parameter(negative="")] = False,
     seed: Annotated[str, Parameter(metavar="INT")] = "1",
-) -> None:
+) -> int:
     """Measure what robots must tell each other: final quality against what is communicated.
 
     Grows many swarms, each newcomer knowing everything of the others, summaries, some records,
     its neighbours, what can be seen, or nothing, and checks every sentence it writes. Takes
     some minutes.
+
+    Exit status: 0 when all statements hold, 1 when one does not.
 
     Example: swarmgrasp agents curve report --quick
 
@@ -41,4 +43,4 @@ def curve(
     size = QUICK if quick else FULL
     with shown_progress(curve_steps(size), "growing swarms") as progress:
         page, _ = write_curve(folder, size, number, progress=progress)
-    told_page(page)
+    return told_page(page)

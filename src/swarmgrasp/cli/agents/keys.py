@@ -17,9 +17,9 @@ def keys(
 ) -> None:
     """Make certificates, by which a router lets each robot write its own keys and no other's.
 
-    The first time this makes an authority that signs them, and certificates for a router
-    and for a watcher too. Nothing is overwritten. This is for trials: keep the authority's
-    key from the robots, and use your own authority where it matters.
+    The first time this makes an authority that signs them, and certificates for a router,
+    for a watcher and for an operator too. Nothing is overwritten. This is for trials: keep the
+    authority's key from the robots, and use your own authority where it matters.
 
     Example: swarmgrasp agents keys certificates Ajax Boreas
 

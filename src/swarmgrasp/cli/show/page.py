@@ -11,6 +11,9 @@ from swarmgrasp.files import folder_faults
 if TYPE_CHECKING:
     from swarmgrasp.pages.writing import Report as Page
 
+FALSE = 1
+"""Exit status when a statement does not hold."""
+
 
 def checked_seed(folder: Path, seed: str) -> int:
     """Return the seed of a page's random draws.
@@ -28,8 +31,8 @@ def checked_seed(folder: Path, seed: str) -> int:
     return int(seed)
 
 
-def told_page(page: "Page") -> None:
-    """Tell how much of what a page states holds, and what was written."""
+def told_page(page: "Page") -> int:
+    """Tell how much of what a page states holds, and what was written; return the exit status."""
     report, count, failed = Report(), len(page.statements), page.failed
     if not failed:
         report.headline(f"All {count} statements of the report hold", "good")
@@ -39,3 +42,4 @@ def told_page(page: "Page") -> None:
             report.sentence(f"not so: {one.text}")
     report.blank()
     told_written(page.paths)
+    return FALSE if failed else 0
