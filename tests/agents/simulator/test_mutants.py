@@ -4,11 +4,12 @@ import pytest
 
 from every_order import Search
 from simulated import drawn, run
-from swarmgrasp.agents.protocol import Agent, decisions
+from swarmgrasp.agents.protocol import Agent, Phase, decisions
 from swarmgrasp.agents.protocol import agent as agent_module
 from swarmgrasp.agents.protocol import events as ev
 from swarmgrasp.agents.protocol.confirming import Confirmations
 from swarmgrasp.agents.protocol.hearing import Hearing
+from swarmgrasp.agents.protocol.state import State
 from swarmgrasp.agents.protocol.wire import Ack
 from swarmgrasp.agents.simulator import Mode, Schedule, read_faults
 
@@ -59,6 +60,26 @@ def later_does_not_yield(patch):
     patch.setattr(decisions, "conflicts_of", only_fixed)
 
 
+def no_fastening(patch):
+    """Look merely arrived until attached: give way to an earlier ticket while touching (R4)."""
+    commit, done = Agent._commit, set()
+
+    def quiet(self):
+        if (self.name, self.record.asks_for) not in done:
+            commit(self)
+        if self._word.now.phase is Phase.FASTENING:
+            done.add((self.name, self.record.asks_for))
+            self._word.change(phase=Phase.ARRIVED)
+
+    patch.setattr(Agent, "_commit", quiet)
+
+
+def memory_forgotten(patch):
+    """Keep one's own record alone from one life to the next, and not whom one has confirmed."""
+    state = property(lambda self: State(self._knowledge.clock, (self.record,), ()))
+    patch.setattr(Agent, "state", state)
+
+
 def no_anti_entropy(patch):
     """Never ask for what was lost."""
     patch.setattr(Agent, "_beat", lambda *_: None)
@@ -106,6 +127,14 @@ MUTANTS = {
         19.3, loss=0.29, delay=0.391,
     ),
     later_does_not_yield: drawn(Mode.MAIN, 139),
+    no_fastening: of_text(
+        Mode.MAIN, 2547,
+        "start@0:R1; start@0:R2; split@2-10.5:R1; join@5:R1; join@5.5:R2", 11.5,
+    ),
+    memory_forgotten: of_text(
+        Mode.MAIN, 1,
+        "join@0:R1; start@0:R2; split@14-40:R2; crash@15-16:R2; join@17:R2", 40.0,
+    ),
     no_anti_entropy: drawn(Mode.MAIN, 1),
     no_refutation: drawn(Mode.MAIN, 1),
     no_order_of_moves: of_text(
