@@ -24,6 +24,7 @@ from swarmgrasp.cli.plot import plot
 from swarmgrasp.cli.quality import quality
 from swarmgrasp.cli.schema import schema
 from swarmgrasp.cli.show.report import complain
+from swarmgrasp.cli.simulate import simulate
 from swarmgrasp.cli.study import study
 from swarmgrasp.cli.verify import verify
 from swarmgrasp.errors import SwarmGraspError
@@ -31,8 +32,8 @@ from swarmgrasp.errors import SwarmGraspError
 WRONG_INPUT = 2
 INTERRUPTED = 130
 COMMANDS = (
-    place, move, count, quality, forces, capability, study, verify, judge, plot, agent, paper,
-    examples, schema,
+    place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, agent,
+    paper, examples, schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
@@ -54,9 +55,14 @@ is in radians.
 """
 
 STATUS = """
+<<<<<<< HEAD
 Exit status: 0 done; 1 an answer was refused (verify, judge), a statement does not hold (paper,
 agents curve), an invariant broke (agents simulate), places differ (agents demo) or a robot cannot
 do what is asked (agents ask); 2 wrong input or usage; 130 interrupted with Ctrl-C.
+=======
+Exit status: 0 done; 1 an answer was refused (verify, judge), an object not held (simulate) or an
+invariant broken (agents simulate); 2 wrong input or usage; 130 interrupted with Ctrl-C.
+>>>>>>> 703d77d (Simulate from the command line, with words, pictures and animations)
 """
 
 

@@ -62,6 +62,6 @@ def test_what_is_missing_is_told_in_its_colour(gif):
 
 def test_animations_have_the_colours_of_pictures():
     """Two rooms, one palette; its first fade is none."""
-    for name in ("BLUE", "ORANGE", "VERMILION", "INK", "GREY", "PALE"):
+    for name in ("BLUE", "ORANGE", "VERMILION", "INK", "GREY"):
         assert getattr(colours, name) == getattr(style, name)
     assert FADES[0] == 1.0

@@ -26,17 +26,20 @@ LAST: Final = 2000
 """How long a picture is shown, and the last one [ms]."""
 LARGER: Final = 2
 """How many times larger pictures are drawn than they are shown."""
-ROOM: Final = 0.32
+ROOM: Final = 0.36
 """Around what the object covers, relative to its extent: for robots and their names."""
 ARROW: Final = 0.2
 """Length of the arrow of the largest limit, relative to the object's extent."""
 HEADER: Final = 44
-"""Height of the lines of text [px]."""
+FOOTER: Final = 18
+"""Heights of the lines of text and of the scale [px]."""
 TALLEST: Final = 1.0
 """Height of the view, relative to its width, at most."""
-INKS: Final = tuple(v for name, v in sorted(vars(colours).items()) if name.isupper())
+INKS: Final = (colours.BLUE, colours.ORANGE, colours.VERMILION, colours.INK, colours.GREY)
 FADES: Final = (1.0, 0.8, 0.6, 0.4, 0.2)
-"""The colours of pictures, and how far each fades into white where lines are smooth."""
+"""The colours of lines and text, and how far each fades into white where they are smooth."""
+FILLS: Final = ("#FFFFFF", colours.WATER, colours.OBJECT, colours.WAY)
+"""The colours of areas, which are those of most of a picture."""
 
 
 def write_gif(
@@ -73,6 +76,7 @@ def write_gif(
 def _palette() -> Image.Image:
     """Return a picture with the colours that all share, and what lies between them and white."""
     fades = [(colour, share) for colour in INKS for share in FADES]
+    fades += [(colour, 1.0) for colour in FILLS]
     flat = [
         round(255.0 * (1.0 - share * (1.0 - part)))
         for colour, share in fades
@@ -105,7 +109,9 @@ class View:
         self._extent, self._low = extent, low
         self._scale = LARGER * width / float(high[0] - low[0])
         height = min(float(high[1] - low[1]), TALLEST * float(high[0] - low[0]))
-        self._size = LARGER * width, int(self._scale * height) + LARGER * HEADER
+        self._floor = int(self._scale * height) + LARGER * HEADER
+        self._size = LARGER * width, self._floor + LARGER * FOOTER
+        self._decimals = max(0, 3 - math.floor(math.log10(extent)))
         limits = [robot.limit for robot in film.robots.values()]
         self._longest = ARROW * extent / max(limits, default=1.0)
         self._fonts = [ImageFont.load_default(LARGER * size) for size in (13, 11)]
@@ -133,13 +139,13 @@ class View:
     def _pixels(self, points: Vector) -> list[tuple[float, float]]:
         """Return points (k, 2) [m, m] of the earth's frame on the picture."""
         x, y = ((np.reshape(points, (-1, 2)) - self._low) * self._scale).T
-        return list(zip(x.tolist(), (self._size[1] - y).tolist(), strict=True))
+        return list(zip(x.tolist(), (self._floor - y).tolist(), strict=True))
 
     def _track(self, draw: ImageDraw.ImageDraw, instant: int) -> None:
         """Draw where the object's origin has been, and the way it is to go."""
         film = self._film
         for points, colour in (
-            (film.run.references[:, :2], colours.PALE),
+            (film.run.references[:, :2], colours.WAY),
             (film.run.poses[film.index, : instant + 1, :2], colours.BLUE),
         ):
             if len(points) > 1:
@@ -202,7 +208,8 @@ class View:
         wanted = 0.3 * self._extent
         power = 10.0 ** math.floor(math.log10(wanted))
         length = max(m * power for m in (1.0, 2.0, 5.0) if m * power <= wanted)
-        x, y = 12.0 * LARGER, self._size[1] - 10.0 * LARGER
+        draw.rectangle((0, self._floor, *self._size), fill="white")
+        x, y = 12.0 * LARGER, self._size[1] - 0.5 * FOOTER * LARGER
         end = x + length * self._scale
         draw.line([(x, y), (end, y)], fill=colours.GREY, width=LARGER)
         draw.text((end + 4 * LARGER, y), f"{length:g} m", colours.GREY, self._fonts[1], "lm")
@@ -218,7 +225,8 @@ class View:
         draw.text(
             (left + 42 * LARGER, 13 * LARGER), scene.happening.words, colours.INK, large, "lm"
         )
-        said = f"off by {scene.error:.2g} m, {abs(math.degrees(scene.turn)):.2g}°"
+        turned = abs(math.degrees(scene.turn))
+        said = f"off by {scene.error:.{self._decimals}f} m, {turned:.1f}°"
         draw.text((left, 31 * LARGER), said, colours.GREY, small, "lm")
         if scene.shortfall > 0.0:
             missing = f"out of reach by {self._unit.text(scene.shortfall)}"

@@ -1,5 +1,6 @@
 """What is to be seen of a run at an instant, for animations of any format."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,7 +14,7 @@ from swarmgrasp.swarm import Robot
 
 Vector = NDArray[np.float64]
 
-PROBE = 1e-3
+PROBE = 1e-4
 """Step that tells inside from outside, relative to the object's extent."""
 ASIDE = 0.08
 """How far off the outline a robot on its way is shown, relative to the object's extent."""
@@ -52,7 +53,7 @@ class Scene:
         How far what is wanted is out of reach.
     error : float [m]
     turn : float [rad]
-        The error of the heading.
+        The error of the heading, the shorter way.
     happening : Happening
         The last one.
     """
@@ -90,6 +91,7 @@ class Film:
         time = float(run.times[i])
         pose, reference = (np.asarray(v[i], float) for v in (run.poses[k], run.references))
         off = pose - reference
+        off[2] = math.remainder(off[2], math.tau)
         return Scene(
             time, pose, reference, self._pushers(i), self._travellers(time),
             np.asarray(run.streams[k, i, :2], float), np.asarray(run.streams[k, i, 2:], float),

@@ -1,0 +1,291 @@
+"""`swarmgrasp simulate`: what becomes of the object and its robots in weather."""
+
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.inputs import (
+    PICTURES,
+    blaming,
+    output_faults,
+    read_scenario,
+    whole_faults,
+)
+from swarmgrasp.cli.progress import shown_progress
+from swarmgrasp.cli.question import missing
+from swarmgrasp.cli.show.report import complain, told_written
+
+if TYPE_CHECKING:
+    from swarmgrasp.environment import Environment
+    from swarmgrasp.scenario import Scenario
+    from swarmgrasp.simulation.actuator import Actuator
+    from swarmgrasp.simulation.events import Event
+    from swarmgrasp.simulation.run import Run
+    from swarmgrasp.simulation.simulation import Simulation
+    from swarmgrasp.simulation.verdict import Verdict
+
+    Named = tuple[str, Actuator]
+
+NOT_HELD = 1
+"""Exit status when the object leaves the circle it is to be kept in."""
+INTERRUPTED = 130
+WITHIN, TURN = 5.0, 5.0
+"""How far [m] and turned [deg] an object may be, and be held, unless told otherwise."""
+SMALL = 15.0
+"""Into so many parts the extent of a small object goes, of which it may be off by one."""
+LONGEST = 1e6
+FASTEST = 300.0
+"""Longest run [s] and fastest wind [kn] that may be asked for."""
+STEPS = 1000
+"""Of the bar that shows how much is done."""
+_WIND = re.compile(r"([0-9]+(?:\.[0-9]+)?)@(-?[0-9]+(?:\.[0-9]+)?)")
+_LOSS = re.compile(r"(.+)@([0-9]+(?:\.[0-9]+)?)")
+
+
+def simulate(
+    file: Dashed,
+    /,
+    *,
+    for_: Annotated[float | None, Parameter(name="--for", metavar="SECONDS")] = None,
+    seed: Annotated[str | None, Parameter(metavar="INT")] = None,
+    losing: Annotated[list[str] | None, Parameter(metavar="NAME@SECONDS", negative="")] = None,
+    wind: Annotated[str | None, Parameter(metavar="KNOTS@DEGREES")] = None,
+    within: Annotated[float | None, Parameter(metavar="METRES")] = None,
+    turn: Annotated[float | None, Parameter(metavar="DEGREES")] = None,
+    log: Path | None = None,
+    plot: Path | None = None,
+    gif: Path | None = None,
+    mcap: Path | None = None,
+    player: Path | None = None,
+) -> int:
+    """Let the object and its robots move in wind and current, and tell whether they hold it.
+
+    Robots lag behind their orders, turn slowly, fail, travel, make fast and join; the forces are
+    shared out anew several times a second. What happens and in which weather is said by the key
+    `simulation` of the scenario; without it the robots have the lag of harbour tugs, and nothing
+    happens. The exit status is 1 if the object was not held.
+
+    Example: swarmgrasp simulate deck-barge --wind 20@60 --losing Castor@60 --plot run.png
+
+    Parameters
+    ----------
+    file
+        Scenario in YAML with an environment, "-" for standard input, or a built-in example such as
+        escort-ring.
+    for_
+        How long, instead of what the file says; events after that are left out.
+    seed
+        Of gusts and of the sensors' noise, instead of the file's.
+    losing
+        A robot that is lost, and when; give it once for each: --losing Castor@60.
+    wind
+        The mean wind, instead of the file's: its speed in knots, and where it comes from, degrees
+        clockwise from the bow.
+    within
+        How far the object may be from where it is to be, and be held; 5 m unless given, or a
+        fifteenth of its extent if that is less.
+    turn
+        How far it may be turned from its heading, and be held; 5 degrees unless given.
+    log
+        Write all numbers to this .parquet file.
+    plot
+        Draw track and history to this .png, .svg or .pdf file.
+    gif
+        Draw an animation to this .gif file.
+    mcap
+        Write an animation to this .mcap file, for Foxglove.
+    player
+        Write an animation to this .json file, for a page.
+    """
+    faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed)
+    faults += _text_faults(losing or [], wind)
+    for path, suffixes in (
+        (log, (".parquet",)), (plot, PICTURES), (gif, (".gif",)), (mcap, (".mcap",)),
+        (player, (".json",)),
+    ):  # fmt: skip
+        faults += output_faults(path, suffixes)
+    scenario = read_scenario(file, faults)
+    _check_packages(log, mcap)
+    environment = _environment(scenario, file, wind)
+    with blaming(file):
+        asked = _simulation(scenario, environment, wind is not None)
+    asked = _changed(asked, file, for_, seed, losing or [])
+    run = _run(asked)
+    from swarmgrasp.cli.show.simulate import show
+    from swarmgrasp.simulation.verdict import verdict_of
+
+    far = min(WITHIN, scenario.swarm.outline.extent / SMALL) if within is None else within
+    verdict = verdict_of(run, far, math.radians(TURN if turn is None else turn))
+    written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
+    show(scenario.name, run, verdict)
+    told_written(written)
+    if not run.is_whole:
+        return INTERRUPTED
+    return 0 if verdict.held.all() else NOT_HELD
+
+
+# -- what is asked ------------------------------------------------------------------------
+
+
+def _number_faults(for_: float | None, within: float | None, turn: float | None) -> list[str]:
+    """Return what is wrong with the numbers given as options."""
+    faults = []
+    if for_ is not None and not 0.0 < for_ <= LONGEST:
+        faults.append(f"--for is {for_:g}; it should be 0 < seconds <= {LONGEST:g}")
+    if within is not None and not 0.0 < within <= LONGEST:
+        faults.append(f"--within is {within:g}; it should be 0 < metres <= {LONGEST:g}")
+    if turn is not None and not 0.0 < turn <= 180.0:
+        faults.append(f"--turn is {turn:g}; it should be 0 < degrees <= 180")
+    return faults
+
+
+def _text_faults(losing: list[str], wind: str | None) -> list[str]:
+    """Return what is wrong with options that hold several things."""
+    faults = [
+        f"--losing is {text}; it should be a robot and a time in seconds, such as Castor@60"
+        for text in losing
+        if not _LOSS.fullmatch(text)
+    ]
+    match = _WIND.fullmatch(wind or "0@0")
+    if match is None or float(match[1]) > FASTEST:
+        faults.append(
+            f"--wind is {wind}; it should be a speed of at most {FASTEST:g} knots and a bearing in "
+            "degrees, such as 35@60"
+        )
+    return faults
+
+
+def _check_packages(log: Path | None, mcap: Path | None) -> None:
+    """Raise before anything is computed if a package is missing."""
+    from swarmgrasp.packages import check_installed
+
+    if log is not None:
+        check_installed("pyarrow", extra="logs", purpose="--log")
+    if mcap is not None:
+        check_installed("foxglove", extra="logs", purpose="--mcap")
+
+
+def _simulation(
+    scenario: "Scenario", environment: "Environment", is_other_wind: bool
+) -> "Simulation":
+    """Return the simulation that a scenario says, or a plain one, in an environment."""
+    from swarmgrasp.simulation.hull import Hull
+    from swarmgrasp.simulation.simulation import Simulation
+
+    told = scenario.simulation
+    if told is not None:
+        weather = replace(told.weather, series=None) if is_other_wind else told.weather
+        return replace(told, environment=environment, weather=weather)
+    hull = Hull.afloat(scenario.swarm.outline, environment)
+    return Simulation(scenario.problem(), environment, hull)
+
+
+def _environment(scenario: "Scenario", file: str, wind: str | None) -> "Environment":
+    """Return the surroundings, with a steady mean wind.
+
+    Raises
+    ------
+    UsageFault
+        If the scenario has none.
+    """
+    environment = scenario.environment
+    if environment is None:
+        advice = (
+            "environment: is missing; say what the object shows to wind and water, such as "
+            "`environment: {wind: {vessel: offshore supply vessel, frontal_area: 280, "
+            "lateral_area: 700, speed: 15, from: 60}, current: {frontal_area: 110, "
+            "lateral_area: 465}}`"
+        )
+        raise missing(scenario, file, "environment", "`swarmgrasp simulate`", advice)
+    if wind is not None:
+        from swarmgrasp.environment import KNOT
+
+        knots, bearing = map(float, wind.split("@"))
+        stream = replace(environment.wind, speed=knots * KNOT, bearing=math.radians(bearing))
+        return replace(environment, wind=stream)
+    if not environment.is_steady and scenario.simulation is None:
+        advice = (
+            "environment.wind: a simulation needs its speed, and from, where it comes from; or "
+            "give --wind, such as --wind 20@60, knots and degrees clockwise from the bow"
+        )
+        raise missing(scenario, file, "wind", "`swarmgrasp simulate`", advice)
+    return environment
+
+
+def _changed(
+    asked: "Simulation", file: str, for_: float | None, seed: str | None, losing: list[str]
+) -> "Simulation":
+    """Return a simulation with another duration and seed, and with robots that are lost."""
+    from swarmgrasp.simulation.events import Lose
+
+    duration = asked.duration if for_ is None else for_
+    events = [event for event in asked.events if event.at < duration]
+    left = len(asked.events) - len(events)
+    if left:
+        complain([f"left out: {left} event{'s' * (left > 1)} after {duration:g} s"])
+    losses: list[Lose] = []
+    for text in losing:
+        name, _, at = text.rpartition("@")
+        losses.append(Lose(float(at), name))
+    with blaming("--losing" if losing else file):
+        return replace(
+            asked,
+            duration=duration,
+            seed=asked.seed if seed is None else int(seed),
+            events=(*events, *losses),
+            actuators=_of_those_there(asked, events),
+        )
+
+
+def _of_those_there(asked: "Simulation", events: "list[Event]") -> "tuple[Named, ...]":
+    """Return the actuators of all robots that ever take part with some of the events."""
+    plain = replace(asked, actuators=(), events=tuple(events))
+    return tuple(pair for pair in asked.actuators if pair[0] in plain.names)
+
+
+# -- the run ------------------------------------------------------------------------------
+
+
+def _run(asked: "Simulation") -> "Run":
+    """Run a simulation, with a bar on a terminal; Ctrl-C keeps what was run."""
+    from swarmgrasp.simulation.simulate import simulate as run
+
+    with shown_progress(STEPS, "simulating") as told:
+        if told is None:
+            return run(asked)
+        return run(asked, progress=lambda part: told(round(STEPS * part)))
+
+
+def _write(
+    name: str, run: "Run", verdict: "Verdict", log: Path | None, plot: Path | None,
+    gif: Path | None, mcap: Path | None, player: Path | None,
+) -> list[Path]:  # fmt: skip
+    """Write the files that are wanted; return their paths."""
+    written: list[Path] = []
+    if log is not None:
+        from swarmgrasp.simulation.record import write_log
+
+        written.append(write_log(run, log))
+    if plot is not None:
+        from swarmgrasp.plot import save
+        from swarmgrasp.plot.sheet_of_run import run_sheet
+
+        written.append(save(run_sheet(run, verdict, name), plot))
+    if gif is not None:
+        from swarmgrasp.simulation.export.gif import write_gif
+
+        written.append(write_gif(run, gif))
+    if mcap is not None:
+        from swarmgrasp.simulation.export.mcap import write_mcap
+
+        written.append(write_mcap(run, mcap))
+    if player is not None:
+        from swarmgrasp.simulation.export.player import write_player
+
+        written.append(write_player(run, player))
+    return written

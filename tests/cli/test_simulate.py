@@ -1,0 +1,186 @@
+"""`swarmgrasp simulate`: words, files, exit status and faults."""
+
+import math
+from importlib import import_module
+
+import numpy as np
+import pytest
+from pyarrow import parquet
+
+from swarmgrasp.cli.show.simulate import show
+from swarmgrasp.simulation.run import Run
+from swarmgrasp.simulation.verdict import verdict_of
+
+FILE = """\
+name: Pontoon
+units: {{length: m, angle: deg}}
+outline: {{vertices: [[-2, -1], [2, -1], [2, 1], [-2, 1]], edges: [starboard, bow, port, stern]}}
+robots:
+  - {{name: A, edge: starboard, along: 0.5, direction: inward, limit: 200}}
+  - {{name: B, edge: starboard, along: 3.5, direction: inward, limit: 200}}
+  - {{name: C, edge: port, along: 0.5, direction: inward, limit: 200}}
+  - {{name: D, edge: port, along: 3.5, direction: inward, limit: 200}}
+  - {{name: E, edge: bow, along: 1, direction: inward, limit: 200}}
+  - {{name: F, edge: stern, along: 1, direction: inward, limit: 200}}
+newcomer: {{name: G, limit: 200, attachment: push, half_angle: 30}}
+environment:
+  wind: {{vessel: tender, frontal_area: 2, lateral_area: 4{wind}}}
+  current: {{frontal_area: 1, lateral_area: 2}}
+"""
+WIND = ", speed: 5, from: 90"
+SIMULATION = """\
+simulation:
+  duration: 12
+  seed: 4
+  robots: {lag: 1, slew: 1}
+  control: {period: 0.1}
+"""
+
+
+@pytest.fixture
+def pond(tmp_path):
+    """Return a function that writes a pontoon in the wind, and what happens to it."""
+
+    def pond(more=SIMULATION, wind=WIND):
+        path = tmp_path / "pond.yaml"
+        path.write_text(FILE.format(wind=wind) + more)
+        return path
+
+    return pond
+
+
+def test_an_object_that_is_held(run, pond):
+    """Within what, in the first line; the wind that acts; the margin; status 0."""
+    status, said, complaints = run("simulate", pond())
+    assert (status, complaints) == (0, "")
+    lines = said.splitlines()
+    assert lines[0].startswith("Pontoon: held within 0.0")
+    assert lines[0].endswith(" deg for 12 s")
+    assert "Wind     9.72 kn (5 m/s) from 90 deg, no gusts" in lines
+    assert "Current  none" in lines
+    assert any(line.startswith("Margin   ") and "mean load at the start" in line for line in lines)
+    assert any(line.endswith("never") and "the run begins" in line for line in lines)
+
+
+def test_an_object_that_is_not_held(run, pond):
+    """A loss on the lee side: when and after what it left, foretold and simulated; status 1."""
+    status, said, _ = run(
+        "simulate", pond(), "--losing", "D@2", "--wind", "12@90", "--within", "0.3", "--for", "30"
+    )
+    assert status == 1
+    first = said.splitlines()[0]
+    assert "not held from " in first
+    assert " s after D is lost; off by " in first
+    (row,) = [line.split() for line in said.splitlines() if line.startswith("     2  D is lost")]
+    simulated, foretold = map(float, row[-2:])
+    assert foretold / 1.6 < simulated < 1.6 * foretold
+
+
+def test_every_file_is_written(run, pond, tmp_path):
+    """A log, a sheet and three animations, each told."""
+    names = {"log": "a.parquet", "plot": "a.png", "gif": "a.gif", "mcap": "a.mcap",
+             "player": "a.json"}  # fmt: skip
+    options = [x for key, name in names.items() for x in (f"--{key}", tmp_path / name)]
+    status, said, _ = run("simulate", pond(), "--for", "3", *options)
+    assert status == 0
+    for name in names.values():
+        assert f"wrote {tmp_path / name}" in said
+        assert (tmp_path / name).stat().st_size > 1000
+    assert np.asarray(parquet.read_table(tmp_path / "a.parquet")["time"])[-1] == pytest.approx(3.0)
+
+
+def test_options_change_what_the_file_says(run, pond, tmp_path):
+    """Another seed moves it otherwise; events after an earlier end are left out, and told."""
+    later = SIMULATION + "  events: [{at: 1, lose: A}, {at: 5, send: newcomer}]\n"
+    later = later.replace("lag: 1,", "lag: 1, except: [{name: G, lag: 2}],")
+    tables = []
+    for seed in ("4", "5"):
+        status, _, complaints = run(
+            "simulate", pond(later), "--for", "2", "--seed", seed, "--log", tmp_path / "a.parquet"
+        )
+        assert status in (0, 1)
+        assert complaints == "left out: 1 event after 2 s\n"
+        tables.append(parquet.read_table(tmp_path / "a.parquet"))
+    assert tables[0]["x"][-1] != tables[1]["x"][-1]
+    assert tables[0]["seed"][0].as_py() == 4
+
+
+FAULTS = {
+    ("--for", "-1"): "--for is -1; it should be 0 < seconds <= 1e+06",
+    ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 999999999",
+    ("--losing", "A"): (
+        "--losing is A; it should be a robot and a time in seconds, such as Castor@60"
+    ),
+    ("--losing", "Q@3"): (
+        "--losing: lose at 3 s: there is no robot called 'Q' then; known: A, B, C, D, E, F"
+    ),
+    ("--losing", "A@30"): (
+        "--losing: lose at 30 s: the run ends at 12 s; it should be before"
+    ),
+    ("--wind", "fast"): (
+        "--wind is fast; it should be a speed of at most 300 knots and a bearing in degrees, such "
+        "as 35@60"
+    ),
+    ("--within", "0"): "--within is 0; it should be 0 < metres <= 1e+06",
+    ("--gif", "a.png"): "a.png: the name should end in .gif",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("options", FAULTS)
+def test_a_wrong_option_is_told(run, pond, options):
+    """One sentence with the value, its range and what to do; status 2."""
+    status, said, complaints = run("simulate", pond(), *options)
+    assert (status, said, complaints) == (2, "", FAULTS[options] + "\n")
+
+
+def test_what_a_file_needs(run, pond, pontoon):
+    """An environment, and a wind: from the file or the command line."""
+    status, _, complaints = run("simulate", pontoon)
+    assert status == 2
+    assert complaints.startswith(f"{pontoon}:1:1: environment: is missing; say what")
+    calm = pond(more="", wind="")
+    status, _, complaints = run("simulate", calm)
+    assert status == 2
+    assert complaints.startswith(f"{calm}:1:1: environment.wind: a simulation needs its")
+    status, said, _ = run("simulate", calm, "--wind", "1@0", "--for", "1")
+    assert status == 0
+    assert "Wind     0.514 m/s from 0 deg, no gusts" in said
+
+
+def test_a_run_that_is_stopped_is_told_as_far_as_it_went(monkeypatch, run, pond):
+    """Ctrl-C keeps what was run: its files are written, and the status is 130."""
+    room = import_module("swarmgrasp.simulation.simulate")
+    whole = room.simulate
+
+    def stopped(simulation, **options):
+        def stop(part):
+            if part > 0.4:
+                raise KeyboardInterrupt
+
+        assert not options
+        return whole(simulation, progress=stop)
+
+    monkeypatch.setattr(room, "simulate", stopped)
+    status, said, _ = run("simulate", pond(SIMULATION.replace("12", "60")))
+    assert status == 130
+    first = said.splitlines()[0]
+    assert first.startswith("Pontoon: held within ")
+    assert " deg until it was stopped at " in first
+    assert first.endswith(" of 60 s")
+
+
+def test_a_full_turn_is_told_as_one_and_ends_where_it_should(capsys):
+    """The largest error counts turns; the last one goes the shorter way."""
+    from dataclasses import replace
+
+    from made_runs import made_run
+
+    run: Run = made_run(seeds=(1,))
+    poses, turns = run.poses.copy(), run.turns.copy()
+    poses[0, 100:, 2] += 2.0 * math.pi
+    turns[0, 100:] = np.abs(poses[0, 100:, 2])
+    run = replace(run, poses=poses, turns=turns)
+    show("Barge", run, verdict_of(run))
+    first = capsys.readouterr().out.splitlines()[0]
+    assert "36" in first.split(" deg at most")[0].split(" and ")[-1]
+    assert " and 0.14 deg at 300 s" in first
