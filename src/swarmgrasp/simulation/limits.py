@@ -94,7 +94,8 @@ def limits(
     bearings : (m,) [rad], optional
         Every 15 degrees when left out.
     seeds : sequence of int, optional
-        Of gusts and noise; the simulation's own when left out.
+        Of gusts and noise; the simulation's own when left out. With none only steady winds are
+        tried.
     within : float [m]
     within_turn : float [rad]
     gap : float
@@ -118,8 +119,8 @@ def limits(
         wanted = np.zeros(1)
     faults += [fault for b in wanted.tolist() for fault in BEARING.faults("bearing", b)]
     given = () if seeds is None else items(seeds)
-    if given is None or (seeds is not None and not given):
-        faults.append(f"the seeds are {shown(seeds)}; they should be one number or more")
+    if given is None:
+        faults.append(f"the seeds are {shown(seeds)}; they should be numbers in a row")
     faults += [fault for seed in given or () for fault in seed_faults(seed)]
     faults += WITHIN.faults("distance within", within)
     faults += TURN_WITHIN.faults("turn within", within_turn)
@@ -128,7 +129,7 @@ def limits(
     faults += call_faults(progress)
     if faults:
         raise SimulationInvalid(faults)
-    chosen = tuple(map(int, given or (simulation.seed,)))
+    chosen = (simulation.seed,) if seeds is None else tuple(map(int, given or ()))
     return _Trials(simulation, wanted, chosen, within, within_turn, gap, progress).limits()
 
 
@@ -163,7 +164,7 @@ class _Trials:
         steady = replace(gusty, weather=Weather(), control=control)
         static = capability(gusty.problem.swarm, gusty.environment, self._bearings).intact
         return Limits(
-            self._told, self._bearings, static, self._largest(steady, static, self._seeds[:1])[0],
+            self._told, self._bearings, static, self._largest(steady, static, (0,))[0],
             self._largest(gusty, static, self._seeds), self._seeds, float(self._within),
             float(self._within_turn), float(self._gap),
         )  # fmt: skip
@@ -188,7 +189,8 @@ class _Trials:
         """Tell which mean winds (k, seeds, m) [m/s] are held."""
         each = np.broadcast_to(np.array(seeds)[:, None], winds.shape).ravel().tolist()
         bearings = np.broadcast_to(self._bearings, winds.shape).ravel()
-        speeds, held = winds.ravel(), []
+        speeds = winds.ravel()
+        held: list[bool] = []
         for first in range(0, winds.size, TOGETHER):
             rows = slice(first, first + TOGETHER)
             mean = _mean_at(simulation.environment, speeds[rows], bearings[rows])
@@ -198,8 +200,8 @@ class _Trials:
                 raise KeyboardInterrupt
             self._done += 1
             is_near = run.distances.max(axis=1) <= self._within
-            held.append(is_near & (run.turns.max(axis=1) <= self._within_turn))
-        return np.concatenate(held).reshape(winds.shape)
+            held += (is_near & (run.turns.max(axis=1) <= self._within_turn)).tolist()
+        return np.array(held, dtype=bool).reshape(winds.shape)
 
     def _tell(self, part: float) -> None:
         """Tell what part of all is done, when a part of one batch is."""

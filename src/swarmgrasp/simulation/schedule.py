@@ -43,12 +43,12 @@ class Schedule:
         self._simulation, self._crew = simulation, crew
         self._reference, self._streams = reference, streams
         self._names = iter(simulation.joining)
-        self._due: list[tuple[float, int, Callable[[float], None]]] = []
+        self._due: list[tuple[float, bool, int, Callable[[float], None]]] = []
         self._count = 0
         self.happenings: list[Happening] = []
         self._stints = [(0.0, crew.there)]
         for event in simulation.events:
-            self._add(event.at, partial(self._happen, event))
+            self._add(event.at, partial(self._happen, event), is_event=True)
         self._note(0.0, "start", "", "the run begins")
 
     @property
@@ -59,7 +59,7 @@ class Schedule:
     def pass_to(self, time: float, until: float) -> None:
         """Let everything happen at a time [s] that falls due until another."""
         while self.next <= until:
-            heappop(self._due)[2](time)
+            heappop(self._due)[-1](time)
             if self._stints[-1][1] is not self._crew.there:
                 self._stints.append((time, self._crew.there))
 
@@ -79,9 +79,9 @@ class Schedule:
         """The heading [rad] that the object is to have."""
         return self._reference.heading
 
-    def _add(self, time: float, act: Callable[[float], None]) -> None:
-        """Let something happen at a time [s], after all else that does then."""
-        heappush(self._due, (time, self._count, act))
+    def _add(self, time: float, act: Callable[[float], None], is_event: bool = False) -> None:
+        """Let something happen at a time [s]: what comes of earlier events first."""
+        heappush(self._due, (time, is_event, self._count, act))
         self._count += 1
 
     def _note(self, time: float, kind: str, robot: str, words: str) -> None:

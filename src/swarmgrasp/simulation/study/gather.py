@@ -1,7 +1,6 @@
 """The rows of a study, and questions put to them."""
 
 import hashlib
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -49,7 +48,7 @@ class Gathered(Told):
 SHOWN_FAULTS = 3
 
 
-def gather(folder: str | os.PathLike[str]) -> Gathered:
+def gather(folder: Path) -> Gathered:
     """Sum up what is done of a study, all of it or a part.
 
     Raises
@@ -71,7 +70,7 @@ def gather(folder: str | os.PathLike[str]) -> Gathered:
 
 
 @contextmanager
-def rows(folder: str | os.PathLike[str]) -> Iterator[Ask]:
+def rows(folder: Path) -> Iterator[Ask]:
     """Offer the rows of a study as tables `runs`, of runs without a fault, and `all_runs`.
 
     Raises
@@ -110,7 +109,7 @@ def rows(folder: str | os.PathLike[str]) -> Iterator[Ask]:
         ) from error
 
 
-def digest(folder: str | os.PathLike[str]) -> str:
+def digest(folder: Path) -> str:
     """Return the digest of a study's rows."""
     found = hashlib.sha256()
     for path in _files(folder):
@@ -118,11 +117,11 @@ def digest(folder: str | os.PathLike[str]) -> str:
     return found.hexdigest()[:16]
 
 
-def _files(folder: str | os.PathLike[str]) -> list[Path]:
+def _files(folder: Path) -> list[Path]:
     """Return the files of the shards that are done."""
-    plan, where = read_plan(folder), Path(folder)
-    left = set(plan.missing(where))
-    files = [plan.part(where, shard) for shard in range(plan.shards) if shard not in left]
+    plan = read_plan(folder)
+    left = set(plan.missing(folder))
+    files = [plan.part(folder, shard) for shard in range(plan.shards) if shard not in left]
     if not files:
         raise StudyInvalid(f"{folder}: nothing of this study is done yet; run it first")
     return files
