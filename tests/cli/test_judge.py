@@ -62,4 +62,5 @@ def test_without_mujoco_it_says_how_to_install_it(run, monkeypatch):
     monkeypatch.setattr(swarmgrasp.packages, "find_spec", lambda _: None)
     status, _, complaints = run("judge", "escort-ring")
     assert status == 2
+    assert complaints.startswith("`swarmgrasp judge` needs mujoco; ")
     assert complaints.rstrip().endswith("install it with: pip install 'swarmgrasp[mujoco]'")

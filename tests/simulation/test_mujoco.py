@@ -86,6 +86,32 @@ def test_robots_of_every_kind_are_judged():
     assert not bool(replace(found, trials=(*found.trials[:-1], wrong)))
 
 
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e7])
+@pytest.mark.parametrize("mass", [1e-5, 1e15])
+def test_size_and_mass_do_not_matter(size, mass):
+    """MuJoCo, which counts to 1e10, is asked for as long as an object stays near."""
+    corners = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
+    square = Outline(size * corners)
+    crowd = [
+        Robot((size * x, size * y), math.atan2(-y, -x) + turn, 1.0)
+        for x, y in ((1, 0), (0, 1), (-1, -1))
+        for turn in (-0.5, 0.5)
+    ]
+    assert bool(judge(quality(Swarm(square, crowd)), Hull.ashore(square, mass)))
+
+
+def test_what_mujoco_does_not_count_or_take_is_told(tmp_path, monkeypatch):
+    """A motion beyond 1e10, at which it begins anew; a shape that is too small for it."""
+    swarm = Swarm(BARGE, ROBOTS[:1])
+    monkeypatch.chdir(tmp_path)  # where MuJoCo writes a log of its own
+    world = World(swarm, Hull(1e-6, (0.0, 0.0), 1.0, (0.0, 0.0, 0.0)), step=0.1)
+    with pytest.raises(SimulationInvalid, match="a heavier object"):
+        world.advance([(300e3, 0.0)], steps=100)
+    tiny = Outline(1e-7 * BARGE.vertices)
+    with pytest.raises(SimulationInvalid, match="MuJoCo does not take the model of the object: "):
+        World(Swarm(tiny, []), Hull(1.0, (0.0, 0.0), 1.0, (0.0, 0.0, 0.0)))
+
+
 def test_nothing_held_is_nothing_to_judge():
     """A swarm without force closure is refused."""
     swarm = Swarm(BARGE, ROBOTS[:1])

@@ -60,8 +60,10 @@ def judge(
         Write the object and its robots as a model, .xml, for MuJoCo's viewer:
         python -m mujoco.viewer --mjcf=ring.xml
     """
+    from swarmgrasp.packages import check_installed
     from swarmgrasp.simulation.hull import MASS
 
+    check_installed("mujoco", extra="mujoco", purpose="`swarmgrasp judge`")
     faults = losing_faults(losing) + output_faults(mjcf, (".xml",))
     faults += [] if mass is None else [f"--mass: {fault}" for fault in MASS.faults("mass", mass)]
     scenario = read_scenario(file, faults)

@@ -4,7 +4,6 @@ import math
 
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.simulation.mujoco import Judgement
-from swarmgrasp.simulation.mujoco.judge import DURATION
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.words import Unit, digits, percent
 
@@ -22,7 +21,7 @@ def show(name: str, swarm: Swarm, found: Judgement) -> None:
         report.headline(f"{name}: MuJoCo does not agree that {held}{comma} and no more", "bad")
     report.blank()
     report.facts([
-        ("Judge", f"MuJoCo {found.version}, {DURATION:g} s for each disturbance"),
+        ("Judge", f"MuJoCo {found.version}, {found.duration:.3g} s for each disturbance"),
         ("Object", f"{digits(found.hull.mass, found.hull.mass)} kg, in no water and no wind"),
         ("Disturbance", f"against the weakest wrench: {quality.weakest_words}"),
         *([("Without", ", ".join(quality.gone))] if quality.gone else []),

@@ -1,5 +1,6 @@
 """Whether MuJoCo holds what the quality says is held, and no more."""
 
+import math
 from dataclasses import dataclass
 from importlib.metadata import version
 
@@ -16,9 +17,11 @@ from swarmgrasp.simulation.mujoco.world import World
 FACTORS = (0.99, 1.0, 1.01)
 """Sizes of disturbances, relative to the quality."""
 DURATION = 60.0
-"""Of a trial [s]."""
-STEP = 0.1
-"""Of MuJoCo [s]; forces are constant, which any step integrates exactly."""
+"""Of a trial at most [s]."""
+FARTHEST = 100.0
+"""Way, in extents of the object, on which a force of the quality may push it meanwhile."""
+STEPS = 600
+"""Of a trial; forces are constant, which steps of any length integrate exactly."""
 STILL = 1e-7
 """Way that counts as none, relative to that on which a force of the quality pushes the object.
 
@@ -58,6 +61,8 @@ class Judgement(Frozen):
     ----------
     quality : Quality
     hull : Hull
+    duration : float [s]
+        Of each trial.
     trials : tuple of Trial
         By rising factors.
     version : str
@@ -66,6 +71,7 @@ class Judgement(Frozen):
 
     quality: Quality
     hull: Hull
+    duration: float
     trials: tuple[Trial, ...]
     version: str
 
@@ -78,8 +84,8 @@ def judge(quality: Quality, hull: Hull) -> Judgement:
     """Let MuJoCo say whether a quality is right.
 
     Against the swarm as it is in the worst case comes a disturbance along the weakest wrench, for
-    60 s; the robots answer it with the forces of `forces`, which stay. Up to the quality the
-    object should stay where it is, and beyond it move off.
+    60 s, or less if the object is light; the robots answer it with the forces of `forces`, which
+    stay. Up to the quality the object should stay where it is, and beyond it move off.
 
     Parameters
     ----------
@@ -115,22 +121,24 @@ def judge(quality: Quality, hull: Hull) -> Judgement:
         )
     if faults:
         raise SimulationInvalid(faults)
-    trials = tuple(_tried(quality, hull, factor) for factor in FACTORS)
-    return Judgement(quality, hull, trials, version("mujoco"))
+    push = float(np.linalg.norm(quality.weakest_wrench * quality.worst_swarm.scale))
+    reach = FARTHEST * quality.worst_swarm.outline.extent
+    duration = min(DURATION, math.sqrt(2.0 * reach * hull.mass / push))
+    still = STILL * 0.5 * push / hull.mass * duration**2
+    trials = tuple(_tried(quality, hull, factor, duration, still) for factor in FACTORS)
+    return Judgement(quality, hull, duration, trials, version("mujoco"))
 
 
-def _tried(quality: Quality, hull: Hull, factor: float) -> Trial:
-    """Return what comes of one disturbance."""
+def _tried(quality: Quality, hull: Hull, factor: float, duration: float, still: float) -> Trial:
+    """Return what comes of a disturbance in a time [s]; held is what stays within a way [m]."""
     swarm, load = quality.worst_swarm, np.array(quality.criterion.load)
     wanted = factor * quality.weakest_wrench
     answer = forces(swarm, wanted, load=load)
-    world = World(swarm, hull, step=STEP)
+    world = World(swarm, hull, step=duration / STEPS)
     acting = load - wanted
     world.order(answer.vectors, acting)
     net = float(np.linalg.norm(world.net * swarm.scale))
-    x, y, turn = world.advance(answer.vectors, acting, steps=round(DURATION / STEP)).tolist()
-    distance = float(np.hypot(x, y))
-    push = float(np.linalg.norm(quality.weakest_wrench * swarm.scale))
-    way = 0.5 * push / hull.mass * DURATION**2
-    is_held = max(distance, abs(turn) * swarm.characteristic_length) <= STILL * way
-    return Trial(factor, net, distance, abs(turn), is_held)
+    x, y, turn = world.advance(answer.vectors, acting, steps=STEPS).tolist()
+    distance, turned = math.hypot(x, y), abs(turn)
+    is_held = max(distance, turned * swarm.characteristic_length) <= still
+    return Trial(factor, net, distance, turned, is_held)

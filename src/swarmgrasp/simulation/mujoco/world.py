@@ -37,7 +37,7 @@ class World:
     PackageMissing
         Without MuJoCo.
     SimulationInvalid, SwarmInvalid
-        As for `mjcf`.
+        As for `mjcf`, and if MuJoCo does not take the model.
 
     Examples
     --------
@@ -65,7 +65,14 @@ class World:
 
         self.swarm, self.step = swarm, step
         self._library = mujoco
-        self._model = mujoco.MjModel.from_xml_string(mjcf(swarm, hull, floor, lags=lags, step=step))
+        text = mjcf(swarm, hull, floor, lags=lags, step=step)
+        try:
+            self._model = mujoco.MjModel.from_xml_string(text)
+        except ValueError as error:  # such as of a shape too small for it
+            said = " ".join(str(error).split())
+            raise SimulationInvalid(
+                f"MuJoCo does not take the model of the object: {said}"
+            ) from None
         self._data = mujoco.MjData(self._model)
         self._columns = columns_of(swarm)
         self._start = np.zeros(3)
@@ -93,6 +100,13 @@ class World:
         found = np.zeros(self._model.nv)
         self._library.mj_mulM(self._model, self._data, found, self._data.qacc)
         return found[[0, 1, YAW[len(found)]]]
+
+    @property
+    def _has_begun_anew(self) -> bool:
+        """Whether numbers became too large for MuJoCo, which then goes back to the start."""
+        kinds = self._library.mjtWarning
+        too_large = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+        return any(self._data.warning[int(kind)].number for kind in too_large)
 
     def order(self, vectors: ArrayLike, load: ArrayLike = (0.0, 0.0, 0.0)) -> None:
         """Say which forces robots are to exert from now on, and what else acts.
@@ -141,7 +155,7 @@ class World:
         Raises
         ------
         SimulationInvalid
-            If these are no such numbers.
+            If these are no such numbers, or the motion grows beyond all that MuJoCo counts.
         """
         if not (is_whole(steps) and 0 <= steps <= MOST_STEPS):
             raise SimulationInvalid(
@@ -151,4 +165,9 @@ class World:
         self.order(vectors, load)
         if steps:
             self._library.mj_step(self._model, self._data, nstep=steps)
+            if self._has_begun_anew:
+                raise SimulationInvalid(
+                    f"in steps of {self.step:g} s the motion grows beyond all that MuJoCo counts; "
+                    "take shorter steps, or a heavier object"
+                )
         return self.pose
