@@ -144,7 +144,26 @@ def test_what_a_file_needs(run, pond, pontoon):
     assert complaints.startswith(f"{calm}:1:1: environment.wind: a simulation needs its")
     status, said, _ = run("simulate", calm, "--wind", "1@0", "--for", "1")
     assert status == 0
-    assert "Wind     0.514 m/s from 0 deg, no gusts" in said
+    assert "Wind     0.514 m/s from 0 deg, gusts of standard deviation 0.0" in said
+
+
+def test_the_largest_winds(run, pond, tmp_path):
+    """By statics and simulated, at every bearing; a file without a wind will do."""
+    calm = pond(more="", wind="")
+    picture = tmp_path / "limits.png"
+    status, said, complaints = run(
+        "simulate", calm, "--capability", "--for", "2", "--within", "0.001", "--plot", picture
+    )
+    assert (status, complaints) == (0, "")
+    lines = said.splitlines()
+    assert lines[0].startswith("Pontoon: simulated, ")
+    assert " of the static limits are held in a steady wind, " in lines[0]
+    rows = [line.split() for line in lines if line[:14].strip().isdigit()]
+    assert [float(row[0]) for row in rows] == [15.0 * k for k in range(24)]
+    assert all(float(row[4]) >= 0.9 for row in rows)
+    assert picture.exists()
+    status, _, complaints = run("simulate", calm, "--capability", "--gif", "a.gif")
+    assert (status, complaints) == (2, "--gif is of a run, and --capability makes none\n")
 
 
 def test_a_run_that_is_stopped_is_told_as_far_as_it_went(monkeypatch, run, pond):

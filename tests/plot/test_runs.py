@@ -4,10 +4,13 @@ import numpy as np
 import pytest
 
 from made_runs import JOINED, LOST, NOTICED, SENT, made_run
+from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import save
 from swarmgrasp.plot.history import history
+from swarmgrasp.plot.limits import limits_diagram
 from swarmgrasp.plot.sheet_of_run import run_sheet
 from swarmgrasp.plot.track import stages_of, track
+from swarmgrasp.simulation.limits import Limits
 from swarmgrasp.simulation.verdict import verdict_of
 
 
@@ -78,3 +81,20 @@ def test_a_sheet_has_both_and_is_saved(run, verdict, tmp_path):
     assert len(figure.axes) == 6
     assert figure.texts[0].get_text() == "Deck barge"
     assert save(figure, tmp_path / "run.svg").stat().st_size > 10_000
+
+
+def test_the_diagram_of_limits_has_three_curves(run):
+    """The radius is the wind in knots, ahead is up; in gusts the least of all seeds."""
+    bearings = np.radians(np.arange(0.0, 360.0, 15.0))
+    static = 20.0 + 5.0 * np.cos(bearings)
+    gusty = np.stack([0.9 * static, 0.8 * static])
+    found = Limits(run.simulation, bearings, static, 1.01 * static, gusty, (1, 2), 5.0, 0.1, 0.002)
+    figure = limits_diagram(found, "Deck barge")
+    for name, speeds in (("static", static), ("steady", 1.01 * static), ("gusty", 0.8 * static)):
+        (line,) = by_gid(figure, name)
+        drawn = np.column_stack(line.get_data())
+        for bearing, knots in zip(bearings, speeds / KNOT, strict=True):
+            point = knots * np.array([np.sin(bearing), np.cos(bearing)])
+            assert np.hypot(*(drawn - point).T).min() < 1e-6
+    said = [text.get_text() for text in figure.texts]
+    assert "least 23.3 kn; 0.80 to 0.80 of statics" in said

@@ -62,13 +62,14 @@ def simulate(
     gif: Path | None = None,
     mcap: Path | None = None,
     player: Path | None = None,
+    capability: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Let the object and its robots move in wind and current, and tell whether they hold it.
 
     Robots lag behind their orders, turn slowly, fail, travel, make fast and join; the forces are
     shared out anew several times a second. What happens and in which weather is said by the key
-    `simulation` of the scenario; without it the robots have the lag of harbour tugs, and nothing
-    happens. The exit status is 1 if the object was not held.
+    `simulation` of the scenario; without it there are gusts, the robots have the lag of harbour
+    tugs, and nothing happens. The exit status is 1 if the object was not held.
 
     Example: swarmgrasp simulate deck-barge --wind 20@60 --losing Castor@60 --plot run.png
 
@@ -101,6 +102,9 @@ def simulate(
         Write an animation to this .mcap file, for Foxglove.
     player
         Write an animation to this .json file, for a page.
+    capability
+        Instead of one run, find the largest wind held from every bearing: by statics, in a
+        simulated steady wind, and in gusts; --plot draws the three curves. Events play no part.
     """
     faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed)
     faults += _text_faults(losing or [], wind)
@@ -109,18 +113,26 @@ def simulate(
         (player, (".json",)),
     ):  # fmt: skip
         faults += output_faults(path, suffixes)
+    if capability:
+        others = {"--losing": losing, "--wind": wind, "--log": log, "--gif": gif, "--mcap": mcap,
+                  "--player": player}  # fmt: skip
+        faults += [f"{each} is of a run, and --capability makes none" for each, given in
+                   others.items() if given]  # fmt: skip
     scenario = read_scenario(file, faults)
     _check_packages(log, mcap)
-    environment = _environment(scenario, file, wind)
+    environment = _environment(scenario, file, "0@0" if capability else wind)
     with blaming(file):
-        asked = _simulation(scenario, environment, wind is not None)
-    asked = _changed(asked, file, for_, seed, losing or [])
+        asked = _simulation(scenario, environment, capability or wind is not None)
+    asked = _changed(asked, file, for_, seed, losing or [], is_quiet=capability)
+    far = min(WITHIN, scenario.swarm.outline.extent / SMALL) if within is None else within
+    limit = math.radians(TURN if turn is None else turn)
+    if capability:
+        return _capability(scenario.name, asked, far, limit, plot)
     run = _run(asked)
     from swarmgrasp.cli.show.simulate import show
     from swarmgrasp.simulation.verdict import verdict_of
 
-    far = min(WITHIN, scenario.swarm.outline.extent / SMALL) if within is None else within
-    verdict = verdict_of(run, far, math.radians(TURN if turn is None else turn))
+    verdict = verdict_of(run, far, limit)
     written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
     show(scenario.name, run, verdict)
     told_written(written)
@@ -176,13 +188,14 @@ def _simulation(
     """Return the simulation that a scenario says, or a plain one, in an environment."""
     from swarmgrasp.simulation.hull import Hull
     from swarmgrasp.simulation.simulation import Simulation
+    from swarmgrasp.simulation.weather import Weather
 
     told = scenario.simulation
     if told is not None:
         weather = replace(told.weather, series=None) if is_other_wind else told.weather
         return replace(told, environment=environment, weather=weather)
     hull = Hull.afloat(scenario.swarm.outline, environment)
-    return Simulation(scenario.problem(), environment, hull)
+    return Simulation(scenario.problem(), environment, hull, weather=Weather("npd"))
 
 
 def _environment(scenario: "Scenario", file: str, wind: str | None) -> "Environment":
@@ -218,15 +231,16 @@ def _environment(scenario: "Scenario", file: str, wind: str | None) -> "Environm
 
 
 def _changed(
-    asked: "Simulation", file: str, for_: float | None, seed: str | None, losing: list[str]
-) -> "Simulation":
-    """Return a simulation with another duration and seed, and with robots that are lost."""
+    asked: "Simulation", file: str, for_: float | None, seed: str | None, losing: list[str],
+    *, is_quiet: bool,
+) -> "Simulation":  # fmt: skip
+    """Return a simulation with another duration and seed, and robots lost; or with no events."""
     from swarmgrasp.simulation.events import Lose
 
     duration = asked.duration if for_ is None else for_
-    events = [event for event in asked.events if event.at < duration]
+    events = [event for event in asked.events if event.at < duration and not is_quiet]
     left = len(asked.events) - len(events)
-    if left:
+    if left and not is_quiet:
         complain([f"left out: {left} event{'s' * (left > 1)} after {duration:g} s"])
     losses: list[Lose] = []
     for text in losing:
@@ -246,6 +260,30 @@ def _of_those_there(asked: "Simulation", events: "list[Event]") -> "tuple[Named,
     """Return the actuators of all robots that ever take part with some of the events."""
     plain = replace(asked, actuators=(), events=tuple(events))
     return tuple(pair for pair in asked.actuators if pair[0] in plain.names)
+
+
+# -- the largest winds --------------------------------------------------------------------
+
+
+def _capability(
+    name: str, asked: "Simulation", within: float, turn: float, plot: Path | None
+) -> int:
+    """Find, draw and tell the largest winds held."""
+    from swarmgrasp.cli.show.limits import show
+    from swarmgrasp.simulation.limits import limits
+
+    with shown_progress(STEPS, "trying winds") as told:
+        done = None if told is None else (lambda part: told(round(STEPS * part)))
+        found = limits(asked, within=within, within_turn=turn, progress=done)
+    written = []
+    if plot is not None:
+        from swarmgrasp.plot import save
+        from swarmgrasp.plot.limits import limits_diagram
+
+        written.append(save(limits_diagram(found, name), plot))
+    show(name, found)
+    told_written(written)
+    return 0
 
 
 # -- the run ------------------------------------------------------------------------------

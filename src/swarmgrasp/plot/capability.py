@@ -10,25 +10,16 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from swarmgrasp.capability import Capability
 from swarmgrasp.environment import KNOT, beaufort, vessel_type
-from swarmgrasp.plot import style
+from swarmgrasp.plot import polar, style
 from swarmgrasp.plot.arrows import Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
 
 Vector = NDArray[np.float64]
-
-MOST_SHOWN: Final = 100.0
-"""Radius of the largest diagram [kn]: what is more is cut there, as is usual."""
-
-MOST_RINGS: Final = 5
-
-FINE: Final = 12
-"""Points from one bearing to the next, for the cut at the outer ring to be round."""
 
 MOST_AVOIDED: Final = 40
 """With more robots than this, labels do not keep clear of their arrows, which are thinner."""
@@ -37,28 +28,13 @@ COLUMNS: Final = (0.5, 1.66, 2.38, 2.98, 3.56, 4.02)
 """Where the columns of the caption's table begin [in]."""
 
 LONGEST_NAME: Final = 20
-LONGEST_TITLE: Final = 56
-"""Letters of the robots lost that fit into the table, and of a title."""
+"""Letters of the robots lost that fit into the table."""
 
 HULL: Final = 0.56
 """Length of the hull's silhouette over the outer ring's radius."""
 
-SIDE: Final = 4.5
-"""Width and height of the axes [in]."""
-
-ROOM: Final = 1.16
-"""Half width of the axes over the outer ring's radius: bearings are written outside the ring."""
-
-ABOVE: Final = 0.36
 BELOW: Final = 1.06
-"""Heights of title and caption [in]."""
-
-SPOKES: Final = range(0, 360, 30)
-KNOTS_AT: Final = 45.0
-METRES_AT: Final = 315.0
-"""Bearings [deg] along which the rings are labelled."""
-
-QUARTERS: Final = {0: "bow", 90: "starboard", 180: "stern", 270: "port"}
+"""Height of the caption [in]."""
 
 INTACT: Final[dict[str, Any]] = {"color": style.BLUE, "linewidth": 1.8, "linestyle": "-"}
 AFTER_LOSS: Final[dict[str, Any]] = {
@@ -89,92 +65,17 @@ def capability_diagram(found: Capability, title: str = "", *, ax: Axes | None = 
     """
     with style.settings():
         alone = ax is None
-        ax = _new_axes() if ax is None else ax
-        step, top = _rings(found)
-        page = _frame(ax, top)
-        _draw_rings(page, step, top)
+        ax = polar.new_axes(BELOW) if ax is None else ax
+        step, top = polar.rings(float(found.intact.max()))
+        page = polar.frame(ax, top)
+        polar.draw_rings(page, step, top)
         _draw_hull(page, found, top)
         _draw_envelopes(page, found, top)
-        _label_rings(page, step, top)
+        polar.label_rings(page, step, top)
         _label_envelopes(page, found, top)
         if alone:
             _write_caption(ax, found, title)
         return cast(Figure, ax.get_figure(root=True))
-
-
-def _new_axes() -> Axes:
-    """Return square axes in a figure with room for title and caption."""
-    height = ABOVE + SIDE + BELOW
-    figure = Figure(figsize=(style.WIDTH, height))
-    left = 0.5 * (style.WIDTH - SIDE)
-    return figure.add_axes((left / style.WIDTH, BELOW / height, SIDE / style.WIDTH, SIDE / height))
-
-
-def _frame(ax: Axes, top: float) -> Page:
-    """Set axes in knots, the bow up and starboard on the right."""
-    reach = ROOM * top
-    ax.set(xlim=(-reach, reach), ylim=(-reach, reach))
-    ax.set_aspect("equal", adjustable="box")
-    ax.set_axis_off()
-    return Page(ax)
-
-
-def _rings(found: Capability) -> tuple[float, float]:
-    """Return the distance of the rings and the radius of the outer one [kn]."""
-    most = min(MOST_SHOWN, float(found.intact.max()) / KNOT) or 1.0
-    step = next(
-        factor * 10.0**power
-        for power in range(math.floor(math.log10(most)) - 1, 3)
-        for factor in (1.0, 2.0, 5.0)
-        if most <= MOST_RINGS * factor * 10.0**power * (1.0 + 1e-9)
-    )
-    return step, step * math.ceil(most / step * (1.0 - 1e-9))
-
-
-def _points(bearings: Vector, knots: Vector) -> Vector:
-    """Return where bearings [rad] and speeds [kn] are drawn, (m, 2)."""
-    return np.column_stack([knots * np.sin(bearings), knots * np.cos(bearings)])
-
-
-def _draw_rings(page: Page, step: float, top: float) -> None:
-    """Draw rings of equal wind and spokes of equal bearing, and write the bearings."""
-    ax = page.ax
-    for radius in np.arange(step, top + 0.5 * step, step):
-        last = radius > top - 0.5 * step
-        colour, width = (style.GREY, 0.8) if last else ("#CFCFCF", 0.6)
-        ax.add_patch(
-            Circle((0.0, 0.0), radius, fill=False, color=colour, linewidth=width, zorder=1)
-        )
-    for bearing in SPOKES:
-        way = _points(np.radians([bearing]), np.ones(1))[0]
-        ax.plot(*np.outer(way, [0.0, top]), color="#DADADA", linewidth=0.5, zorder=1)
-        word = QUARTERS.get(bearing)
-        text = f"{bearing}°" if word is None else f"{bearing}° {word}"
-        beside = 0.0 if word is None or way[1] ** 2 > 0.5 else 90.0 if way[0] < 0.0 else -90.0
-        x, y = (1.075 * top * way).tolist()
-        artist = ax.text(
-            x, y, text, ha="center", va="center", rotation=beside,
-            fontsize=8.0, color=style.INK if word else style.GREY, gid="bearing",
-        )  # fmt: skip
-        page.boxes.append(artist.get_window_extent().extents)
-
-
-def _label_rings(page: Page, step: float, top: float) -> None:
-    """Write the speeds on the rings: knots right of the bow, metres per second left of it."""
-    ax = page.ax
-    back = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8}
-    for radius in np.arange(step, top + 0.5 * step, step):
-        most = "≥ " if radius >= MOST_SHOWN else ""
-        for bearing, side, text in (
-            (KNOTS_AT, "left", f"{most}{radius:g} kn"),
-            (METRES_AT, "right", f"{style.number(radius * KNOT)} m/s"),
-        ):
-            x, y = _points(np.radians([bearing]), np.array([radius]))[0].tolist()
-            artist = ax.text(
-                x, y, text, ha=side, va="center", fontsize=7.0, color=style.GREY,
-                bbox=back, zorder=2.5, gid="ring",
-            )  # fmt: skip
-            page.boxes.append(artist.get_window_extent().extents)
 
 
 def _draw_hull(page: Page, found: Capability, top: float) -> None:
@@ -212,32 +113,23 @@ def _draw_hull(page: Page, found: Capability, top: float) -> None:
         page.keep_clear(start, end)
 
 
-def _envelope(found: Capability, speeds: Vector, top: float) -> Vector:
-    """Return an envelope as a closed line (k, 2) [kn], straight between bearings, cut at `top`."""
-    bearings, at = np.unique(np.mod(found.bearings, 2.0 * math.pi), return_index=True)
-    corners = _points(bearings, speeds[at] / KNOT)
-    shares = np.linspace(0.0, 1.0, FINE, endpoint=False)[:, None]
-    sides = zip(corners, np.roll(corners, -1, axis=0), strict=True)
-    line = np.concatenate([*(p + shares * (q - p) for p, q in sides), corners[:1]])
-    radii = np.maximum(np.hypot(*line.T), 1e-12 * top)
-    return np.asarray(line * np.minimum(1.0, top / radii)[:, None])
-
-
 def _draw_envelopes(page: Page, found: Capability, top: float) -> None:
     """Draw what is held by all robots, and after the worst loss."""
     ax = page.ax
-    intact, after = (_envelope(found, v, top) for v in (found.intact, found.after_loss))
+    intact, after = (
+        polar.envelope(found.bearings, v, top) for v in (found.intact, found.after_loss)
+    )
     for line in (intact, after):
         ax.fill(*line.T, facecolor=style.SKY, alpha=0.14, linewidth=0.0, zorder=2)
     ax.plot(*intact.T, **INTACT, solid_joinstyle="round", zorder=5, gid="intact")
     ax.plot(*after.T, **AFTER_LOSS, zorder=5, gid="after-loss")
     for line in (intact, after):
-        for start, end in itertools.pairwise(line[::FINE]):
+        for start, end in itertools.pairwise(line[:: polar.FINE]):
             page.keep_clear(start, end)
     for index, line, look in (
         (found.worst, found.intact, INTACT), (found.worst_after_loss, found.after_loss, AFTER_LOSS)
     ):  # fmt: skip
-        spot = _points(found.bearings[[index]], np.minimum(line[[index]] / KNOT, top))
+        spot = polar.points(found.bearings[[index]], np.minimum(line[[index]] / KNOT, top))
         ax.plot(
             *spot.T, "o", markersize=4.5, color=look["color"], markeredgecolor="white",
             markeredgewidth=0.6, zorder=6, gid="worst",
@@ -252,7 +144,7 @@ def _label_envelopes(page: Page, found: Capability, top: float) -> None:
         (f"after the worst\n{less}", found.after_loss, AFTER_LOSS, math.pi),
     ):
         text = text if speeds.any() else f"no wind held\n{text}"
-        line = _envelope(found, speeds, top)[:-1]
+        line = polar.envelope(found.bearings, speeds, top)[:-1]
         is_cut = np.hypot(*line.T) > top * (1.0 - 1e-9)
         chosen = line if is_cut.all() else line[~is_cut]
         spots = chosen[:: max(1, len(chosen) // 12)]
@@ -267,13 +159,20 @@ def _write_caption(ax: Axes, found: Capability, title: str) -> None:
     """Write the title above, and below what the lines are and what was taken into account."""
     figure = cast(Figure, ax.get_figure(root=True))
     top = figure.get_size_inches()[1] - 0.22
-    _write(figure, _cut(title, LONGEST_TITLE) or "Capability", 0.12, top, size=10.0, weight="bold")
+    polar.write(
+        figure,
+        polar.cut(title, polar.LONGEST_TITLE) or "Capability",
+        0.12,
+        top,
+        size=10.0,
+        weight="bold",
+    )
     said = "The largest wind held, by where it comes from, clockwise from the bow"
-    _write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY)
+    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY)
     y = _write_table(figure, found, BELOW - 0.14) - 0.05
     for text in _small_print(found):
         y -= 0.15
-        _write(figure, text, 0.12, y, size=7.0, color=style.GREY)
+        polar.write(figure, text, 0.12, y, size=7.0, color=style.GREY)
 
 
 def _write_table(figure: Figure, found: Capability, y: float) -> float:
@@ -282,31 +181,20 @@ def _write_table(figure: Figure, found: Capability, y: float) -> float:
     lost = found.lost_words(found.worst_after_loss, most=1)
     headings = ("", "least wind held", "", "Beaufort", "from", "lost")
     for x, text in zip(COLUMNS, headings, strict=True):
-        _write(figure, text, x, y, size=7.0, color=style.GREY)
+        polar.write(figure, text, x, y, size=7.0, color=style.GREY)
     for look, *cells in (
         (INTACT, "all robots", *_least(found, found.intact, found.worst), ""),
         (
             AFTER_LOSS, "worst failure" if found.failures else f"worst loss of {found.losing}",
-            *_least(found, found.after_loss, found.worst_after_loss), _cut(lost, LONGEST_NAME),
+            *_least(found, found.after_loss, found.worst_after_loss), polar.cut(lost, LONGEST_NAME),
         ),
     ):  # fmt: skip
         y -= 0.17
         ends = [0.12 / width, 0.42 / width], [(y + 0.035) / height] * 2
         figure.add_artist(Line2D(*ends, transform=figure.transFigure, **look))
         for x, text in zip(COLUMNS, cells, strict=True):
-            _write(figure, text, x, y, size=8.0)
+            polar.write(figure, text, x, y, size=8.0)
     return y
-
-
-def _write(figure: Figure, text: str, x: float, y: float, **look: Any) -> None:
-    """Write text at a place [in] of the page."""
-    width, height = figure.get_size_inches()
-    figure.text(x / width, y / height, text, va="baseline", **look)
-
-
-def _cut(text: str, most: int) -> str:
-    """Cut text to so many letters."""
-    return text if len(text) <= most else f"{text[: most - 1]}…"
 
 
 def _least(found: Capability, speeds: Vector, index: int) -> tuple[str, str, str, str]:
@@ -315,7 +203,7 @@ def _least(found: Capability, speeds: Vector, index: int) -> tuple[str, str, str
     bearing = f"{math.degrees(found.bearings[index]) % 360.0:.4g}°"
     if speed == 0.0:
         return ("none", "", "", bearing if speeds.any() else "any")
-    knots = f"{speed / KNOT:.3g} kn" if speed < MOST_SHOWN * KNOT else "over 100 kn"
+    knots = f"{speed / KNOT:.3g} kn" if speed < polar.MOST_SHOWN * KNOT else "over 100 kn"
     return (knots, f"{speed:.3g} m/s", f"{beaufort(speed)}", bearing)
 
 

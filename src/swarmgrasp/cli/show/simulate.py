@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from swarmgrasp.cli.show.report import Column, Mood, Report
 from swarmgrasp.environment import KNOT
 from swarmgrasp.simulation.run import Happening, Run
@@ -115,16 +113,17 @@ def _speed(speed: float) -> str:
 
 def _wind_words(run: Run) -> str:
     """Tell the wind that acts, and how much it varies."""
-    air = run.streams[0, :, :2].astype(float)
-    speeds = np.hypot(*air.T)
-    if not speeds.any():
-        return "none"
-    x, y = air.mean(axis=0).tolist()
-    mean, spread = float(speeds.mean()), float(run.gusts[0])
-    series = run.simulation.weather.series is not None
-    gusts = f", standard deviation {_speed(spread)}" if spread else ", no gusts"
-    about = "about " if series else ""
-    return f"{_speed(mean)} from {about}{_bearing(x, y)} deg{gusts}"
+    asked = run.simulation
+    spread = float(run.gusts[0])
+    gusts = f", gusts of standard deviation {_speed(spread)}" if spread else ", no gusts"
+    wind = asked.environment.wind
+    if asked.weather.series is None and wind.speed is not None:
+        if not wind.speed:
+            return "none at the start"
+        bearing = math.degrees(wind.bearing or 0.0) % 360.0
+        return f"{_speed(wind.speed)} from {round(bearing, 1):g} deg{gusts}"
+    x, y = run.streams[0, :, :2].astype(float).mean(axis=0).tolist()
+    return f"a series, at the mean {_speed(math.hypot(x, y))} from {_bearing(x, y)} deg{gusts}"
 
 
 def _current_words(run: Run) -> str:
@@ -193,10 +192,10 @@ def _leaving(run: Run, verdict: Verdict, i: int) -> list[str]:
 
 def _metres(distance: float) -> str:
     """Return a distance to two digits."""
-    return f"{digits(distance, distance, 2)} m"
+    return f"{digits(distance, max(distance, 1e-3), 2)} m"
 
 
 def _degrees(turn: float) -> str:
     """Return a turn [rad] in degrees, to two digits."""
     value = abs(math.degrees(turn))
-    return f"{digits(value, value, 2)} deg"
+    return f"{digits(value, max(value, 1e-2), 2)} deg"

@@ -1,0 +1,67 @@
+"""How `swarmgrasp simulate --capability` tells its answer."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.environment import KNOT
+from swarmgrasp.simulation.limits import Limits
+
+ROWS = 24
+"""Bearings that are told at most."""
+SLOW = 2.0
+"""Speed [m/s] of all winds below which they are told in m/s."""
+
+
+def show(name: str, found: Limits) -> None:
+    """Write the largest winds held for people."""
+    report = Report()
+    gusty, static = found.gusty.min(axis=0), found.static
+    known = static > 0.0
+    report.headline(f"{name}: {_headline(found, gusty, known)}", "good" if known.all() else "bad")
+    report.blank()
+    fastest = max(float(static.max()), float(found.steady.max()))
+    unit, scale = ("m/s", 1.0) if fastest < SLOW else ("kn", KNOT)
+    columns = [
+        Column("from [deg]", is_number=True),
+        *(Column(f"{each} [{unit}]", is_number=True) for each in ("static", "steady", "gusty")),
+        *(Column(each, is_number=True) for each in ("steady/static", "gusty/static")),
+        Column("load factor", is_number=True),
+    ]
+    step = max(1, math.ceil(len(found.bearings) / ROWS))
+    rows = []
+    for i in range(0, len(found.bearings), step):
+        speeds = [float(each[i]) for each in (static, found.steady, gusty)]
+        shares = [f"{v / speeds[0]:.3f}" if speeds[0] else "" for v in speeds[1:]]
+        factor = f"{(speeds[0] / speeds[2]) ** 2:.2f}" if speeds[2] else ""
+        bearing = f"{round(math.degrees(found.bearings[i]) % 360.0, 1):g}"
+        rows.append([bearing, *(f"{v / scale:.4g}" for v in speeds), *shares, factor])
+    report.table(columns, rows)
+    report.blank()
+    duration = found.simulation.duration
+    weather = found.simulation.weather.gusts
+    for note in (
+        "Static: as `capability` tells, without allowance. Steady: in a simulated steady wind, "
+        "with sensors that tell the truth.",
+        f"Gusty: the mean wind held in {'gusts' if weather != 'none' else 'a steady wind'} with "
+        "noisy sensors. Load factor: the load of the static limit over that of the gusty one.",
+        f"Held: within {found.within:.3g} m and {math.degrees(found.within_turn):.3g} deg for "
+        f"{duration:g} s; short runs flatter. Limits are found to {100 * found.gap:.2g} %.",
+        "Bearings: degrees clockwise from the bow, where the wind comes from; 90 is starboard.",
+    ):
+        report.note(note)
+
+
+def _headline(found: Limits, gusty: NDArray[np.float64], known: NDArray[np.bool_]) -> str:
+    """Say how far what is simulated is from what statics says."""
+    if not known.all():
+        return "statics holds no wind from every bearing"
+    steady = found.steady / found.static
+    shares = gusty / found.static
+    word = "gusts" if found.simulation.weather.gusts != "none" else "a steady wind, noisy sensors"
+    return (
+        f"simulated, {steady.min():.3f} to {steady.max():.3f} of the static limits are held in a "
+        f"steady wind, {shares.min():.3f} to {shares.max():.3f} in {word}"
+    )

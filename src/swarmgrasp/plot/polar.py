@@ -1,0 +1,132 @@
+"""Polar diagrams of winds: the bow up, bearings clockwise, the radius a speed."""
+
+import math
+from typing import Any, Final
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+from numpy.typing import NDArray
+
+from swarmgrasp.environment import KNOT
+from swarmgrasp.plot import style
+from swarmgrasp.plot.labels import Page
+
+Vector = NDArray[np.float64]
+
+MOST_SHOWN: Final = 100.0
+"""Radius of the largest diagram [kn]: what is more is cut there, as is usual."""
+MOST_RINGS: Final = 5
+FINE: Final = 12
+"""Points from one bearing to the next, for the cut at the outer ring to be round."""
+LONGEST_TITLE: Final = 56
+"""Letters of a title."""
+ABOVE: Final = 0.36
+"""Height of the title [in]."""
+SIDE: Final = 4.5
+"""Width and height of the axes [in]."""
+ROOM: Final = 1.16
+"""Half width of the axes over the outer ring's radius: bearings are written outside the ring."""
+SPOKES: Final = range(0, 360, 30)
+KNOTS_AT: Final = 45.0
+METRES_AT: Final = 315.0
+"""Bearings [deg] along which the rings are labelled."""
+QUARTERS: Final = {0: "bow", 90: "starboard", 180: "stern", 270: "port"}
+
+
+def new_axes(below: float) -> Axes:
+    """Return square axes in a figure with room for a title, and for a caption of a height [in]."""
+    height = ABOVE + SIDE + below
+    figure = Figure(figsize=(style.WIDTH, height))
+    left = 0.5 * (style.WIDTH - SIDE)
+    return figure.add_axes((left / style.WIDTH, below / height, SIDE / style.WIDTH, SIDE / height))
+
+
+def frame(ax: Axes, top: float) -> Page:
+    """Set axes in knots, the bow up and starboard on the right."""
+    reach = ROOM * top
+    ax.set(xlim=(-reach, reach), ylim=(-reach, reach))
+    ax.set_aspect("equal", adjustable="box")
+    ax.set_axis_off()
+    return Page(ax)
+
+
+def rings(fastest: float) -> tuple[float, float]:
+    """Return the distance of the rings and the radius of the outer one [kn], for a wind [m/s]."""
+    most = min(MOST_SHOWN, fastest / KNOT) or 1.0
+    step = next(
+        factor * 10.0**power
+        for power in range(math.floor(math.log10(most)) - 1, 3)
+        for factor in (1.0, 2.0, 5.0)
+        if most <= MOST_RINGS * factor * 10.0**power * (1.0 + 1e-9)
+    )
+    return step, step * math.ceil(most / step * (1.0 - 1e-9))
+
+
+def points(bearings: Vector, knots: Vector) -> Vector:
+    """Return where bearings [rad] and speeds [kn] are drawn, (m, 2)."""
+    return np.column_stack([knots * np.sin(bearings), knots * np.cos(bearings)])
+
+
+def draw_rings(page: Page, step: float, top: float) -> None:
+    """Draw rings of equal wind and spokes of equal bearing, and write the bearings."""
+    ax = page.ax
+    for radius in np.arange(step, top + 0.5 * step, step):
+        last = radius > top - 0.5 * step
+        colour, width = (style.GREY, 0.8) if last else ("#CFCFCF", 0.6)
+        ax.add_patch(
+            Circle((0.0, 0.0), radius, fill=False, color=colour, linewidth=width, zorder=1)
+        )
+    for bearing in SPOKES:
+        way = points(np.radians([bearing]), np.ones(1))[0]
+        ax.plot(*np.outer(way, [0.0, top]), color="#DADADA", linewidth=0.5, zorder=1)
+        word = QUARTERS.get(bearing)
+        text = f"{bearing}°" if word is None else f"{bearing}° {word}"
+        beside = 0.0 if word is None or way[1] ** 2 > 0.5 else 90.0 if way[0] < 0.0 else -90.0
+        x, y = (1.075 * top * way).tolist()
+        artist = ax.text(
+            x, y, text, ha="center", va="center", rotation=beside,
+            fontsize=8.0, color=style.INK if word else style.GREY, gid="bearing",
+        )  # fmt: skip
+        page.boxes.append(artist.get_window_extent().extents)
+
+
+def label_rings(page: Page, step: float, top: float) -> None:
+    """Write the speeds on the rings: knots right of the bow, metres per second left of it."""
+    ax = page.ax
+    back = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8}
+    for radius in np.arange(step, top + 0.5 * step, step):
+        most = "≥ " if radius >= MOST_SHOWN else ""
+        for bearing, side, text in (
+            (KNOTS_AT, "left", f"{most}{radius:g} kn"),
+            (METRES_AT, "right", f"{style.number(radius * KNOT)} m/s"),
+        ):
+            x, y = points(np.radians([bearing]), np.array([radius]))[0].tolist()
+            artist = ax.text(
+                x, y, text, ha=side, va="center", fontsize=7.0, color=style.GREY,
+                bbox=back, zorder=2.5, gid="ring",
+            )  # fmt: skip
+            page.boxes.append(artist.get_window_extent().extents)
+
+
+def envelope(bearings: Vector, speeds: Vector, top: float) -> Vector:
+    """Return an envelope as a closed line (k, 2) [kn], straight between bearings, cut at `top`."""
+    bearings, at = np.unique(np.mod(bearings, 2.0 * math.pi), return_index=True)
+    corners = points(bearings, speeds[at] / KNOT)
+    shares = np.linspace(0.0, 1.0, FINE, endpoint=False)[:, None]
+    sides = zip(corners, np.roll(corners, -1, axis=0), strict=True)
+    line = np.concatenate([*(p + shares * (q - p) for p, q in sides), corners[:1]])
+    radii = np.maximum(np.hypot(*line.T), 1e-12 * top)
+    return np.asarray(line * np.minimum(1.0, top / radii)[:, None])
+
+
+def write(figure: Figure, text: str, x: float, y: float, **look: Any) -> None:
+    """Write text at a place [in] of the page."""
+    width, height = figure.get_size_inches()
+    figure.text(x / width, y / height, text, va="baseline", **look)
+
+
+def cut(text: str, most: int) -> str:
+    """Cut text to so many letters."""
+    return text if len(text) <= most else f"{text[: most - 1]}…"
