@@ -316,7 +316,7 @@ def _spoil(placed, how):
     elif how == "the robot is turned":
         placed["robot"]["direction"] += 0.1
     elif how == "the robot has friction":
-        placed["robot"]["friction"] = 0.5
+        placed["robot"].update(friction=0.5, steers=0.0)
     elif how == "no spans":
         placed["spans"] = []
 

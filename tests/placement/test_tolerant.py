@@ -103,22 +103,46 @@ def test_the_wider_the_worse(kind):
         before = answer.upper_bound
 
 
-def test_what_a_drawn_direction_leaves_of_a_sector():
-    """A narrower one that is certain; or an uncertain ray along its middle."""
-    steering = Newcomer(1.0, "push", 0.5, steers=True, tolerance=Tolerance(direction=0.2))
-    left = place(CREW, Newcomer(1.0, "push", 0.3, steers=True), worst_case=True)
-    assert place(CREW, steering, worst_case=True, gap=1e-5).quality == pytest.approx(
-        left.quality, rel=2e-5
-    )
+DIAMOND = Outline([(2, 0), (0, 1.3), (-2.1, 0), (0.3, -1)])
+SURE = Swarm(DIAMOND, [
+    Robot(at.point, at.inward + 0.2, steers=0.5)
+    for at in map(DIAMOND.at_arc_length, (0.7, 2.0, 4.0, 6.0, 8.0))
+])  # fmt: skip
+
+
+@pytest.mark.parametrize("mounted", [False, True])
+@pytest.mark.parametrize("half", [0.5, None])
+def test_what_a_drawn_direction_leaves_of_a_sector(mounted, half):
+    """A narrower one, as if it were certain, or all of a whole turn; the check trusts nothing."""
+    drawn, zones = Tolerance(direction=(-0.1, 0.3)), None
+    attachment = "free" if mounted or half is None else "push"
+    newcomer = Newcomer(1.0, attachment, None if mounted else half, steers=True, mounted=mounted)
+    narrower = newcomer if newcomer.half_angle is None else replace(newcomer, half_angle=0.3)
+    bay = [(-0.5, -0.4), (0.5, -0.4), (0.0, 0.5)]
+    if mounted:
+        widths = ((0.3, 1.3), (0.6, 1.2)) if half else (None, None)
+        zones, left = ([Zone(area=bay, directions=width)] for width in widths)
+    answer = place(SURE, replace(newcomer, tolerance=drawn), zones, worst_case=True)
+    if mounted:
+        certain = place(SURE, narrower, left)
+        assert answer.quality == pytest.approx(certain.quality, rel=2e-6)
+    elif half is None:
+        assert answer.quality == pytest.approx(place(SURE, narrower).quality, rel=2e-6)
+    else:  # the same turned by the mean of what is drawn
+        turned = replace(answer.robot, direction=answer.robot.direction + 0.1, steers=0.3)
+        sure = SURE.with_robot(replace(turned, tolerance=None))
+        assert answer.quality == pytest.approx(quality(sure).value, rel=1e-8)
+    assert answer.gap <= 1e-6
+    verdict = answer.verify()
+    assert (bool(verdict), verdict.faults, verdict.unchecked) == (True, (), ())
+
+
+def test_what_hardly_steers_is_an_uncertain_ray():
+    """Along the middle of its sector, and so much surer."""
     hardly = Newcomer(1.0, "push", 0.1, steers=True, tolerance=Tolerance(0.1, 0.3))
     ray = Newcomer(1.0, "push", 0.0, tolerance=Tolerance(0.1, 0.2))
-    answers = [place(CREW, one, worst_case=True, gap=1e-5) for one in (hardly, ray)]
-    assert answers[0].quality == pytest.approx(answers[1].quality, rel=2e-5)
-    azimuth = Newcomer(1.0, steers=True, tolerance=Tolerance(direction=1.0))
-    certain = place(CREW, Newcomer(1.0, steers=True), worst_case=True)
-    assert place(CREW, azimuth, worst_case=True, gap=1e-5).quality == pytest.approx(
-        certain.quality, rel=2e-5
-    )
+    one, other = (place(CREW, each, worst_case=True, gap=1e-5).quality for each in (hardly, ray))
+    assert one == pytest.approx(other, rel=2e-5)
 
 
 def test_steering_and_reversing_never_hurt():

@@ -55,14 +55,10 @@ is in radians.
 """
 
 STATUS = """
-<<<<<<< HEAD
-Exit status: 0 done; 1 an answer was refused (verify, judge), a statement does not hold (paper,
-agents curve), an invariant broke (agents simulate), places differ (agents demo) or a robot cannot
-do what is asked (agents ask); 2 wrong input or usage; 130 interrupted with Ctrl-C.
-=======
-Exit status: 0 done; 1 an answer was refused (verify, judge), an object not held (simulate) or an
-invariant broken (agents simulate); 2 wrong input or usage; 130 interrupted with Ctrl-C.
->>>>>>> 703d77d (Simulate from the command line, with words, pictures and animations)
+Exit status: 0 done; 1 an answer was refused (verify, judge), an object was not held (simulate), a
+statement does not hold (paper, agents curve), an invariant broke (agents simulate), places differ
+(agents demo) or a robot cannot do what is asked (agents ask); 2 wrong input or usage; 130
+interrupted with Ctrl-C.
 """
 
 

@@ -96,7 +96,8 @@ class SpanProof(Frozen, Plain):
     start, end : tuple of float [m, m]
         Contacts between which those of the span lie.
     lo, hi : float [rad]
-        The sector that the newcomer keeps there.
+        The sector that the newcomer keeps there; in the worst case sigma is of what it keeps of it
+        in any direction that may be drawn, or of the middle of these.
     kind : str
     normals : (m, 3)
         In the metric's coordinates, one or two.

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.kept import support
-from swarmgrasp.placement.pieces import Pieces
+from swarmgrasp.placement.pieces import Pieces, halves_of
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.quality.aim import NO_TASK
 from swarmgrasp.quality.poses import TOUCH
@@ -74,8 +74,7 @@ class Cores:
         self._ways = [Way(ahead, back, 0.0)]
         if not self._keeps and back > 0.0:  # it does not turn around once its pose is drawn
             self._ways = [Way(ahead, 0.0, 0.0), Way(back, 0.0, math.pi)]
-        width = pieces.rows[:, 5] - pieces.rows[:, 4]
-        self._halves = np.minimum(0.5 * width, math.pi) * (self._friction == 0.0)
+        self._halves = halves_of(pieces.rows[:, 4:6]) * (self._friction == 0.0)
         self._lap = outline.perimeter
         self.corner_arcs = np.append(outline.corner_arc_lengths[: len(outline)], self._lap)
         arms = outline.vertices - self._origin

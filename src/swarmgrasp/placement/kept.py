@@ -5,6 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.placement.pieces import halves_of
+from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.ties import SoftMinimum
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.swarm import Newcomer, Robot
@@ -21,24 +23,23 @@ class Kept:
     ----------
     aim : Aim
         The swarm's.
-    newcomer : Newcomer
-    limit : float [N]
-        What it can exert for certain.
+    problem : Problem
     """
 
-    def __init__(self, aim: Aim, newcomer: Newcomer, limit: float) -> None:
-        self._aim, self._newcomer, self._limit = aim, newcomer, limit
+    def __init__(self, aim: Aim, problem: Problem) -> None:
+        self._aim, self._problem, self._limit = aim, problem, problem.certain_limit
 
     def gains(self, arms: Array, sectors: Array, normals: Array) -> Array:
         """Return what it adds at moment arms (c, 2) along normals (m, 3): (c, m) [N].
 
-        It keeps the sectors (c, 2) [rad] there.
+        It keeps the sectors (c, 2) [rad] there, as far as that is certain.
         """
+        newcomer, sectors = self._problem.newcomer, self._problem.certain_sectors(sectors)
         u, v, turn = (normals * self._aim.swarm.scale).T
         px, py = u - turn * arms[:, 1:], v + turn * arms[:, :1]
-        middle, half = sectors.mean(axis=1)[:, None], 0.5 * np.ptp(sectors, axis=1)[:, None]
-        limits = self._limit, self._newcomer.reverse_limit
-        return support(px, py, middle, half, limits, self._newcomer.friction or 0.0)
+        middle, half = sectors.mean(axis=1)[:, None], halves_of(sectors)[:, None]
+        limits = self._limit, newcomer.reverse_limit
+        return support(px, py, middle, half, limits, newcomer.friction or 0.0)
 
     def scores(self, arms: Array, sectors: Array) -> Array:
         """Return what the soft minimum makes of it at moment arms and in sectors (c, 2): (c,)."""
@@ -82,7 +83,7 @@ def kept_robot(
     newcomer: Newcomer, contact: tuple[float, float], lo: float, hi: float, name: str = ""
 ) -> Robot:
     """Return a newcomer in contact that keeps its force set in a sector [rad]."""
-    steers = 0.0 if newcomer.friction else min(0.5 * (hi - lo), math.pi)
+    steers = 0.0 if newcomer.friction else float(halves_of(np.array([lo, hi])))
     return Robot(
         contact, math.remainder(0.5 * (lo + hi), math.tau), newcomer.limit, name,
         newcomer.mounted, newcomer.tolerance, newcomer.reverse_limit, steers, newcomer.friction,

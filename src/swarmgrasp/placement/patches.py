@@ -159,7 +159,7 @@ class PatchSearch:
         self.aim = Aim(problem.swarm, problem.criterion, as_sets=True)
         self.work, self._own_work = Work(WORK), Work(WORK)
         self._problem, self._decks = problem, decks
-        self._kept = Kept(self.aim, problem.newcomer, problem.certain_limit)
+        self._kept = Kept(self.aim, problem)
         self._normals, self._levels = np.zeros((0, 3)), np.zeros((0, 3))
         criterion = problem.criterion
         self._may_travel = not (criterion.losing or criterion.failures or self.aim.spreads)

@@ -15,6 +15,7 @@ from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.outline.nearest import chords
 from swarmgrasp.swarm import Newcomer, Zone
 from swarmgrasp.swarm.robot import RIGHT_ANGLE, Attachment
+from swarmgrasp.swarm.sectors import SAME_ANGLE
 
 Interval = tuple[float, float]
 
@@ -169,6 +170,18 @@ def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
     first = p + along * np.where(inward, numbers[:, 1:2], numbers[:, 2:3])
     last = p + along * np.where(inward, numbers[:, 2:3], numbers[:, 1:2])
     return Pieces(outline, tuple(pieces), rows_of(first, last, numbers[:, 3:5]))
+
+
+def halves_of(sectors: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far sectors (..., 2) [rad] reach to both sides: pi of a whole turn.
+
+    Examples
+    --------
+    >>> halves_of(np.array([[0.1, 0.5], [0.7 - math.pi, 0.7 + math.pi - 1e-15]])).tolist()
+    [0.2, 3.141592653589793]
+    """
+    width = sectors[..., 1] - sectors[..., 0]
+    return np.where(width >= math.tau - SAME_ANGLE, math.pi, 0.5 * width)
 
 
 def rows_of(

@@ -1,6 +1,10 @@
 """The question of a placement: swarm, newcomer, and where it may attach."""
 
+import math
 from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
 
 from swarmgrasp.errors import (
     CriterionInvalid,
@@ -14,13 +18,15 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_within
 from swarmgrasp.placement.areas import Areas, Decks, areas_of, decks_of
-from swarmgrasp.placement.pieces import Pieces, pieces_of, zone_labels
+from swarmgrasp.placement.pieces import Pieces, halves_of, pieces_of, zone_labels
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.quality.robot_sets import turn_faults
 from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 from swarmgrasp.swarm.swarm import check_gaps, check_rays, swarm_faults
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,11 +196,39 @@ class Problem(Frozen, Plain):
         """Robots, those lost included, below which the quality is 0 wherever they are."""
         return self.criterion.fewest(self.has_rays_only)
 
+    def certain_sectors(self, sectors: Array) -> Array:
+        """Return what the newcomer keeps for certain of sectors (k, 2) [rad] that it keeps.
+
+        What is left in each direction that may be drawn; if nothing is, the middle, than which a
+        ray of uncertain direction has no more.
+        """
+        first, last = self._drawn
+        middle, half = sectors.mean(axis=1), halves_of(sectors)
+        left = np.maximum(half - 0.5 * (last - first), 0.0)
+        middle = middle + 0.5 * (first + last)
+        found = np.column_stack([middle - left, middle + left])
+        return np.where((half < math.pi)[:, None], found, sectors)
+
+    @property
+    def _drawn(self) -> tuple[float, float]:
+        """The offsets [rad] between which the newcomer's direction is drawn by the criterion."""
+        tolerance = self.newcomer.tolerance
+        is_asked = self.criterion.worst_case and tolerance is not None
+        return tolerance.turns if is_asked and tolerance is not None else (0.0, 0.0)
+
     @property
     def is_tolerant(self) -> bool:
-        """Whether the newcomer's own pose is uncertain by the criterion."""
-        tolerance = self.newcomer.tolerance
-        return self.criterion.worst_case and tolerance is not None and tolerance.is_spread
+        """Whether the newcomer may be elsewhere than where it aims, by the criterion.
+
+        If it keeps a part of its sector for certain, and its contact is certain, it is not.
+        """
+        newcomer, tolerance = self.newcomer, self.newcomer.tolerance
+        if not self.criterion.worst_case or tolerance is None or not tolerance.is_spread:
+            return False
+        if tolerance.is_adrift or not newcomer.steers or newcomer.reverse_limit:
+            return True
+        half = halves_of(np.array([(piece.lo, piece.hi) for piece in self.places().each])).min()
+        return bool(half < min(0.5 * (tolerance.turns[1] - tolerance.turns[0]), math.pi))
 
 
 def check_ray_problem(problem: Problem, what: str) -> None:

@@ -1,6 +1,5 @@
 """The place of a newcomer that keeps all it can exert: only its contact is chosen (T22)."""
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 from swarmgrasp.kernels import core
 from swarmgrasp.placement.certificate import Certificate, SpanProof
 from swarmgrasp.placement.kept import CHECKED, TRIED, kept_robot
-from swarmgrasp.placement.pieces import Pieces
+from swarmgrasp.placement.pieces import Pieces, halves_of
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.search import WORK, Optimum
 from swarmgrasp.placement.set_search import SetSearch
@@ -149,16 +148,15 @@ class SpanSearch(SetSearch[core.Spans]):
 
 def _columns_on(problem: Problem, pieces: Pieces) -> Columns:
     """Return newcomers that keep their force sets, one in the middle of each piece."""
-    newcomer, (lo, hi) = problem.newcomer, pieces.rows[:, 4:6].T
-    count, friction = len(lo), newcomer.friction or 0.0
-    half = np.minimum(0.5 * (hi - lo), math.pi)
+    newcomer, sectors = problem.newcomer, problem.certain_sectors(pieces.rows[:, 4:6])
+    count, friction = len(sectors), newcomer.friction or 0.0
     return Columns(
         0.5 * (pieces.rows[:, :2] + pieces.rows[:, 2:4]) + problem.swarm.outline.origin,
-        0.5 * (lo + hi),
+        sectors.mean(axis=1),
         np.full(count, problem.certain_limit),
         np.zeros(count, dtype=bool),
         np.full(count, newcomer.reverse_limit),
-        half * (friction == 0.0),
+        halves_of(sectors) * (friction == 0.0),
         np.full(count, friction),
         np.zeros(count),
     )

@@ -103,7 +103,10 @@ def _draw_together(axes: Any, findings: Findings) -> None:
 def _draw_gusts(axes: Any, findings: Findings) -> None:
     """Draw how many runs hold, and how far the object goes, by their margin over the spread."""
     left, right = axes
-    ends = [f"{row[1]:g}" if math.isfinite(row[1]) else "" for row in findings.rows]
+    ends = [
+        f"{row[1]:g}".replace("-", "\N{MINUS SIGN}") if math.isfinite(row[1]) else ""
+        for row in findings.rows
+    ]
     places = [index + 0.5 for index in range(len(ends))]
     look: dict[str, Any] = {"width": 0.86, "color": style.BLUE}
     left.bar(places, _column(findings, 3), **look)
@@ -115,6 +118,7 @@ def _draw_gusts(axes: Any, findings: Findings) -> None:
     for ax in axes:
         ax.set_xticks([index + 1.0 for index in range(len(ends))], ends)
         ax.set(xlabel="margin over the gusts' spread", xlim=(0.0, len(ends)))
+        ax.tick_params(axis="x", labelsize=6.5)  # room for minus signs
         ax.grid(False, axis="x")
 
 

@@ -37,7 +37,13 @@ from swarmgrasp.verify.team import Team, keeping
 from swarmgrasp.verify.verdict import Verdict
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import PlacementClaim, ProblemClaim, RobotClaim, RunnerUpClaim
+    from swarmgrasp.verify.claims import (
+        PlacementClaim,
+        ProblemClaim,
+        RobotClaim,
+        RunnerUpClaim,
+        ToleranceClaim,
+    )
 
 RELATIVE = 1e-9
 """Difference between two qualities, relative to them, that counts as rounding."""
@@ -126,11 +132,11 @@ class _Check:
         self.held = [keeping(present, choice) for choice in (claim.choice_before, claim.choice)]
         self.unit = "" if asked.criterion.task else " N"
         tolerance = asked.newcomer.tolerance if asked.criterion.worst_case else None
-        self.is_tolerant = tolerance is not None and tolerance.is_spread
         self.keeps = bool(asked.newcomer.steers or asked.newcomer.friction)
-        self.certain_limit = asked.newcomer.limit
+        self.certain_limit, self.drawn = asked.newcomer.limit, (0.0, 0.0)
         if tolerance is not None:
             self.certain_limit = tolerance.certain(self.certain_limit)
+            self.drawn = tolerance.direction
         force, turn = judge.scale[:2].max(), judge.scale[2]
         reach = asked.newcomer.limit * (force + turn * boundary.radius)
         with np.errstate(over="ignore"):
@@ -143,6 +149,7 @@ class _Check:
         self.size, self.zero = size, ABSOLUTE * size
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
         self.pieces = list(Allowed(asked, boundary, present).pieces())
+        self.is_tolerant = self.misses(tolerance)
         units = [units_of(proof.normals) for proof in claim.proofs]
         for box in claim.boxes:
             met = [
@@ -155,6 +162,16 @@ class _Check:
         self.normals = np.unique(rows, axis=0)
         self.surely, self.bound = self.upper_bounds()
         self.noise = self.least_noise([*present, claim.robot])
+
+    def misses(self, tolerance: "ToleranceClaim | None") -> bool:
+        """Tell whether the newcomer may be elsewhere; not if it keeps a sector for certain."""
+        if tolerance is None or not tolerance.is_spread:
+            return False
+        newcomer, (first, last) = self.asked.newcomer, self.drawn
+        if tolerance.contact != (0.0, 0.0) or not newcomer.steers or newcomer.reverse_limit:
+            return True
+        least = min((piece.hi - piece.lo for piece in self.pieces), default=0.0)
+        return least < min(last - first, math.tau) + ANGLE
 
     def faults(self) -> Iterator[str]:
         """Yield every claim that does not hold."""
@@ -362,7 +379,7 @@ class _Check:
         """Do the same by the spans, or the patches, which should cover the pieces."""
         newcomer, origin = self.asked.newcomer, self.boundary.origin
         rounding = self.rounding * self.judge.unit
-        kept = Kept(self.judge, self.base, newcomer, self.certain_limit, rounding)
+        kept = Kept(self.judge, self.base, newcomer, self.certain_limit, self.drawn, rounding)
         proofs = (
             Patches(kept, self.claim.patches, origin)
             if newcomer.mounted

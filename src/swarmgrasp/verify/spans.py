@@ -41,15 +41,18 @@ class Kept:
     newcomer : NewcomerClaim
     limit : float [N]
         Of the newcomer, for certain.
+    drawn : tuple of float [rad, rad]
+        Offsets between which its direction is drawn.
     rounding : float [N]
         By which H may be off.
     """
 
     def __init__(
-        self, judge: Judge, team: Team, newcomer: "NewcomerClaim", limit: float, rounding: float
-    ) -> None:
+        self, judge: Judge, team: Team, newcomer: "NewcomerClaim", limit: float,
+        drawn: tuple[float, float], rounding: float,
+    ) -> None:  # fmt: skip
         self._judge, self._team, self._newcomer = judge, team, newcomer
-        self._limit, self._rounding = limit, rounding
+        self._limit, self._drawn, self._rounding = limit, drawn, rounding
 
     def bound(
         self, claim: "SpanClaim | PatchClaim", arms: Array, lo: float, hi: float
@@ -62,7 +65,7 @@ class Kept:
         if normals is None or len(weights) != len(normals) or not (weights > 0.0).all():
             return math.inf, math.inf
         height, cap, extent = self._judge.held(self._team, normals)
-        arcs = kept_arcs(self._newcomer, self._limit, lo, hi)
+        arcs = kept_arcs(self._newcomer, self._limit, *_certain_sector(lo, hi, self._drawn))
         gains = np.array(
             [Forces(arm[None], arcs).along(normals * self._judge.scale) for arm in arms]
         )
@@ -149,6 +152,18 @@ class Spans:
         turn = math.tau * np.round(off[:, :1] / math.tau)
         is_here = (across <= sliver).all(axis=1) & (np.abs(off - turn) <= ANGLE).all(axis=1)
         return [(int(k), shares[k]) for k in np.flatnonzero(is_here)]
+
+
+def _certain_sector(lo: float, hi: float, drawn: tuple[float, float]) -> tuple[float, float]:
+    """Return what all sectors [lo, hi] share that are turned by as much as is drawn [rad].
+
+    Their middle if they share nothing: a ray of uncertain direction has no more than that has.
+    """
+    first, last = drawn
+    if hi - lo >= math.tau - ANGLE:
+        return lo, hi
+    lo, hi = lo + last, hi + first
+    return (lo, hi) if lo <= hi else (0.5 * (lo + hi),) * 2
 
 
 def _length(piece: Piece) -> float:

@@ -64,6 +64,7 @@ def test_shares_with_force_closure_are_those_that_were_measured(problem, plan_of
     ("study", "kind", "says"),
     [
         (lambda p: Sizes(p, 5, 4), "StudyInvalid", "from 5 to 4; .* 1 <= fewest <= most <= 1000"),
+        (lambda _: Sizes(3, 5, 4), "StudyInvalid", "3 is no Problem(.|\n)*from 5 to 4"),
         (lambda p: Sizes(p, "4", 5), "StudyInvalid", "from '4' to 5"),
         (lambda p: Sizes(sg.Problem(p.swarm, sg.Newcomer(1.0, "push", 0.5, steers=True))),
          "ForceSetUnsupported", "one ray"),

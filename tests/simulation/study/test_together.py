@@ -44,5 +44,5 @@ def test_what_cannot_be_is_refused_at_once(problem):
     with pytest.raises(StudyInvalid) as caught:
         PlacedTogether(problem, 0, 5, newcomers=1)
     assert [fault.split(";")[0] for fault in caught.value.faults] == [
-        "the newcomers are 1", "the robots are from 0 to 5"
+        "the robots are from 0 to 5", "the newcomers are 1"
     ]  # fmt: skip

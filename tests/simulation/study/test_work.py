@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from concurrent.futures import Future, ThreadPoolExecutor
 
 import pyarrow.parquet as pq
 import pytest
@@ -12,6 +13,7 @@ import pytest
 from swarmgrasp.errors import StudyInvalid, StudyStopped
 from swarmgrasp.simulation.study import Sizes, machines_at, run_plan, work
 from swarmgrasp.simulation.study.gather import digest
+from swarmgrasp.simulation.study.machines import Cluster
 from swarmgrasp.simulation.study.plan import folder_of
 from swarmgrasp.simulation.study.shard import shard_bytes
 from workers import Deadly, Inline, needs_proc, wait_for_the_end
@@ -125,6 +127,23 @@ def test_an_executor_of_somebody_else_that_breaks_stops_the_study(plan_of, tmp_p
         run_plan(tmp_path / "a", plan_of(50, 10), workers=2, executor=Deadly(2))
 
 
+def test_what_is_asked_of_a_study_is_checked(tmp_path):
+    """All faults at once."""
+    with pytest.raises(StudyInvalid) as caught:
+        run_plan(tmp_path / "a", "plan", workers=0, executor=3, progress=4)
+    assert [fault.split(";")[0].split(":")[0] for fault in caught.value.faults] == [
+        "'plan' is no Plan", "progress is 4", "the workers are 0", "3 is no Executor"
+    ]  # fmt: skip
+
+
+def test_an_executor_that_takes_no_more_stops_the_study(plan_of, tmp_path):
+    """As one does that was shut down."""
+    over = ThreadPoolExecutor(1)
+    over.shutdown()
+    with pytest.raises(StudyStopped, match=r"takes no more work .RuntimeError: cannot schedule"):
+        run_plan(tmp_path / "a", plan_of(50, 10), executor=over)
+
+
 def test_an_interrupt_keeps_what_is_done(plan_of, wanted, tmp_path):
     """What workers have done and was not yet written, too; going on gives the same."""
     plan, folder = plan_of(50, 10), tmp_path / "a"
@@ -226,6 +245,35 @@ def test_a_dask_worker_that_is_killed_costs_nothing(plan_of, wanted, tmp_path, c
         )  # fmt: skip
     assert killed
     assert digest(tmp_path / "a") == wanted(plan)
+
+
+def test_a_scheduler_that_is_gone_breaks_what_it_was_given(plan_of, tmp_path):
+    """Instead of leaving the study waiting; what was done before stays done."""
+
+    class Client:
+        """Does one thing, and is gone then."""
+
+        status = "running"
+
+        def get_executor(self, **_):
+            return self
+
+        def submit(self, work, *arguments):
+            future = Future()
+            if arguments[-1] == 0:
+                future.set_result(work(*arguments))
+            return future
+
+    def gone(_):
+        client.status = "closed"
+        assert not cluster.look()
+
+    client = Client()
+    cluster, plan = Cluster(client), plan_of(50, 10)
+    assert cluster.look()
+    with pytest.raises(StudyStopped, match=r"broke: the Dask scheduler is gone; what is done is"):
+        run_plan(tmp_path / "a", plan, workers=1, executor=cluster, progress=gone)
+    assert plan.missing(tmp_path / "a") == [1, 2, 3, 4]
 
 
 @pytest.mark.filterwarnings("default")

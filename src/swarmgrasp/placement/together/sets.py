@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.placement.boxes import BoxSearch
+from swarmgrasp.placement.pieces import halves_of
 from swarmgrasp.placement.place import place
 from swarmgrasp.placement.problem import Problem
 from swarmgrasp.placement.together.gathering import spread_normals
@@ -55,7 +56,7 @@ class SetGround(Ground):
         super().__init__(problem)
         self.halves = np.zeros(len(self.low))
         if problem.newcomer.steers:
-            self.halves = np.minimum(0.5 * (self.high[:, 1] - self.low[:, 1]), math.pi)
+            self.halves = halves_of(np.column_stack([self.low[:, 1], self.high[:, 1]]))
             middles = 0.5 * (self.low[:, 1] + self.high[:, 1])
             self.low[:, 1] = self.high[:, 1] = middles
 

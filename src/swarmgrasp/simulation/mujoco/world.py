@@ -60,7 +60,7 @@ class World:
         lags: ArrayLike = 0.0,
         step: float = 0.002,
     ) -> None:
-        check_installed("mujoco", extra="mujoco", purpose="The judge of simulated runs")
+        check_installed("mujoco", extra="mujoco", purpose="A world of MuJoCo")
         import mujoco
 
         self.swarm, self.step = swarm, step

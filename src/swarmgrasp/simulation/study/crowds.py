@@ -6,10 +6,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.errors import StudyInvalid
 from swarmgrasp.placement import Problem
 from swarmgrasp.placement.problem import check_ray_problem
-from swarmgrasp.ranges import is_whole, shown
+from swarmgrasp.ranges import is_whole, kind_faults, shown
 from swarmgrasp.swarm import Swarm, wrenches
 from swarmgrasp.words import Unit
 
@@ -93,14 +92,15 @@ def question_of(problem: Problem) -> Problem:
     return problem.with_swarm(empty)
 
 
-def check_numbers(fewest: object, most: object) -> None:
-    """Raise `StudyInvalid` unless robots are from so many to so many."""
-    if is_whole(fewest) and is_whole(most) and 1 <= fewest <= most <= MOST_ROBOTS:
-        return
-    raise StudyInvalid(
-        f"the robots are from {shown(fewest)} to {shown(most)}; they should be whole numbers, "
-        f"1 <= fewest <= most <= {MOST_ROBOTS}"
-    )
+def crowd_faults(problem: object, fewest: object, most: object) -> list[str]:
+    """Return what is wrong with the problem of random robots, and with how many there are."""
+    faults = kind_faults(problem, Problem, "Problem(swarm, newcomer)")
+    if not (is_whole(fewest) and is_whole(most) and 1 <= fewest <= most <= MOST_ROBOTS):
+        faults.append(
+            f"the robots are from {shown(fewest)} to {shown(most)}; they should be whole numbers, "
+            f"1 <= fewest <= most <= {MOST_ROBOTS}"
+        )
+    return faults
 
 
 def like_words(problem: Problem) -> str:

@@ -1,6 +1,7 @@
 """The rows of a study, and questions put to them."""
 
 import hashlib
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -48,7 +49,7 @@ class Gathered(Told):
 SHOWN_FAULTS = 3
 
 
-def gather(folder: Path) -> Gathered:
+def gather(folder: str | os.PathLike[str]) -> Gathered:
     """Sum up what is done of a study, all of it or a part.
 
     Raises
@@ -70,7 +71,7 @@ def gather(folder: Path) -> Gathered:
 
 
 @contextmanager
-def rows(folder: Path) -> Iterator[Ask]:
+def rows(folder: str | os.PathLike[str]) -> Iterator[Ask]:
     """Offer the rows of a study as tables `runs`, of runs without a fault, and `all_runs`.
 
     Raises
@@ -109,7 +110,7 @@ def rows(folder: Path) -> Iterator[Ask]:
         ) from error
 
 
-def digest(folder: Path) -> str:
+def digest(folder: str | os.PathLike[str]) -> str:
     """Return the digest of a study's rows."""
     found = hashlib.sha256()
     for path in _files(folder):
@@ -117,11 +118,11 @@ def digest(folder: Path) -> str:
     return found.hexdigest()[:16]
 
 
-def _files(folder: Path) -> list[Path]:
+def _files(folder: str | os.PathLike[str]) -> list[Path]:
     """Return the files of the shards that are done."""
-    plan = read_plan(folder)
-    left = set(plan.missing(folder))
-    files = [plan.part(folder, shard) for shard in range(plan.shards) if shard not in left]
+    plan, where = read_plan(folder), Path(folder)
+    left = set(plan.missing(where))
+    files = [plan.part(where, shard) for shard in range(plan.shards) if shard not in left]
     if not files:
         raise StudyInvalid(f"{folder}: nothing of this study is done yet; run it first")
     return files

@@ -8,14 +8,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import StudyInvalid
+from swarmgrasp.errors import StudyInvalid, refuse
 from swarmgrasp.forces import forces
 from swarmgrasp.quality import quality
 from swarmgrasp.ranges import kind_faults
 from swarmgrasp.simulation.simulate import Course
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.station import StationKeeping
-from swarmgrasp.simulation.study.crowds import check_numbers, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
@@ -55,7 +55,7 @@ class Gusts(Study):
     Raises
     ------
     StudyInvalid
-        If it is no `Simulation`, or not 1 <= fewest <= most <= 1000; all faults at once.
+        If it is no `Simulation`, or not 1 <= fewest <= most <= 1000.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
@@ -82,12 +82,9 @@ class Gusts(Study):
     def __post_init__(self) -> None:
         """Check the values."""
         faults = kind_faults(self.simulation, Simulation, "Simulation(problem, environment, hull)")
-        try:
-            check_numbers(self.fewest, self.most)
-        except StudyInvalid as error:
-            faults += error.faults
-        if faults:
-            raise StudyInvalid(faults)
+        if not faults:
+            faults = crowd_faults(self.simulation.problem, self.fewest, self.most)
+        refuse((StudyInvalid, faults))
         given, environment = self.simulation, self.simulation.environment
         current = environment.current and replace(environment.current, bearing=None)
         wind = replace(environment.wind, speed=environment.wind.speed or 0.0, bearing=0.0)

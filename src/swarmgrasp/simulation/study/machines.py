@@ -1,17 +1,24 @@
 """Many machines: the workers of a Dask cluster."""
 
-from collections.abc import Iterator
-from concurrent.futures import Executor
-from contextlib import contextmanager
-from typing import NamedTuple
+from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, InvalidStateError
+from contextlib import contextmanager, suppress
+from threading import Event, Thread
+from typing import Any, NamedTuple, ParamSpec, TypeVar
+from weakref import WeakSet
 
 from swarmgrasp.errors import StudyInvalid
 from swarmgrasp.packages import check_installed
 
+Given = ParamSpec("Given")
+Found = TypeVar("Found")
+
 RETRIES = 2
 """How often Dask itself tries a shard again whose worker was lost."""
 PATIENCE = 10.0
-"""How long a scheduler may take to answer [s]."""
+"""How long a scheduler may take to answer, or to come back [s]."""
+LOOK = 1.0
+"""How often it is looked whether it is still there [s]."""
 
 
 class Machines(NamedTuple):
@@ -58,4 +65,50 @@ def machines_at(address: str) -> Iterator[Machines]:
         threads = sum(client.nthreads().values())
         if not threads:
             raise StudyInvalid(f"{address}: the Dask scheduler has no workers; start some")
-        yield Machines(client.get_executor(pure=False, retries=RETRIES), threads)
+        cluster, over = Cluster(client), Event()
+        watch = Thread(target=_watch, args=(cluster, over), daemon=True)
+        watch.start()
+        try:
+            yield Machines(cluster, threads)
+        finally:
+            over.set()
+            watch.join()
+
+
+class Cluster(Executor):
+    """The workers of a Dask client, as an executor that breaks when their scheduler is gone.
+
+    Dask's own leaves those that wait for its futures waiting then.
+
+    Parameters
+    ----------
+    client : distributed.Client
+    """
+
+    def __init__(self, client: Any) -> None:
+        self._client = client
+        self._workers = client.get_executor(pure=False, retries=RETRIES)
+        self._given: WeakSet[Future[Any]] = WeakSet()
+
+    def submit(
+        self, work: Callable[Given, Found], /, *args: Given.args, **kwargs: Given.kwargs
+    ) -> Future[Found]:
+        """Hand out work."""
+        future: Future[Found] = self._workers.submit(work, *args, **kwargs)
+        self._given.add(future)
+        return future
+
+    def look(self) -> bool:
+        """Tell whether the scheduler is there; if not, what was handed out is broken."""
+        if self._client.status != "closed":
+            return True
+        for future in list(self._given):
+            with suppress(InvalidStateError):  # one that is done
+                future.set_exception(BrokenExecutor("the Dask scheduler is gone"))
+        return False
+
+
+def _watch(cluster: Cluster, over: Event) -> None:
+    """Look after a cluster until it is gone, or all is over."""
+    while not over.wait(LOOK) and cluster.look():
+        pass

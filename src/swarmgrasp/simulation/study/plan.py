@@ -158,7 +158,7 @@ def plan_of(text: str, called: str = PLAN) -> Plan:
         raise StudyInvalid(f"{called}: {fault}" for fault in error.faults) from None
 
 
-def read_plan(folder: Path) -> Plan:
+def read_plan(folder: str | os.PathLike[str]) -> Plan:
     """Read the plan of a study's folder.
 
     Raises
@@ -166,7 +166,7 @@ def read_plan(folder: Path) -> Plan:
     StudyInvalid
         If there is none, or it is damaged.
     """
-    path = folder / PLAN
+    path = Path(folder) / PLAN
     try:
         with path.open("rb") as file:
             raw = file.read(LARGEST_PLAN)

@@ -7,9 +7,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
+from swarmgrasp.errors import StudyInvalid, refuse
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality import qualities
-from swarmgrasp.simulation.study.crowds import check_numbers, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
@@ -38,7 +39,7 @@ class Sizes(Study):
     Raises
     ------
     StudyInvalid
-        If not 1 <= fewest <= most <= 1000.
+        If it is no `Problem`, or not 1 <= fewest <= most <= 1000; all faults at once.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
@@ -58,7 +59,7 @@ class Sizes(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        check_numbers(self.fewest, self.most)
+        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest, self.most)))
         vars(self)["problem"] = question_of(self.problem)
         crowds_of(self.problem)
 

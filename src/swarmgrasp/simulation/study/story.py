@@ -73,7 +73,7 @@ class Story(Study):
         count = len(self.simulation.events)
         events = f"{count} event{'' if count == 1 else 's'}" if count else "no events"
         speed = f" in a mean wind of {wind.speed:.1f} m/s" if wind.speed is not None else ""
-        return f"runs of {self.simulation.duration:g} s{speed}, {events}"
+        return f"{self.simulation.duration:g} s{speed}, {events}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Simulate a run for each seed, all in step."""
@@ -95,7 +95,7 @@ class Story(Study):
     def find(self, ask: Ask) -> Findings:
         """Sum up the runs: within what how many of them stay."""
         parts = ", ".join(map(str, PARTS))
-        names = "distance", "turn", "gusts", "use"
+        names = "distance", "turn", "use"
         what = ", ".join(f"quantile_cont({name}, [{parts}])" for name in names)
         ((runs, held, *columns),) = ask(f"SELECT count(*), avg(held::INT), {what} FROM runs")
         if not runs:
@@ -109,6 +109,5 @@ HEADINGS = (
     Heading("of the runs", "%"),
     Heading("are within", "m"),
     Heading("and within", "deg"),
-    Heading("gusts at most", "m/s"),
     Heading("mean share at most", "%"),
 )

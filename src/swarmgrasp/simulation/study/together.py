@@ -7,11 +7,11 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import StudyInvalid
+from swarmgrasp.errors import StudyInvalid, refuse
 from swarmgrasp.placement import Problem, place_together
 from swarmgrasp.placement.problem import check_several
 from swarmgrasp.ranges import is_whole, shown
-from swarmgrasp.simulation.study.crowds import check_numbers, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
@@ -49,7 +49,8 @@ class PlacedTogether(Study):
     Raises
     ------
     StudyInvalid
-        If not 1 <= fewest <= most <= 1000, or not 2 <= newcomers <= 12; all faults at once.
+        If it is no `Problem`, not 1 <= fewest <= most <= 1000, or not 2 <= newcomers <= 12;
+        all faults at once.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
@@ -73,18 +74,13 @@ class PlacedTogether(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = []
+        faults = crowd_faults(self.problem, self.fewest, self.most)
         if not is_whole(self.newcomers) or not 2 <= self.newcomers <= MOST_NEWCOMERS:
             faults.append(
                 f"the newcomers are {shown(self.newcomers)}; they should be a whole number from 2 "
                 f"to {MOST_NEWCOMERS}"
             )
-        try:
-            check_numbers(self.fewest, self.most)
-        except StudyInvalid as error:
-            faults += error.faults
-        if faults:
-            raise StudyInvalid(faults)
+        refuse((StudyInvalid, faults))
         vars(self)["problem"] = question_of(self.problem)
         crowds_of(self.problem)
         check_several(self.problem, "placement together")

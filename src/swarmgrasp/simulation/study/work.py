@@ -1,5 +1,6 @@
 """Doing a study: shards handed to any executor, each written whole or not at all."""
 
+import os
 from collections import Counter, deque
 from collections.abc import Callable
 from concurrent.futures import (
@@ -13,11 +14,11 @@ from concurrent.futures import (
 from pathlib import Path
 from typing import Protocol
 
-from swarmgrasp.errors import StudyInvalid, StudyStopped, SwarmGraspError
+from swarmgrasp.errors import StudyInvalid, StudyStopped, SwarmGraspError, refuse
 from swarmgrasp.files import write_whole
 from swarmgrasp.packages import check_installed
 from swarmgrasp.processes import Pool, cores, one_thread_each
-from swarmgrasp.ranges import is_whole, shown
+from swarmgrasp.ranges import call_faults, is_whole, kind_faults, shown
 from swarmgrasp.simulation.study.plan import Plan, folder_of
 
 TRIES = 3
@@ -78,8 +79,8 @@ class _Given:
 
 
 def run_plan(
-    folder: Path, plan: Plan, *, workers: int | None = None, executor: Executor | None = None,
-    progress: Progress | None = None,
+    folder: str | os.PathLike[str], plan: Plan, *, workers: int | None = None,
+    executor: Executor | None = None, progress: Progress | None = None,
 ) -> None:  # fmt: skip
     """Do what is left to do of a study.
 
@@ -89,7 +90,7 @@ def run_plan(
 
     Parameters
     ----------
-    folder : Path
+    folder : path-like
         Created if need be; one that is there should be of the same plan.
     plan : Plan
     workers : int, optional
@@ -102,7 +103,7 @@ def run_plan(
     Raises
     ------
     StudyInvalid
-        If `workers` is outside its range, the folder is of another study, or a worker has
+        If an argument is not what it should be, the folder is of another study, or a worker has
         another version of this package.
     StudyStopped
         If shards were lost with their processes again and again; all others are done then.
@@ -110,10 +111,14 @@ def run_plan(
         If pyarrow is not installed.
     """
     check_installed("pyarrow", extra="studies", purpose="A study")
+    faults = kind_faults(plan, Plan, "Plan.of(name, study, runs)") + call_faults(progress)
     if workers is not None and not (is_whole(workers) and 1 <= workers <= MOST_WORKERS):
         wanted = f"they should be a whole number from 1 to {MOST_WORKERS}"
-        raise StudyInvalid(f"the workers are {shown(workers)}; {wanted}")
-    width = workers or cores()
+        faults.append(f"the workers are {shown(workers)}; {wanted}")
+    if executor is not None:
+        faults += kind_faults(executor, Executor, "concurrent.futures.ProcessPoolExecutor()")
+    refuse((StudyInvalid, faults))
+    width, folder = workers or cores(), Path(folder)
     with folder_of(folder, plan):
         missing = plan.missing(folder)
         if not missing:
@@ -174,6 +179,11 @@ class _Work:
                 if self.running:
                     return
                 self.crew.renew(broken)
+            except Exception as error:  # of an executor of any make
+                raise StudyStopped(
+                    f"the executor takes no more work ({_words(error)}); what is done is kept: go "
+                    "on with another one"
+                ) from error
             else:
                 self.running[future] = queue.popleft()
 
