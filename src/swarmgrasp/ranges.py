@@ -43,6 +43,8 @@ MOST_LOOKED_AT = 100
 """Names among which one like a wrong name is looked for; there may be many wrong ones."""
 MOST_PLACED = 1000
 """Robots that one call places."""
+MOST_SEED = 2**63 - 1
+"""Of what is drawn from chance."""
 
 
 # -- what a value is ----------------------------------------------------------------------

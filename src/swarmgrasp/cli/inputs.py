@@ -139,6 +139,6 @@ def json_faults(path: str | Path | None) -> list[str]:
 def whole_faults(option: str, text: str | None, low: int = 0, high: int = 999_999_999) -> list[str]:
     """Return what is wrong with an option that takes a whole number, and may be left out."""
     # int() would also take 1_0, and cyclopts 1.5 and 0x2
-    if text is None or (re.fullmatch(r"[0-9]{1,9}", text) and low <= int(text) <= high):
+    if text is None or (re.fullmatch(r"[0-9]{1,19}", text) and low <= int(text) <= high):
         return []
     return [f"{option} is {text}; it should be a whole number from {low} to {high}"]

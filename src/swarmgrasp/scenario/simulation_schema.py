@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Field
 
+from swarmgrasp.ranges import MOST_SEED
 from swarmgrasp.scenario.fields import (
     Angle,
     Coordinate,
@@ -20,7 +21,6 @@ LONGEST = 1e6
 """Longest time [s]."""
 HEAVIEST = 1e12
 """Largest mass [kg]."""
-MOST_SEED = 2**63 - 1
 
 Time = Annotated[Number, Field(ge=0, le=LONGEST)]
 Span = Annotated[Number, Field(gt=0, le=LONGEST)]

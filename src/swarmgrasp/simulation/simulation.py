@@ -12,7 +12,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.placement import Problem
 from swarmgrasp.placement.problem import check_newcomer
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import is_whole, items, kind_faults, shown
+from swarmgrasp.ranges import MOST_SEED, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.actuator import Actuator
 from swarmgrasp.simulation.control import PERIOD, Control, Settings
 from swarmgrasp.simulation.events import (
@@ -28,7 +28,6 @@ from swarmgrasp.simulation.hull import Hull
 from swarmgrasp.simulation.weather import Weather
 
 DURATION = Range(1e-3, 1e6, "s")
-MOST_SEED = 2**63 - 1
 
 
 @dataclass(frozen=True, eq=False)

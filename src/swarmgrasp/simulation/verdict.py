@@ -10,6 +10,7 @@ from swarmgrasp.environment.limits import Range
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.forces import forces
 from swarmgrasp.frozen import Frozen
+from swarmgrasp.outline import Outline
 from swarmgrasp.plain import Told
 from swarmgrasp.ranges import kind_faults
 from swarmgrasp.simulation.crew import plant_of
@@ -23,6 +24,10 @@ Array = NDArray[np.float64]
 
 WITHIN = Range(1e-9, 1e9, "m")
 TURN_WITHIN = Range(1e-9, 2.0 * math.pi, "rad")
+USUAL, USUAL_TURN = 5.0, math.radians(5.0)
+"""How far [m] and turned [rad] an object may be, and be held, unless told otherwise."""
+SMALL = 15.0
+"""Into so many parts the extent of a small object goes, of which it may be off by one."""
 MOST = 0.95
 """Part of the instants that a watch circle holds beside the largest error."""
 
@@ -95,7 +100,20 @@ class Verdict(Frozen, Told):
     least_excess: float
 
 
-def verdict_of(run: Run, within: float = 5.0, within_turn: float = math.radians(5.0)) -> Verdict:
+def usual_within(outline: Outline) -> float:
+    """Return how far [m] an object may be from where it is to be, unless told otherwise.
+
+    Examples
+    --------
+    >>> usual_within(Outline([(0, 0), (200, 0), (200, 30)]))
+    5.0
+    >>> round(usual_within(Outline([(0, 0), (3, 0), (3, 0.1)])), 3)
+    0.2
+    """
+    return min(USUAL, outline.extent / SMALL)
+
+
+def verdict_of(run: Run, within: float = USUAL, within_turn: float = USUAL_TURN) -> Verdict:
     """Tell what a run says.
 
     Parameters

@@ -1,5 +1,6 @@
 """Doing a study: the same rows whoever does them, and nothing lost by whatever is killed."""
 
+import json
 import multiprocessing
 import os
 import signal
@@ -10,8 +11,9 @@ from concurrent.futures import Future, ThreadPoolExecutor
 import pyarrow.parquet as pq
 import pytest
 
+from moored import moored
 from swarmgrasp.errors import StudyInvalid, StudyStopped
-from swarmgrasp.simulation.study import Sizes, machines_at, run_plan, work
+from swarmgrasp.simulation.study import Gusts, Sizes, Story, machines_at, run_plan, work
 from swarmgrasp.simulation.study.gather import digest
 from swarmgrasp.simulation.study.machines import Cluster
 from swarmgrasp.simulation.study.plan import folder_of
@@ -285,3 +287,52 @@ def test_where_no_scheduler_answers_is_told(monkeypatch):
         machines_at("tcp://127.0.0.1:9"),
     ):
         pass
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("kind", [Gusts, Story])
+def test_runs_of_simulations_are_the_same_bytes_too(plan_of, wanted, tmp_path, kind):
+    """In two processes as in this one."""
+    plan = plan_of(120, 30, kind(moored("deck-barge", 35.0, 60.0, duration=20.0)))
+    run_plan(tmp_path / "a", plan, workers=2)
+    assert digest(tmp_path / "a") == wanted(plan)
+
+
+@pytest.mark.long
+@pytest.mark.filterwarnings("default")
+def test_a_study_ends_when_its_scheduler_is_killed(plan_of, wanted, tmp_path, monkeypatch):
+    """With what is done kept; another one does the rest."""
+    monkeypatch.setattr("swarmgrasp.simulation.study.machines.PATIENCE", 2.0)
+    plan, folder, told = plan_of(40_000, 2_000), tmp_path / "a", tmp_path / "scheduler.json"
+    program = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--no-dashboard"]
+    command = [*program, "--host", "127.0.0.1", "--port", "0", "--scheduler-file", told]
+    with subprocess.Popen(command, stderr=subprocess.DEVNULL) as scheduler:
+        while not told.exists() or not told.read_text().endswith("}"):
+            os.sched_yield()
+        address = json.loads(told.read_text())["address"]
+        worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--nthreads", "1"]
+        quiet = {"stderr": subprocess.DEVNULL, "cwd": tmp_path}
+        with subprocess.Popen([*worker, "--no-dashboard", "--no-nanny"], **quiet) as one:
+            while not workers_at(address):
+                os.sched_yield()
+            with (
+                pytest.raises(StudyStopped, match="the Dask scheduler is gone"),
+                machines_at(address) as machines,
+            ):
+                run_plan(
+                    folder, plan, workers=1, executor=machines.executor,
+                    progress=lambda _: scheduler.kill(),
+                )  # fmt: skip
+            one.kill()
+    assert 0 < len(plan.missing(folder)) < plan.shards
+    run_plan(folder, plan, executor=Inline())
+    assert digest(folder) == wanted(plan)
+
+
+def workers_at(address):
+    """Return how many workers a scheduler has."""
+    try:
+        with machines_at(address) as machines:
+            return machines.workers
+    except StudyInvalid:
+        return 0

@@ -25,7 +25,7 @@ from swarmgrasp.simulation.study.study import (
     Study,
     told_rows,
 )
-from swarmgrasp.simulation.verdict import verdict_of
+from swarmgrasp.simulation.verdict import usual_within, verdict_of
 from swarmgrasp.simulation.weather import CALM, Mean, Weather, mean_of
 
 Array = NDArray[np.float64]
@@ -74,7 +74,7 @@ class Gusts(Study):
         "quality": Column("number", "N", "quality without any load"),
         "margin": Column("number", "N", "quality beside the mean load; below 0 what is missing"),
         "spread": Column("number", "N", "standard deviation of the gusts' load"),
-        "held": Column("flag", "", "whether it stayed within 5 m and 5 degrees"),
+        "held": Column("flag", "", "whether it stayed within the usual limits"),
         "distance": Column("number", "m", "largest error of position"),
         "turn": Column("number", "rad", "largest error of heading"),
     }
@@ -126,7 +126,7 @@ class Gusts(Study):
             "quality": np.full(runs, quality(swarm).value),
             "margin": [margin for margin, _ in told],
             "spread": np.array([wind for _, wind in told]) * 2.0 / speed * run.gusts,
-            "held": verdict_of(run).held,
+            "held": verdict_of(run, usual_within(swarm.outline)).held,
             "distance": run.distances.max(axis=1).astype(float),
             "turn": run.turns.max(axis=1).astype(float),
         }

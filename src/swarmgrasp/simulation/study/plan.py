@@ -19,14 +19,13 @@ from swarmgrasp import kernels
 from swarmgrasp.errors import DataInvalid, StudyInvalid
 from swarmgrasp.files import folder_faults, read_fault, write_whole
 from swarmgrasp.plain import Told, picked
-from swarmgrasp.ranges import is_whole, kind_faults, name_faults, shown
+from swarmgrasp.ranges import MOST_SEED, is_whole, kind_faults, name_faults, shown
 from swarmgrasp.simulation.study.kinds import KINDS
 from swarmgrasp.simulation.study.study import Seeds, Study
 
 FORMAT = "swarmgrasp study 1"
 PLAN = "study.json"
 MOST_RUNS = 10**9
-MOST_SEED = 2**63 - 1
 LARGEST_PLAN = 2**24
 """Bytes of a plan that are read."""
 _KEYS = "name", "runs", "seed", "size", "version", "kernels"

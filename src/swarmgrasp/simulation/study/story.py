@@ -1,5 +1,6 @@
 """A scenario's own simulation, run after run with other gusts."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar
@@ -20,7 +21,7 @@ from swarmgrasp.simulation.study.study import (
     Study,
     told_rows,
 )
-from swarmgrasp.simulation.verdict import verdict_of
+from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within, verdict_of
 
 PARTS = (0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0)
 """Of the runs, that stay within what is told."""
@@ -49,7 +50,7 @@ class Story(Study):
     size: ClassVar[int] = 100
     columns: ClassVar[Mapping[str, Column]] = {
         "seed": Column("count", "", "seed of the run: simulate it alone to see it"),
-        "held": Column("flag", "", "whether it stayed within 5 m and 5 degrees"),
+        "held": Column("flag", "", "whether it stayed within the usual limits"),
         "left_at": Column("number", "s", "when it was beyond them first"),
         "distance": Column("number", "m", "largest error of position"),
         "turn": Column("number", "rad", "largest error of heading"),
@@ -67,6 +68,11 @@ class Story(Study):
         vars(self)["simulation"] = replace(self.simulation, seed=0)
 
     @property
+    def within(self) -> float:
+        """How far [m] the object may be, and be held."""
+        return usual_within(self.simulation.problem.swarm.outline)
+
+    @property
     def words(self) -> str:
         """What its runs are."""
         wind = self.simulation.environment.wind
@@ -78,7 +84,7 @@ class Story(Study):
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Simulate a run for each seed, all in step."""
         run = simulate(self.simulation, seeds.tolist())
-        told = verdict_of(run)
+        told = verdict_of(run, self.within)
         return {
             "seed": seeds,
             "held": told.held,
@@ -101,7 +107,8 @@ class Story(Study):
         if not runs:
             return Findings("No run was without a fault", HEADINGS, ())
         rows = list(zip(PARTS, *columns, strict=True))
-        said = f"Within 5 m and 5 degrees all the time in {held:.1%} of {runs} runs"
+        limits = f"{self.within:.3g} m and {math.degrees(USUAL_TURN):.3g} degrees"
+        said = f"Within {limits} all the time in {held:.1%} of {runs} runs"
         return Findings(said, HEADINGS, told_rows(rows))
 
 
