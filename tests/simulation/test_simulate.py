@@ -237,3 +237,15 @@ def test_a_newcomer_that_can_have_no_place_is_refused_before_it_is_sent() -> Non
     afloat = Newcomer(100e3, mounted=True)
     with pytest.raises(SimulationInvalid, match=r"send at 3 s: (.|\n)*has no area"):
         moored("deck-barge", 10.0, 60.0, events=(Send(3, afloat),))
+
+
+def test_an_object_that_all_have_let_go_drifts_until_another_joins() -> None:
+    """No robot is a swarm, too."""
+    calm = moored("deck-barge", 10.0, 60.0, control=QUIET, duration=30.0)
+    gone = tuple(Lose(1, name, noticed=1.0) for name in calm.problem.swarm.names)
+    helped = (*gone, Send(3, away=45.0, make_fast=0.0, speed=10.0))
+    run, adrift = simulate(replace(calm, events=helped)), simulate(replace(calm, events=gone))
+    assert [len(stint.swarm) for stint in run.stints] == [6, 5, 4, 3, 2, 1, 0, 1]
+    assert not adrift.given[0, adrift.times > 1.0].any()
+    assert adrift.distances[0, -1] > 0.3
+    assert list(run.stints[-1].swarm.names) == ["Fortuna 2"]

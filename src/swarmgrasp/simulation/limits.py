@@ -85,8 +85,9 @@ def limits(
     again some winds between one that is held and one that is not are tried at once, at all
     bearings. It is taken for granted that no wind is held that is stronger than one that is not.
 
-    A short run flatters: what is a little too much has not yet moved a heavy object. A current
-    without a bearing of its own comes with the wind.
+    A short run flatters: what is a little too much has not yet moved a heavy object. No wind is
+    tried beyond 1.3 times the one that statics allows. A current without a bearing of its own comes
+    with the wind.
 
     Parameters
     ----------

@@ -65,8 +65,9 @@ class Schedule:
 
     def stints(self, end: float) -> tuple[Stint, ...]:
         """Return who held the object when, up to an end [s]."""
-        ends = [*(start for start, _ in self._stints[1:]), end]
-        rows = zip(self._stints, ends, strict=True)
+        begun = [stint for stint in self._stints if stint[0] <= end]
+        ends = [*(start for start, _ in begun[1:]), end]
+        rows = zip(begun, ends, strict=True)
         return tuple(Stint(start, last, plant.swarm) for (start, plant), last in rows)
 
     def load_at(self, time: float) -> Array:

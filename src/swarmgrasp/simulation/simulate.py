@@ -274,7 +274,7 @@ class Course:
             times=times,
             names=tuple(self._columns),
             stints=self._schedule.stints(float(times[-1])),
-            happenings=tuple(self._schedule.happenings),
+            happenings=tuple(at for at in self._schedule.happenings if at.time <= times[-1]),
             gusts=self._gusts,
             is_whole=bool(numbers[-1] == self._last),
             **self._keeper.arrays(),
