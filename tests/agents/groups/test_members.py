@@ -1,6 +1,5 @@
 """Robots in groups that share summaries."""
 
-import pytest
 from msgspec.structs import replace
 
 import swarmgrasp as sg
@@ -100,20 +99,3 @@ def test_what_no_sound_robot_tells_is_reported():
     effects = watcher.handle(world.clock, Told("G00N01", (none, newer)))
     assert [e.what for e in effects if isinstance(e, ev.Report)] == ["refused"]
     assert watcher.slots.get(0) == newer
-
-
-@pytest.mark.long
-def test_bytes_that_a_robot_sends_do_not_grow_with_the_swarm():
-    """From 100 robots to 1 000, in groups of 50, while ten join."""
-    rates = []
-    for groups in (2, 20):
-        world = begun(groups, 50)
-        world.sent.clear()
-        start = world.clock
-        join(world, 10, 34.0)
-        assert len(world.swarm) == 50 * groups + 10
-        known, truth = certain(world)
-        assert len(set(known)) == 1
-        assert known[0][0] <= truth <= known[0][1]
-        rates.append(sum(world.sent.values()) / len(world.members) / (world.clock - start))
-    assert rates[1] <= 1.05 * rates[0]
