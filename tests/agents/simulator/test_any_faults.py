@@ -1,6 +1,6 @@
 """Faults that Hypothesis thinks of, rather than those that a seed draws.
 
-Lists serve: a state machine that struck at robots' words found none of the rules taken away oftener.
+Lists serve: a state machine that struck robots at their words found fewer of the mutants.
 """
 
 import math
