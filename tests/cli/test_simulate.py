@@ -107,7 +107,7 @@ def test_options_change_what_the_file_says(run, pond, tmp_path):
 
 FAULTS = {
     ("--for", "-1"): "--for is -1; it should be 0 < seconds <= 1e+06",
-    ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 999999999",
+    ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 9223372036854775807",
     ("--losing", "A"): (
         "--losing is A; it should be a robot and a time in seconds, such as Castor@60"
     ),

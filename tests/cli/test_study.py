@@ -2,9 +2,10 @@
 
 import json
 
+import pyarrow.parquet as pq
 import pytest
 
-from swarmgrasp.simulation.study import sizes, together, work
+from swarmgrasp.simulation.study import rows, sizes, together, work
 from workers import InlinePool
 
 
@@ -93,6 +94,18 @@ def test_studies_of_simulations(run, pontoon, tmp_path, kind):
     assert said.startswith("Pontoon: ")
     assert "Fault" not in said
     assert picture.stat().st_size > 0
+
+
+def test_a_run_of_a_story_can_be_seen_alone(run, pontoon, tmp_path):
+    """By its seed, as the rows have it."""
+    pontoon.write_text(pontoon.read_text() + SIMULATION)
+    run("study", pontoon, tmp_path / "a", "--of", "story", "--runs", "1")
+    with rows(tmp_path / "a") as ask:
+        ((seed, distance),) = ask("SELECT seed, distance FROM runs")
+    log = tmp_path / "alone.parquet"
+    assert run("simulate", pontoon, "--seed", seed, "--log", log)[2] == ""
+    kept = pq.read_table(log)
+    assert max(kept["error"].to_pylist()) == pytest.approx(distance, rel=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain, told_written
+from swarmgrasp.ranges import MOST_SEED
 
 if TYPE_CHECKING:
     from swarmgrasp.environment import Environment
@@ -34,10 +35,6 @@ if TYPE_CHECKING:
 NOT_HELD = 1
 """Exit status when the object leaves the circle it is to be kept in."""
 INTERRUPTED = 130
-WITHIN, TURN = 5.0, 5.0
-"""How far [m] and turned [deg] an object may be, and be held, unless told otherwise."""
-SMALL = 15.0
-"""Into so many parts the extent of a small object goes, of which it may be off by one."""
 LONGEST = 1e6
 FASTEST = 300.0
 """Longest run [s] and fastest wind [kn] that may be asked for."""
@@ -106,7 +103,7 @@ def simulate(
         Instead of one run, find the largest wind held from every bearing: by statics, in a
         simulated steady wind, and in gusts; --plot draws the three curves. Events play no part.
     """
-    faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed)
+    faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed, 0, MOST_SEED)
     faults += _text_faults(losing or [], wind)
     for path, suffixes in (
         (log, (".parquet",)), (plot, PICTURES), (gif, (".gif",)), (mcap, (".mcap",)),
@@ -124,13 +121,14 @@ def simulate(
     with blaming(file):
         asked = _simulation(scenario, environment, capability or wind is not None)
     asked = _changed(asked, file, for_, seed, losing or [], is_quiet=capability)
-    far = min(WITHIN, scenario.swarm.outline.extent / SMALL) if within is None else within
-    limit = math.radians(TURN if turn is None else turn)
+    from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within, verdict_of
+
+    far = usual_within(scenario.swarm.outline) if within is None else within
+    limit = USUAL_TURN if turn is None else math.radians(turn)
     if capability:
         return _capability(scenario.name, asked, far, limit, plot)
     run = _run(asked)
     from swarmgrasp.cli.show.simulate import show
-    from swarmgrasp.simulation.verdict import verdict_of
 
     verdict = verdict_of(run, far, limit)
     written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
