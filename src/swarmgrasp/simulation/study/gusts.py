@@ -23,6 +23,7 @@ from swarmgrasp.simulation.study.study import (
     Heading,
     Seeds,
     Study,
+    draws_of,
     told_rows,
 )
 from swarmgrasp.simulation.verdict import usual_within, verdict_of
@@ -105,7 +106,7 @@ class Gusts(Study):
 
     def drawn(self, seeds: Seeds) -> tuple[Simulation, Array]:
         """Return the simulation that a batch of seeds is of, and the bearing [rad] of each run."""
-        draws, given = np.random.default_rng(seeds), self.simulation
+        draws, given = draws_of(seeds), self.simulation
         robots = int(draws.integers(self.fewest, self.most, endpoint=True))
         swarm = crowds_of(given.problem).swarm(draws, robots)
         bearings = draws.uniform(0.0, math.tau, len(seeds))

@@ -18,6 +18,7 @@ from swarmgrasp.simulation.study.study import (
     Heading,
     Seeds,
     Study,
+    draws_of,
     told_rows,
 )
 
@@ -72,7 +73,7 @@ class Losses(Study):
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and lose each of its robots."""
-        draws, crowds = np.random.default_rng(seeds), crowds_of(self.problem)
+        draws, crowds = draws_of(seeds), crowds_of(self.problem)
         robots = draws.integers(self.fewest, self.most, len(seeds), endpoint=True)
         quality, after = np.empty(len(seeds)), np.empty(len(seeds))
         vital = np.empty(len(seeds), dtype=int)

@@ -18,6 +18,7 @@ from swarmgrasp.simulation.study.study import (
     Heading,
     Seeds,
     Study,
+    draws_of,
     told_rows,
 )
 
@@ -70,7 +71,7 @@ class Sizes(Study):
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and measure its quality."""
-        draws, crowds = np.random.default_rng(seeds), crowds_of(self.problem)
+        draws, crowds = draws_of(seeds), crowds_of(self.problem)
         robots = draws.integers(self.fewest, self.most, len(seeds), endpoint=True)
         quality = np.empty(len(seeds))
         for count in np.unique(robots).tolist():

@@ -16,6 +16,10 @@ Ask = Callable[[str], list[tuple[Any, ...]]]
 """Puts a question in SQL to the table `runs`, whose rows are those runs that have no fault."""
 
 
+ENOUGH = 20
+"""Seeds of a batch that its draws hang on: thousands take as long as what is drawn."""
+
+
 class Column(NamedTuple):
     """What every run of a study tells.
 
@@ -119,3 +123,8 @@ class Study(Plain, ABC):
 def told_rows(rows: Sequence[tuple[float | None, ...]]) -> tuple[tuple[float, ...], ...]:
     """Return rows of an answer in SQL as numbers, null as nan."""
     return tuple(tuple(math.nan if value is None else value for value in row) for row in rows)
+
+
+def draws_of(seeds: Seeds) -> np.random.Generator:
+    """Return the source of what a batch has in common."""
+    return np.random.default_rng(seeds[:ENOUGH])

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from swarmgrasp.errors import StudyInvalid, refuse
@@ -19,6 +18,7 @@ from swarmgrasp.simulation.study.study import (
     Heading,
     Seeds,
     Study,
+    draws_of,
     told_rows,
 )
 
@@ -95,7 +95,7 @@ class PlacedTogether(Study):
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm, and place newcomers beside it both ways."""
-        draws = np.random.default_rng(seeds)
+        draws = draws_of(seeds)
         robots = int(draws.integers(self.fewest, self.most, endpoint=True))
         swarm = crowds_of(self.problem).swarm(draws, robots)
         asked = self.problem.with_swarm(swarm)
