@@ -163,17 +163,17 @@ def _study(kind: "type[Study]", scenario: "Scenario", given: dict[str, str | Non
     taken = {part.name for part in fields(kind)}  # type: ignore[arg-type]
     faults = [
         f"{option} is not for --of {kind.kind}"
-        for option, part in (("--robots", "fewest"), ("--newcomers", "newcomers"))
+        for option, part in (("--robots", "fewest_robots"), ("--newcomers", "newcomers"))
         if given[option[2:]] and part not in taken
     ]
     if faults:
         raise UsageFault(faults)
     of: dict[str, Any] = {}
     if given["robots"]:
-        of["fewest"], of["most"] = _robots(given["robots"])
+        of["fewest_robots"], of["most_robots"] = _robots(given["robots"])
     if given["newcomers"]:
         of["newcomers"] = int(given["newcomers"])
-    if scenario.newcomer is None and "fewest" in taken:
+    if scenario.newcomer is None and "fewest_robots" in taken:
         faults.append(
             "newcomer: is missing; say what the random robots are like, such as `newcomer: "
             "{limit: 60, attachment: push, half_angle: 30}`"

@@ -56,8 +56,8 @@ def test_what_cannot_be_planned_is_refused_at_once():
         (lambda data: json.dumps({**data, "study": {"kind": "sums"}}), "known: sizes"),
         (lambda data: json.dumps({**data, "more": 1}), "should have the keys"),
         (lambda data: json.dumps({**data, "runs": 0}), "number of runs is 0"),
-        (lambda data: json.dumps({**data, "study": {**data["study"], "most": "9"}}),
-         "most: should be a whole number; it is '9'"),
+        (lambda data: json.dumps({**data, "study": {**data["study"], "most_robots": "9"}}),
+         "most_robots: should be a whole number; it is '9'"),
         (lambda _: b"\xff", "no text in UTF-8"),
     ],
 )  # fmt: skip
@@ -75,14 +75,14 @@ def test_a_folder_of_another_study_is_refused(plan_of, problem, tmp_path):
     plan = plan_of(10, 5)
     run_plan(tmp_path / "a", plan, executor=Inline())
     before = {path.name: path.read_bytes() for path in (tmp_path / "a").iterdir()}
-    other = replace(plan, runs=11, seed=2, version="0.0.9", study=Sizes(problem, 4, 7))
+    other = replace(plan, runs=11, seed=2, release="0.0.9", study=Sizes(problem, 4, 7))
     with pytest.raises(StudyInvalid) as caught:
         run_plan(tmp_path / "a", other, executor=Inline())
     assert [fault.split(": ", 2)[2] for fault in caught.value.faults] == [
         "its number of runs is 10, not 11; choose another folder",
         "its seed is 1, not 2; choose another folder",
         "its version of swarmgrasp is 0.1.0, not 0.0.9; choose another folder",
-        "its most is another one; choose another folder",
+        "its most_robots is another one; choose another folder",
     ]
     assert {path.name: path.read_bytes() for path in (tmp_path / "a").iterdir()} == before
     (tmp_path / "b").mkdir()

@@ -50,20 +50,20 @@ class Gusts(Study):
     simulation : Simulation
         Its robots, its events, its seed and where the wind comes from are left out; so is where the
         current comes from, which goes with the wind. The gusts are those of NPD's spectrum.
-    fewest, most : int
+    fewest_robots, most_robots : int
         Robots in a swarm.
 
     Raises
     ------
     StudyInvalid
-        If it is no `Simulation`, or not 1 <= fewest <= most <= 1000.
+        If it is no `Simulation`, or not 1 <= fewest_robots <= most_robots <= 1000.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
 
     simulation: Simulation
-    fewest: int = 6
-    most: int = 12
+    fewest_robots: int = 6
+    most_robots: int = 12
 
     kind: ClassVar[str] = "gusts"
     question: ClassVar[str] = "whether random swarms hold in gusts, against their margin"
@@ -84,7 +84,7 @@ class Gusts(Study):
         """Check the values."""
         faults = kind_faults(self.simulation, Simulation, "Simulation(problem, environment, hull)")
         if not faults:
-            faults = crowd_faults(self.simulation.problem, self.fewest, self.most)
+            faults = crowd_faults(self.simulation.problem, self.fewest_robots, self.most_robots)
         refuse((StudyInvalid, faults))
         given, environment = self.simulation, self.simulation.environment
         current = environment.current and replace(environment.current, bearing=None)
@@ -100,14 +100,14 @@ class Gusts(Study):
         """Of what swarms it is."""
         speed = self.simulation.environment.wind.speed
         return (
-            f"{self.fewest} to {self.most} {like_words(self.simulation.problem)}, "
+            f"{self.fewest_robots} to {self.most_robots} {like_words(self.simulation.problem)}, "
             f"{self.simulation.duration:g} s in gusts about {speed:.1f} m/s from anywhere"
         )
 
     def drawn(self, seeds: Seeds) -> tuple[Simulation, Array]:
         """Return the simulation that a batch of seeds is of, and the bearing [rad] of each run."""
         draws, given = draws_of(seeds), self.simulation
-        robots = int(draws.integers(self.fewest, self.most, endpoint=True))
+        robots = int(draws.integers(self.fewest_robots, self.most_robots, endpoint=True))
         swarm = crowds_of(given.problem).swarm(draws, robots)
         bearings = draws.uniform(0.0, math.tau, len(seeds))
         return replace(given, problem=given.problem.with_swarm(swarm)), bearings

@@ -34,20 +34,20 @@ class Losses(Study):
     ----------
     problem : Problem
         Its own robots, its spacing and its criterion are left out.
-    fewest, most : int
+    fewest_robots, most_robots : int
         Robots in a swarm before the loss.
 
     Raises
     ------
     StudyInvalid
-        If it is no `Problem`, or not 1 <= fewest <= most <= 1000; all faults at once.
+        If it is no `Problem`, or not 1 <= fewest_robots <= most_robots <= 1000; all faults at once.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
 
     problem: Problem
-    fewest: int = 5
-    most: int = 16
+    fewest_robots: int = 5
+    most_robots: int = 16
 
     kind: ClassVar[str] = "losses"
     question: ClassVar[str] = "what the loss of one robot leaves, of random swarms"
@@ -62,19 +62,19 @@ class Losses(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest, self.most)))
+        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest_robots, self.most_robots)))
         vars(self)["problem"] = question_of(self.problem)
         crowds_of(self.problem)
 
     @property
     def words(self) -> str:
         """Of what swarms it is."""
-        return f"{self.fewest} to {self.most} {like_words(self.problem)}"
+        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem)}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and lose each of its robots."""
         draws, crowds = draws_of(seeds), crowds_of(self.problem)
-        robots = draws.integers(self.fewest, self.most, len(seeds), endpoint=True)
+        robots = draws.integers(self.fewest_robots, self.most_robots, len(seeds), endpoint=True)
         quality, after = np.empty(len(seeds)), np.empty(len(seeds))
         vital = np.empty(len(seeds), dtype=int)
         for count in np.unique(robots).tolist():
@@ -98,8 +98,8 @@ class Losses(Study):
             f"At least half of the random swarms bear the loss of any one robot from {kept} robots "
             "on"
             if kept is not None
-            else f"Less than half of the random swarms of up to {self.most} robots bear the loss "
-            "of any one"
+            else f"Less than half of the random swarms of up to {self.most_robots} robots bear the "
+            "loss of any one"
         )
         return Findings(said, HEADINGS, told_rows(rows))
 

@@ -28,7 +28,7 @@ PLAN = "study.json"
 MOST_RUNS = 10**9
 LARGEST_PLAN = 2**24
 """Bytes of a plan that are read."""
-_KEYS = "name", "runs", "seed", "size", "version", "kernels"
+_KEYS = "name", "runs", "seed", "size", "release", "kernels"
 _LEFTOVERS = ".part-*", ".study-*"
 """Files that a killed process did not finish."""
 
@@ -48,7 +48,7 @@ class Plan(Told):
         Of all that is random, at least 0.
     size : int
         Runs in a shard; the last one may have fewer.
-    version, kernels : str
+    release, kernels : str
         Of this package, and the digest of its kernels: with others, rows may differ in their bytes.
 
     Raises
@@ -62,7 +62,7 @@ class Plan(Told):
     runs: int
     seed: int
     size: int
-    version: str
+    release: str
     kernels: str
 
     def __post_init__(self) -> None:
@@ -225,7 +225,7 @@ def _differences(there: Plan, wanted: Plan) -> list[str]:
         "number of runs": (there.runs, wanted.runs),
         "seed": (there.seed, wanted.seed),
         "shards' size": (there.size, wanted.size),
-        "version of swarmgrasp": (there.version, wanted.version),
+        "version of swarmgrasp": (there.release, wanted.release),
         "kernels": (there.kernels, wanted.kernels),
     }
     told = [f"its {what} is {one}, not {two}" for what, (one, two) in parts.items() if one != two]

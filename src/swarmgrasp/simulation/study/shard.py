@@ -69,10 +69,10 @@ def _plan(text: str) -> Plan:
     """Return the plan that a worker is given with each shard, checked once."""
     plan = plan_of(text)
     here = Plan.of(plan.name, plan.study, plan.runs, plan.seed)
-    if (plan.version, plan.kernels) != (here.version, here.kernels):
+    if (plan.release, plan.kernels) != (here.release, here.kernels):
         raise StudyInvalid(
-            f"the study is of swarmgrasp {plan.version} with kernels {plan.kernels}, and a worker "
-            f"has {here.version} with {here.kernels}; install the same there, or choose another "
+            f"the study is of swarmgrasp {plan.release} with kernels {plan.kernels}, and a worker "
+            f"has {here.release} with {here.kernels}; install the same there, or choose another "
             "folder"
         )
     return plan

@@ -34,20 +34,20 @@ class Sizes(Study):
     ----------
     problem : Problem
         Its own robots, its spacing and its criterion are left out.
-    fewest, most : int
+    fewest_robots, most_robots : int
         Robots in a swarm.
 
     Raises
     ------
     StudyInvalid
-        If it is no `Problem`, or not 1 <= fewest <= most <= 1000; all faults at once.
+        If it is no `Problem`, or not 1 <= fewest_robots <= most_robots <= 1000; all faults at once.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
 
     problem: Problem
-    fewest: int = 4
-    most: int = 16
+    fewest_robots: int = 4
+    most_robots: int = 16
 
     kind: ClassVar[str] = "sizes"
     question: ClassVar[str] = "quality against the number of robots, of random swarms"
@@ -60,19 +60,19 @@ class Sizes(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest, self.most)))
+        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest_robots, self.most_robots)))
         vars(self)["problem"] = question_of(self.problem)
         crowds_of(self.problem)
 
     @property
     def words(self) -> str:
         """Of what swarms it is."""
-        return f"{self.fewest} to {self.most} {like_words(self.problem)}"
+        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem)}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and measure its quality."""
         draws, crowds = draws_of(seeds), crowds_of(self.problem)
-        robots = draws.integers(self.fewest, self.most, len(seeds), endpoint=True)
+        robots = draws.integers(self.fewest_robots, self.most_robots, len(seeds), endpoint=True)
         quality = np.empty(len(seeds))
         for count in np.unique(robots).tolist():
             alike = robots == count
@@ -91,8 +91,8 @@ class Sizes(Study):
         said = (
             f"At least half of the random swarms have force closure from {closed} robots on"
             if closed is not None
-            else f"Less than half of the random swarms of up to {self.most} robots have force "
-            "closure"
+            else f"Less than half of the random swarms of up to {self.most_robots} robots have "
+            "force closure"
         )
         return Findings(said, HEADINGS, told_rows(rows))
 

@@ -41,7 +41,7 @@ class PlacedTogether(Study):
     ----------
     problem : Problem
         Its own robots are left out.
-    fewest, most : int
+    fewest_robots, most_robots : int
         Robots there before.
     newcomers : int
         How many are placed.
@@ -49,15 +49,15 @@ class PlacedTogether(Study):
     Raises
     ------
     StudyInvalid
-        If it is no `Problem`, not 1 <= fewest <= most <= 1000, or not 2 <= newcomers <= 12;
-        all faults at once.
+        If it is no `Problem`, not 1 <= fewest_robots <= most_robots <= 1000, or not
+        2 <= newcomers <= 12; all faults at once.
     ForceSetUnsupported, NowhereToAttach
         As for `Crowds`.
     """
 
     problem: Problem
-    fewest: int = 4
-    most: int = 8
+    fewest_robots: int = 4
+    most_robots: int = 8
     newcomers: int = 2
 
     kind: ClassVar[str] = "together"
@@ -74,7 +74,7 @@ class PlacedTogether(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = crowd_faults(self.problem, self.fewest, self.most)
+        faults = crowd_faults(self.problem, self.fewest_robots, self.most_robots)
         if not is_whole(self.newcomers) or not 2 <= self.newcomers <= MOST_NEWCOMERS:
             faults.append(
                 f"the newcomers are {shown(self.newcomers)}; they should be a whole number from 2 "
@@ -89,14 +89,14 @@ class PlacedTogether(Study):
     def words(self) -> str:
         """Of what swarms it is."""
         return (
-            f"{self.newcomers} newcomers beside {self.fewest} to {self.most} "
+            f"{self.newcomers} newcomers beside {self.fewest_robots} to {self.most_robots} "
             f"{like_words(self.problem)}"
         )
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm, and place newcomers beside it both ways."""
         draws = draws_of(seeds)
-        robots = int(draws.integers(self.fewest, self.most, endpoint=True))
+        robots = int(draws.integers(self.fewest_robots, self.most_robots, endpoint=True))
         swarm = crowds_of(self.problem).swarm(draws, robots)
         asked = self.problem.with_swarm(swarm)
         found = place_together(asked, self.newcomers, gap=GAP, effort=EFFORT)
