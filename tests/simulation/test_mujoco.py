@@ -46,7 +46,7 @@ def crowd_of(name):
 
 @pytest.mark.parametrize("name", ["deck-barge", "escort-ring", "supply-vessel", "model-ship"])
 def test_a_quality_is_held_and_no_more(name):
-    """0.99 and 1.00 of it within 1e-9 m for a minute; 1.01 moves off by a force of 0.01 of it.
+    """0.99 and 1.00 of it within 1e-9 m for up to a minute; 1.01 moves off by 0.01 of it.
 
     The model ship is the paper's: 6 thrusters of 0.5 N on a hull of 1 m.
     """

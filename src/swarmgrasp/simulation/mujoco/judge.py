@@ -1,31 +1,33 @@
 """Whether MuJoCo holds what the quality says is held, and no more."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 
 import numpy as np
+from numpy.typing import NDArray
 
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.forces import forces
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.quality import Quality
 from swarmgrasp.ranges import kind_faults
-from swarmgrasp.simulation.hull import Hull
+from swarmgrasp.simulation.hull import Hull, inverse_of
 from swarmgrasp.simulation.mujoco.world import World
 
+Array = NDArray[np.float64]
 FACTORS = (0.99, 1.0, 1.01)
 """Sizes of disturbances, relative to the quality."""
 DURATION = 60.0
 """Of a trial at most [s]."""
 FARTHEST = 100.0
-"""Way, in extents of the object, on which a force of the quality may push it meanwhile."""
+"""Way, in extents of the object, on which the weakest wrench alone would move it meanwhile."""
 STEPS = 600
-"""Of a trial; forces are constant, which steps of any length integrate exactly."""
-STILL = 1e-7
-"""Way that counts as none, relative to that on which a force of the quality pushes the object.
+"""Of a trial."""
+STILL = 1e-6
+"""Way that counts as none, relative to that on which the weakest wrench alone moves the object.
 
-The quality of robots that steer is certified to 1e-9, and an object that has turned turns more.
+The quality of robots that steer is certified to 1e-9; a hundredth of the wrench goes 0.01 of it.
 """
 
 
@@ -121,10 +123,11 @@ def judge(quality: Quality, hull: Hull) -> Judgement:
         )
     if faults:
         raise SimulationInvalid(faults)
-    push = float(np.linalg.norm(quality.weakest_wrench * quality.worst_swarm.scale))
-    reach = FARTHEST * quality.worst_swarm.outline.extent
-    duration = min(DURATION, math.sqrt(2.0 * reach * hull.mass / push))
-    still = STILL * 0.5 * push / hull.mass * duration**2
+    extent = quality.worst_swarm.outline.extent
+    bare = replace(hull, added=(0.0, 0.0, 0.0))
+    start = _way(inverse_of(bare.matrix) @ quality.weakest_wrench, extent)
+    duration = min(DURATION, math.sqrt(2.0 * FARTHEST * extent / start))
+    still = STILL * 0.5 * start * duration**2
     trials = tuple(_tried(quality, hull, factor, duration, still) for factor in FACTORS)
     return Judgement(quality, hull, duration, trials, version("mujoco"))
 
@@ -138,7 +141,13 @@ def _tried(quality: Quality, hull: Hull, factor: float, duration: float, still: 
     acting = load - wanted
     world.order(answer.vectors, acting)
     net = float(np.linalg.norm(world.net * swarm.scale))
-    x, y, turn = world.advance(answer.vectors, acting, steps=STEPS).tolist()
-    distance, turned = math.hypot(x, y), abs(turn)
-    is_held = max(distance, turned * swarm.characteristic_length) <= still
-    return Trial(factor, net, distance, turned, is_held)
+    pose = world.advance(answer.vectors, acting, steps=STEPS)
+    x, y, turn = pose.tolist()
+    is_held = _way(pose, swarm.outline.extent) <= still
+    return Trial(factor, net, math.hypot(x, y), abs(turn), is_held)
+
+
+def _way(motion: Array, extent: float) -> float:
+    """Return how far [m] a motion (3,) [m, m, rad] takes the object, or its ends by turning."""
+    x, y, turn = motion.tolist()
+    return float(max(math.hypot(x, y), abs(turn) * extent))
