@@ -37,7 +37,7 @@ def measure(args):
         start = time.process_time()
         simulate(asked, range(runs))
         spent = time.process_time() - start
-        steps = runs * duration / asked.settings.period / spent
+        steps = runs * duration / asked.tuning.period / spent
         rows.append(
             (power_of_ten(runs), f"{digits(spent)} s", f"{steps / 1e3:.0f} k",
              digits(runs * duration / spent))

@@ -26,9 +26,9 @@ import matplotlib.pyplot as plt
 class Summing:
     """Proportional, derivative and integral action on the error in the object's frame."""
 
-    def begin(self, known, settings, poses, rests):
+    def begin(self, known, tuning, poses, rests):
         """Start with the sum that holds what acts."""
-        self.known, self.settings = known, settings
+        self.known, self.tuning = known, tuning
         self.last, self.speeds = poses, np.zeros_like(poses)
         self.sums = -rests
 
@@ -38,7 +38,7 @@ class Summing:
 
     def wrenches(self, look):
         """Return the wanted wrench of each run."""
-        period, w = self.settings.period, self.settings.frequency
+        period, w = self.tuning.period, self.tuning.frequency
         pole = 4.0 * w * period  # looks are noisy: smooth the speed
         self.speeds += pole * ((look.poses - self.last) / period - self.speeds)
         self.last = look.poses

@@ -5,7 +5,7 @@ import pytest
 
 from moored import moored
 from swarmgrasp.errors import SimulationInvalid
-from swarmgrasp.simulation import Controller, Known, Look, Lose, Settings, simulate
+from swarmgrasp.simulation import Controller, Known, Look, Lose, Tuning, simulate
 
 
 class Spy:
@@ -15,10 +15,10 @@ class Spy:
         self.looks: list[Look] = []
         self.crews: list[int] = []
 
-    def begin(self, known: Known, settings: Settings, poses: np.ndarray, rests: np.ndarray) -> None:
+    def begin(self, known: Known, tuning: Tuning, poses: np.ndarray, rests: np.ndarray) -> None:
         """Work out what holds the object at the start."""
         assert poses.shape == rests.shape
-        assert settings.period == 0.1
+        assert tuning.period == 0.1
         self.rests = rests
         self.change(known)
 

@@ -1,7 +1,7 @@
 """A hull and its robots in weather: what becomes of them in time."""
 
 from swarmgrasp.simulation.actuator import Actuator
-from swarmgrasp.simulation.control import Control, Settings
+from swarmgrasp.simulation.control import Control, Tuning
 from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Move, Send
 from swarmgrasp.simulation.hull import Hull
 from swarmgrasp.simulation.limits import Limits, limits
@@ -34,10 +34,10 @@ __all__ = [
     "Run",
     "Send",
     "Series",
-    "Settings",
     "Simulation",
     "StationKeeping",
     "Stint",
+    "Tuning",
     "Verdict",
     "Weather",
     "flow",

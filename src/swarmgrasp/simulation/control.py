@@ -15,7 +15,7 @@ NOISE = Range(0.0, 1e3, "m")
 TURN_NOISE = Range(0.0, math.pi, "rad")
 
 
-class Settings(NamedTuple):
+class Tuning(NamedTuple):
     """How station keeping is set, with everything said, as in `Control`."""
 
     period: float
@@ -75,8 +75,8 @@ class Control(Plain):
         kept = {name: float(value) for name, value in vars(self).items() if is_number(value)}
         vars(self).update(kept)
 
-    def settled(self, lag: float, length: float) -> "Settings":
-        """Return the settings for robots and an object.
+    def settled(self, lag: float, length: float) -> "Tuning":
+        """Return the tuning for robots and an object.
 
         Parameters
         ----------
@@ -88,10 +88,10 @@ class Control(Plain):
         Examples
         --------
         >>> Control(observer=0.2).settled(5.0, 100.0)
-        Settings(period=0.1, frequency=0.06999..., observer=0.2, position_noise=0.3, ...)
+        Tuning(period=0.1, frequency=0.06999..., observer=0.2, position_noise=0.3, ...)
         """
         frequency = 0.35 / lag if self.frequency is None else self.frequency
-        return Settings(
+        return Tuning(
             lag / 50.0 if self.period is None else self.period,
             frequency,
             2.5 * frequency if self.observer is None else self.observer,

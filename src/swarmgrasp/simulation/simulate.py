@@ -111,15 +111,15 @@ class Course:
         every: int,
     ) -> None:  # fmt: skip
         self._simulation, self._seeds, self._controller = simulation, seeds, controller
-        self._settings = settings = simulation.settings
+        self._tuning = tuning = simulation.tuning
         self._steps = simulation.steps
         self._last = max(1, self._number(simulation.duration))
         self._columns = {name: i for i, name in enumerate(simulation.names)}
         _check_memory(len(seeds), self._last, len(self._columns), every)
-        self._streams = Streams(simulation.weather, mean, seeds, settings.period)
+        self._streams = Streams(simulation.weather, mean, seeds, tuning.period)
         self._gusts = self._streams.spread(0.0)
-        self._noise = Noise(seeds, settings.position_noise, settings.heading_noise)
-        self._reference = Reference(settings.frequency)
+        self._noise = Noise(seeds, tuning.position_noise, tuning.heading_noise)
+        self._reference = Reference(tuning.frequency)
         self._crew = Crew(simulation)
         nobody = simulation.problem.swarm.without_rows(range(len(simulation.problem.swarm)))
         self._bare = plant_of(simulation, nobody)
@@ -129,7 +129,7 @@ class Course:
 
     def _number(self, time: float) -> int:
         """Return the number of the first instant that is not before a time [s]."""
-        return math.ceil(time / self._settings.period - SAME)
+        return math.ceil(time / self._tuning.period - SAME)
 
     def _begin(self) -> None:
         """Begin at rest, with the mean load held as well as it can be."""
@@ -138,15 +138,15 @@ class Course:
         state = resting(plant, steady, 0.0)
         loads = plant.load(state, steady)
         self._settle()
-        idle = Allotment(plant, np.zeros((runs, len(plant), 2)), self._settings.period)
+        idle = Allotment(plant, np.zeros((runs, len(plant), 2)), self._tuning.period)
         vectors = idle.share_out(-loads).vectors
-        self._allotment = Allotment(plant, vectors, self._settings.period)
+        self._allotment = Allotment(plant, vectors, self._tuning.period)
         orders = plant.orders(vectors)
         state[:, BODY : BODY + len(plant)] = orders[..., 0]
         state[:, BODY + len(plant) :] = orders[..., 1]
         self._state, self._water = state, steady[:, 2:]
         rests = loads - plant.wind(state, steady)
-        self._controller.begin(self._known(), self._settings, state[:, :3].copy(), rests)
+        self._controller.begin(self._known(), self._tuning, state[:, :3].copy(), rests)
 
     def _settle(self) -> None:
         """Take note of who is there now, and who is believed to be."""
@@ -206,7 +206,7 @@ class Course:
     def _happen(self, number: int) -> None:
         """Let events happen at an instant."""
         there, believed = self._there, self._believed
-        period = self._settings.period
+        period = self._tuning.period
         self._schedule.pass_to(number * period, (number + SAME) * period)
         if there is not self._crew.there:
             self._state = state_of(there.swarm, self._crew.there, self._state)
@@ -220,7 +220,7 @@ class Course:
 
     def _instant(self, number: int, stream: Array, noise: Array) -> None:
         """Look at the objects, and decide."""
-        time, poses = number * self._settings.period, self._state[:, :3]
+        time, poses = number * self._tuning.period, self._state[:, :3]
         reference = self._reference.at(time)
         self._keeper.measure(poses, reference.pose)
         look = Look(time, poses + noise, stream[:, :2].copy(), self._allotment.made, reference)
@@ -257,7 +257,7 @@ class Course:
 
     def _move(self, number: int, stream: Array) -> None:
         """Let a period pass."""
-        period, steps = self._settings.period, self._steps
+        period, steps = self._tuning.period, self._steps
         asked = self._vectors if self._believed is self._there else self._vectors[:, self._asked]
         orders = self._there.orders(asked)
         self._state = self._there.advance(self._state, orders, stream, None, period / steps, steps)
@@ -267,7 +267,7 @@ class Course:
     def _answer(self) -> Run:
         """Return what became of the runs."""
         numbers = self._keeper.numbers
-        times = numbers.astype(float) * self._settings.period
+        times = numbers.astype(float) * self._tuning.period
         return Run(
             simulation=self._simulation,
             seeds=self._seeds,

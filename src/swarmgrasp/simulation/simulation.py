@@ -14,7 +14,7 @@ from swarmgrasp.placement.problem import check_newcomer
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import MOST_SEED, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.actuator import Actuator
-from swarmgrasp.simulation.control import PERIOD, Control, Settings
+from swarmgrasp.simulation.control import PERIOD, Control, Tuning
 from swarmgrasp.simulation.events import (
     KINDS,
     Change,
@@ -188,7 +188,7 @@ class Simulation(Frozen, Plain):
         return dict(self.actuators).get(name, self.actuator)
 
     @property
-    def settings(self) -> Settings:
+    def tuning(self) -> Tuning:
         """How station keeping is set, for all robots that ever take part."""
         return self.control.settled(
             self._lag, float(np.ptp(self.problem.swarm.outline.vertices[:, 0]))
@@ -202,7 +202,7 @@ class Simulation(Frozen, Plain):
     @property
     def steps(self) -> int:
         """How many steps motion takes in a period of control."""
-        return 1 if self.step is None else math.ceil(self.settings.period / self.step - 1e-9)
+        return 1 if self.step is None else math.ceil(self.tuning.period / self.step - 1e-9)
 
 
 def seed_faults(seed: object) -> list[str]:

@@ -6,7 +6,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.simulation.control import Settings
+from swarmgrasp.simulation.control import Tuning
 from swarmgrasp.simulation.frames import Headings, nearest_turns, times
 from swarmgrasp.simulation.observer import Observer
 from swarmgrasp.simulation.reference import Point
@@ -67,13 +67,13 @@ class Controller(Protocol):
     Each array has a row for each run, and what it gives for one should not depend on the others.
     """
 
-    def begin(self, known: Known, settings: Settings, poses: Array, rests: Array) -> None:
+    def begin(self, known: Known, tuning: Tuning, poses: Array, rests: Array) -> None:
         """Forget all before, and begin.
 
         Parameters
         ----------
         known : Known
-        settings : Settings
+        tuning : Tuning
         poses : (runs, 3) [m, m, rad]
             Those at the start.
         rests : (runs, 3) [N, N, N m]
@@ -94,11 +94,11 @@ class StationKeeping:
     of what the observer believes, less the loads of bias and wind.
     """
 
-    def begin(self, known: Known, settings: Settings, poses: Array, rests: Array) -> None:
+    def begin(self, known: Known, tuning: Tuning, poses: Array, rests: Array) -> None:
         """Begin at known poses, with known loads."""
-        self._known, self._settings = known, settings
+        self._known, self._tuning = known, tuning
         biases = Headings(poses[:, 2]).to_earth(rests)
-        self._observer = Observer(settings.observer, known.matrix, poses, biases)
+        self._observer = Observer(tuning.observer, known.matrix, poses, biases)
         self._acting = np.zeros_like(poses)
         self._is_begun = False
 
@@ -109,7 +109,7 @@ class StationKeeping:
 
     def wrenches(self, look: Look) -> Array:
         """Return the wrenches (runs, 3) that take the object back to its reference."""
-        seen, period, w = self._observer, self._settings.period, self._settings.frequency
+        seen, period, w = self._observer, self._tuning.period, self._tuning.frequency
         if self._is_begun:
             seen.predict(self._acting, period)
         self._is_begun = True
