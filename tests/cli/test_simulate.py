@@ -70,7 +70,8 @@ def test_an_object_that_is_not_held(run, pond):
     assert status == 1
     first = said.splitlines()[0]
     assert "not held from " in first
-    assert " s after D is lost; off by " in first
+    assert " s after D is lost, " in first
+    assert " N out of reach; off by " in first
     (row,) = [line.split() for line in said.splitlines() if line.startswith("     2  D is lost")]
     simulated, foretold = map(float, row[-2:])
     assert foretold / 1.6 < simulated < 1.6 * foretold

@@ -1,7 +1,9 @@
 """The simulation of a scenario file: units, defaults, events and faults."""
 
 import math
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -244,3 +246,13 @@ def test_nobody_is_sent_where_there_is_no_newcomer() -> None:
         "a.yaml:4:37: simulation.events.0.send: there is no newcomer; say what it can exert, by "
         "the key newcomer"
     ]
+
+
+def test_the_file_on_the_page_is_read_and_written() -> None:
+    """What the documentation shows says all of it, and comes back."""
+    page = Path(__file__).parents[2].joinpath("docs", "simulation.md").read_text(encoding="utf-8")
+    (text,) = re.findall(r"```yaml\n(.*?)```", page, re.DOTALL)
+    asked = parse_scenario(text)
+    kinds = {type(event) for event in asked.simulation.events}
+    assert kinds == {Change, Follow, Leave, Lose, Move, Send}
+    assert parse_scenario(scenario_text(asked)) == asked

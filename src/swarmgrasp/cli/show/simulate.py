@@ -27,8 +27,8 @@ def show(name: str, run: Run, verdict: Verdict) -> None:
     for note in (
         f"Held: never off by more than {limits}. Off by, turned: the largest until the next line, "
         "and what 95 % of the time is within.",
-        f"Margin: what the robots can exert in any direction beside the mean load; "
-        f"{run.simulation.problem.swarm.metric_sentence}.",
+        "Margin: what the robots can exert in any direction beside the mean load; below 0, how far "
+        f"that is out of reach; {run.simulation.problem.swarm.metric_sentence}.",
         f"Foretold: how long the missing part of the mean load takes to move the object {limits}.",
         "Bearings: degrees clockwise from the bow at the start; 90 is starboard.",
         "The loads are those of the environment: this tries robots and control, no coefficients.",
@@ -59,6 +59,8 @@ def _headline(run: Run, verdict: Verdict) -> str:
     at = float(verdict.left_at[0])
     cause = [h for h in run.happenings if h.time <= at and h.kind in AFTER][-1]
     since = f", {at - cause.time:.3g} s after {_cause(cause)}" if cause.kind != "start" else ""
+    if cause.shortfall:
+        since += f", {Unit.for_size(cause.shortfall, figures=3).text(cause.shortfall)} out of reach"
     off = run.poses[0, -1].astype(float) - run.references[-1]
     now = f"{_metres(math.hypot(off[0], off[1]))} and {_degrees(math.remainder(off[2], math.tau))}"
     later = f"; off by {within} at most, {now} at {end:g} s"
@@ -140,7 +142,8 @@ def _bearing(x: float, y: float) -> str:
 
 def _show_happenings(report: Report, run: Run, verdict: Verdict) -> None:
     """Write the table of what happened."""
-    unit = Unit.for_size(*(at.margin for at in run.happenings), figures=3)
+    sizes = [at.margin + at.shortfall for at in run.happenings]
+    unit = Unit.for_size(*sizes, figures=3)
     columns = [
         Column("at [s]", is_number=True),
         Column("what happens"),
@@ -158,7 +161,7 @@ def _show_happenings(report: Report, run: Run, verdict: Verdict) -> None:
             [
                 f"{at.time:.4g}",
                 at.words,
-                unit.number(at.margin),
+                unit.number(at.margin - at.shortfall),
                 *_circle(circle),
                 *_leaving(run, verdict, i),
             ]
