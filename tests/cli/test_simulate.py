@@ -110,7 +110,7 @@ FAULTS = {
     ("--for", "-1"): "--for is -1; it should be 0 < seconds <= 1e+06",
     ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 9223372036854775807",
     ("--losing", "A"): (
-        "--losing is A; it should be a robot and a time in seconds, such as Castor@60"
+        "--losing is A; it should be a robot or group and a time in seconds, such as Castor@60"
     ),
     ("--losing", "Q@3"): (
         "--losing: lose at 3 s: there is no robot called 'Q' then; known: A, B, C, D, E, F"

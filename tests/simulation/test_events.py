@@ -75,7 +75,9 @@ def test_events_stand_in_the_order_of_time_and_then_as_given() -> None:
 
 def faults_of(*events: Event, newcomer: Newcomer | None = None, duration: float = 100.0) -> str:
     """Return what contradicts, for a swarm of Ajax and R1."""
-    found = event_faults(["Ajax", "R1"], in_order(events), newcomer or Newcomer(), duration)
+    groups = {"bus A": ["Ajax", "R1"]}
+    coming = newcomer or Newcomer()
+    found = event_faults(["Ajax", "R1"], groups, in_order(events), coming, duration)
     assert all(event in events for event, _ in found)
     return "\n".join(fault for _, fault in found)
 
@@ -87,6 +89,16 @@ def test_a_robot_that_is_gone_cannot_be_lost() -> None:
     assert "no robot called 'Bob' then; known: Ajax, R1" in faults_of(Leave(1, "Bob"))
     assert "called 'newcomer'" in faults_of(Lose(1, "newcomer"), Send(2))
     assert faults_of(Send(1), Lose(1, "newcomer"), Leave(3, "Ajax")) == ""
+
+
+def test_a_group_is_lost_with_those_of_it_that_are_there() -> None:
+    """Once; a group cannot leave, for it is robots that do."""
+    assert faults_of(Lose(1, "Ajax"), Lose(2, "bus A")) == ""
+    assert "'bus A' is gone since 1 s" in faults_of(Lose(1, "bus A"), Lose(2, "bus A"))
+    assert "'R1' is gone since 1 s" in faults_of(Lose(1, "bus A"), Leave(2, "R1"))
+    both = (Leave(1, "Ajax"), Lose(2, "R1"), Lose(3, "bus A"))
+    assert "all robots of 'bus A' are gone" in faults_of(*both)
+    assert "no robot called 'bus A'" in faults_of(Leave(1, "bus A"))
 
 
 def test_a_newcomer_is_called_what_nobody_has_been_called() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from afloat import BARGE, ROBOTS, sea_of
 from moored import moored
-from swarmgrasp import Newcomer, Problem, Stretch, Swarm, Zone
+from swarmgrasp import Newcomer, Problem, Stretch, Swarm, Zone, quality
 from swarmgrasp.environment import KNOT
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.simulation import Actuator, Hull, Simulation
@@ -134,6 +134,27 @@ def test_robots_leave_are_sent_and_are_lost_on_the_way() -> None:
     assert run.happenings[-1].words == "Fortuna 2 turns back on its way"
     assert run.names[-2:] == ("Gaia", "Fortuna 2")
     assert not run.forces[0, :, -2:].any()
+
+
+def test_the_robots_of_a_group_are_lost_as_one() -> None:
+    """Nobody knows until it is noticed; one that left before is not lost again."""
+    barge = moored("deck-barge", 10.0, 60.0)
+    problem = barge.problem
+    swarm, pulling = problem.swarm, {"Dione", "Electra"}
+    robots = [replace(r, group="line" if r.name in pulling else "") for r in swarm.robots]
+    problem = problem.with_swarm(Swarm(swarm.outline, robots))
+    events = (Leave(5, "Dione"), Lose(10, "line", noticed=10))
+    run = simulate(replace(barge, problem=problem, events=events, duration=30.0))
+    told = [(h.time, h.words) for h in run.happenings[1:]]
+    assert told == [
+        (5.0, "Dione leaves"),
+        (10.0, "Electra of line is lost, which nobody knows yet"),
+        (20.0, "it is noticed that Electra of line is lost"),
+    ]
+    whole = replace(barge, problem=problem, events=(Lose(10, "line"),), duration=30.0)
+    found = simulate(whole).happenings[-1]
+    assert (found.robot, found.words) == ("line", "Dione and Electra of line are lost")
+    assert found.quality == quality(problem.swarm.without("Dione").without("Electra")).value
 
 
 def test_a_series_says_the_mean_wind() -> None:

@@ -80,7 +80,7 @@ def simulate(
     seed
         Of gusts and of the sensors' noise, instead of the file's.
     losing
-        A robot that is lost, and when; give it once for each: --losing Castor@60.
+        A robot or group that is lost, and when; give it once for each: --losing Castor@60.
     wind
         The mean wind, instead of the file's: its speed in knots, and where it comes from, degrees
         clockwise from the bow.
@@ -157,7 +157,8 @@ def _number_faults(for_: float | None, within: float | None, turn: float | None)
 def _text_faults(losing: list[str], wind: str | None) -> list[str]:
     """Return what is wrong with options that hold several things."""
     faults = [
-        f"--losing is {text}; it should be a robot and a time in seconds, such as Castor@60"
+        f"--losing is {text}; it should be a robot or group and a time in seconds, "
+        "such as Castor@60"
         for text in losing
         if not _LOSS.fullmatch(text)
     ]

@@ -121,7 +121,11 @@ def check_simulation(section: SimulationSection, units: Units, checked: Checked)
         return  # whom it brings, and when, is not known
     _check_robots(section, [*names, *joining_names(names, ordered, newcomer)], checked)
     paths = {id(event): path for path, event in events.items()}
-    for event, fault in event_faults(names, ordered, newcomer, section.duration):
+    groups: dict[str, list[str]] = {}
+    for name, robot in zip(names, checked.file.robots, strict=True):
+        if robot.group:
+            groups.setdefault(robot.group, []).append(name)
+    for event, fault in event_faults(names, groups, ordered, newcomer, section.duration):
         checked.fault((*_HERE, "events", paths[id(event)]), fault, got=False)
 
 

@@ -181,7 +181,9 @@ class EventSection(Section):
 
     at: Time = Field(description="When, since the start [s].", examples=[60])
     lose: Label | None = Field(
-        None, description="The robot that exerts nothing any more.", examples=["Ajax"]
+        None,
+        description="The robot that exerts nothing any more, or the group, such as a switchboard.",
+        examples=["Ajax"],
     )
     noticed: Time = Field(
         0.0, description="So long after the loss, those who share out the forces know it [s]."

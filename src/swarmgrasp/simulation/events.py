@@ -4,7 +4,7 @@ Events are the same for all runs of a batch. A place is in metres in the earth's
 object's at the start; a bearing is where a stream comes from, clockwise from the bow at the start.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -85,7 +85,7 @@ class Leave(_Event):
 
 @dataclass(frozen=True)
 class Lose(_Event):
-    """A robot exerts nothing any more: its line parts, its engine stops.
+    """A robot exerts nothing any more, or a group: a line parts, a switchboard fails.
 
     Others of its group, if it has one, are not lost with it: say so of each.
 
@@ -93,7 +93,8 @@ class Lose(_Event):
     ----------
     at : float [s]
     robot : str
-        Its name.
+        Its name, or that of a group, whose robots are lost as one; a name that both have means
+        the group.
     noticed : float [s]
         So long after, those who share out the forces know it. Until then they count on it.
 
@@ -309,7 +310,11 @@ def joining_names(
 
 
 def event_faults(
-    present: Iterable[str], events: tuple[Event, ...], newcomer: Newcomer, duration: float
+    present: Iterable[str],
+    groups: Mapping[str, Sequence[str]],
+    events: tuple[Event, ...],
+    newcomer: Newcomer,
+    duration: float,
 ) -> list[tuple[Event, str]]:
     """Return what contradicts in events that are in order: each event at fault, and why it is.
 
@@ -317,6 +322,8 @@ def event_faults(
     ----------
     present : iterable of str
         Names of the robots at the start.
+    groups : mapping of str to sequence of str
+        The robots of each group, by its name.
     events : tuple of Event
     newcomer : Newcomer
         Sent where an event has none of its own.
@@ -335,14 +342,18 @@ def event_faults(
         if isinstance(event, Send):
             there.append(next(names))
         elif isinstance(event, Lose | Leave):
-            if event.robot in gone:
+            known = groups if isinstance(event, Lose) else {}
+            going = set(known.get(event.robot, (event.robot,))) & set(there)
+            if going:
+                there = [name for name in there if name not in going]
+                gone |= dict.fromkeys([*going, event.robot], event.at)
+            elif event.robot in gone:
                 found.append(f"{event.robot!r} is gone since {gone[event.robot]:g} s")
-            elif event.robot not in there:
-                near = nearest_name(event.robot, there)
-                found.append(f"there is no robot called {event.robot!r} then{near}")
+            elif event.robot in known:
+                found.append(f"all robots of {event.robot!r} are gone")
             else:
-                there.remove(event.robot)
-                gone[event.robot] = event.at
+                near = nearest_name(event.robot, [*there, *known])
+                found.append(f"there is no robot called {event.robot!r} then{near}")
         for aim in _aims(event):
             if (event.at, aim) in aims:
                 found.append(f"{aims[event.at, aim]} says another {aim} at the same instant")

@@ -1,6 +1,6 @@
 """Events as they fall due, what they do, and what is told of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from heapq import heappop, heappush
 
@@ -18,6 +18,7 @@ from swarmgrasp.simulation.reference import Reference
 from swarmgrasp.simulation.run import Happening, Stint
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.weather import Streams
+from swarmgrasp.words import list_words
 
 Array = NDArray[np.float64]
 
@@ -117,24 +118,33 @@ class Schedule:
             self._note(time, "aim", "", f"the object is to move to {self._reference.goal}")
 
     def _lose(self, event: Lose, time: float) -> None:
-        """Lose a robot, now or on its way."""
+        """Lose a robot, now or on its way, or those of a group that are there."""
         name = event.robot
-        if self._crew.is_coming(name):
-            self._crew.lose(name)
-            self._note(time, "lost", name, f"{name} is lost on its way")
-            return
-        self._crew.lose(name)
-        if event.noticed > 0.0:
-            self._note(time, "lost", name, f"{name} is lost, which nobody knows yet")
-            self._add(event.at + event.noticed, partial(self._notice, name))
+        there = self._crew.there.swarm
+        members = [each for each in there.groups.get(name, ()) if each in there]
+        are, comes = ("are" if len(members) > 1 else "is"), self._crew.is_coming(name)
+        lost = f"{list_words(members)} of {name} {are} lost" if members else f"{name} is lost"
+        members = members or [name]
+        for each in members:
+            self._crew.lose(each)
+        if comes:
+            self._note(time, "lost", name, f"{lost} on its way")
+        elif event.noticed > 0.0:
+            self._note(time, "lost", name, f"{lost}, which nobody knows yet")
+            self._add(event.at + event.noticed, partial(self._notice, name, members, lost))
         else:
-            self._crew.forget(name)
-            self._note(time, "lost", name, f"{name} is lost")
+            self._forget(members)
+            self._note(time, "lost", name, lost)
 
-    def _notice(self, name: str, time: float) -> None:
+    def _forget(self, names: Iterable[str]) -> None:
+        """Let all know that robots are gone."""
+        for name in names:
+            self._crew.forget(name)
+
+    def _notice(self, name: str, members: Iterable[str], lost: str, time: float) -> None:
         """Let all know of a loss."""
-        self._crew.forget(name)
-        self._note(time, "noticed", name, f"it is noticed that {name} is lost")
+        self._forget(members)
+        self._note(time, "noticed", name, f"it is noticed that {lost}")
 
     def _leave(self, name: str, time: float) -> None:
         """Let a robot go."""

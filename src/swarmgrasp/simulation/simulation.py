@@ -92,8 +92,10 @@ class Simulation(Frozen, Plain):
         )
         faults = [*self._robot_faults(), *self._weather_faults(), *self._control_faults()]
         problem = self.problem
-        present, newcomer = problem.swarm.names, problem.newcomer
-        contradictions = event_faults(present, self.events, newcomer, self.duration)
+        swarm, newcomer = problem.swarm, problem.newcomer
+        contradictions = event_faults(
+            swarm.names, swarm.groups, self.events, newcomer, self.duration
+        )
         faults += [fault for _, fault in contradictions]
         if faults:
             raise SimulationInvalid(faults)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -354,6 +355,14 @@ class Swarm(Frozen, Plain):
         for i, group in sorted(self.rare.groups.items()):
             same[i] = first.setdefault(group, i)
         return read_only(np.unique(same, return_inverse=True)[1].reshape(-1))
+
+    @cached_property
+    def groups(self) -> Mapping[str, tuple[str, ...]]:
+        """The robots of each group, by its name: those that fail together."""
+        members: dict[str, tuple[str, ...]] = {}
+        for i, group in sorted(self.rare.groups.items()):
+            members[group] = (*members.get(group, ()), self.names[i])
+        return MappingProxyType(members)
 
     @cached_property
     def scale(self) -> NDArray[np.float64]:
