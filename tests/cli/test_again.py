@@ -57,7 +57,7 @@ def test_every_command_that_reads_a_question_is_asked():
     """But those without an answer file: of pictures, of many runs, and of checks."""
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
-        "agent", "examples", "judge", "paper", "plot", "schema", "study", "verify"
+        "agent", "examples", "judge", "paper", "plot", "schema", "simulate", "study", "verify"
     }  # fmt: skip
 
 
