@@ -270,3 +270,18 @@ def test_an_object_that_all_have_let_go_drifts_until_another_joins() -> None:
     assert not adrift.given[0, adrift.times > 1.0].any()
     assert adrift.distances[0, -1] > 0.3
     assert list(run.stints[-1].swarm.names) == ["Fortuna 2"]
+
+
+def test_a_newcomer_without_a_place_can_be_lost_or_leave() -> None:
+    """Whether there is one shows only in the run; and nobody is missed."""
+    port = moored("deck-barge", 10.0, 60.0, control=QUIET, duration=4.0)
+    one = replace(port.problem, zones=port.problem.zones[-1:])
+    events = (Send(1), Send(1), Send(1), Lose(2, "Fortuna 3", noticed=1.0), Leave(3, "Fortuna 4"))
+    run = simulate(replace(port, problem=one, events=events))
+    assert [at.words for at in run.happenings[2:]] == [
+        "there is no place left for Fortuna 3",
+        "there is no place left for Fortuna 4",
+        "Fortuna 3, which had no place, is lost",
+        "Fortuna 4, which had no place, turns back",
+    ]
+    assert len(run.stints) == 1

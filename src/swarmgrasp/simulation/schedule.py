@@ -46,6 +46,7 @@ class Schedule:
         self._names = iter(simulation.joining)
         self._due: list[tuple[float, bool, int, Callable[[float], None]]] = []
         self._count = 0
+        self._nowhere: set[str] = set()
         self.happenings: list[Happening] = []
         self._stints = [(0.0, crew.there)]
         for event in simulation.events:
@@ -120,6 +121,9 @@ class Schedule:
     def _lose(self, event: Lose, time: float) -> None:
         """Lose a robot, now or on its way, or those of a group that are there."""
         name = event.robot
+        if name in self._nowhere:
+            self._note(time, "lost", name, f"{name}, which had no place, is lost")
+            return
         there = self._crew.there.swarm
         members = [each for each in there.groups.get(name, ()) if each in there]
         are, comes = ("are" if len(members) > 1 else "is"), self._crew.is_coming(name)
@@ -148,6 +152,9 @@ class Schedule:
 
     def _leave(self, name: str, time: float) -> None:
         """Let a robot go."""
+        if name in self._nowhere:
+            self._note(time, "left", name, f"{name}, which had no place, turns back")
+            return
         was_coming = self._crew.is_coming(name)
         self._crew.lose(name)
         self._crew.forget(name)
@@ -158,6 +165,7 @@ class Schedule:
         """Send a newcomer on its way."""
         robot = self._crew.send(event, name, self.load_at(time)[0])
         if robot is None:
+            self._nowhere.add(name)
             self._note(time, "sent", name, f"there is no place left for {name}")
             return
         far = travel(self._simulation, event, robot.contact)
