@@ -101,7 +101,9 @@ def machine() -> str:
     versions = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     return "## Machine\n\n" + paragraph(
         f"{date.today()}; {model}, {os.cpu_count()} cores, {platform.system()}; "
-        f"Python {platform.python_version()}, {versions}."
+        f"Python {platform.python_version()}, {versions}. Over the last quarter of an hour the "
+        f"load was {os.getloadavg()[2]:.1f}: above the number of cores times by the clock are too "
+        "long, and what is measured side by side still compares."
     )
 
 
