@@ -6,8 +6,8 @@
 
 #include "vectors.h"
 
-#define ANSWERS 20.0 /* units of work that a robot takes in a step, */
-#define FLOATS 150.0 /* and the object */
+#define ROBOT_WORK 20.0   /* units of work that a robot takes in a step, */
+#define OBJECT_WORK 150.0 /* and the object */
 
 /* -- wind and water ------------------------------------------------------------------------------ */
 
@@ -143,15 +143,10 @@ static void push_wrench(const Push *push, double c, double s, double *wrench) {
     wrench[2] = push->hull[2] + c * earth[2] - s * earth[3];
 }
 
-/* The forces of robots in a state. */
-static Push begin(const Driver *driver, int n, const double *state, Thrust *thrust) {
-    Push push = {{0.0}, {0.0}};
-    for (int i = 0; i < n; i++) {
-        double angle = state[BODY + n + i];
-        thrust[i] = (Thrust){state[BODY + i], angle, cos(angle), sin(angle)};
-        add_thrust(&push, driver + i, thrust + i);
-    }
-    return push;
+/* The force of a robot in a state. */
+static Thrust thrust_of(const double *state, int n, int i) {
+    double angle = state[BODY + n + i];
+    return (Thrust){state[BODY + i], angle, cos(angle), sin(angle)};
 }
 
 /* -- the object ---------------------------------------------------------------------------------- */
@@ -221,8 +216,11 @@ typedef struct {
 static Status advance_run(const Sea *sea, const Driver *driver, int n, double *state,
                           const double *order, double step, long steps, Thrust *thrust,
                           const Fades *fades, Work *work) {
-    Push push[3];
-    push[2] = begin(driver, n, state, thrust);
+    Push push[3] = {{{0.0}, {0.0}}};
+    for (int i = 0; i < n; i++) {
+        thrust[i] = thrust_of(state, n, i);
+        add_thrust(push + 2, driver + i, thrust + i);
+    }
     for (long k = 0; k < steps; k++) {
         push[0] = push[2];
         memset(push + 1, 0, 2 * sizeof *push);
@@ -234,7 +232,7 @@ static Status advance_run(const Sea *sea, const Driver *driver, int n, double *s
             add_thrust(push + 2, driver + i, thrust + i);
         }
         advance_body(sea, push, step, state);
-        if (spend(work, FLOATS + ANSWERS * n) == INTERRUPTED)
+        if (spend(work, OBJECT_WORK + ROBOT_WORK * n) == INTERRUPTED)
             return INTERRUPTED;
     }
     for (int i = 0; i < n; i++) {
@@ -271,8 +269,7 @@ void motion_exerted(const Afloat *hull, const Driver *driver, int n, int runs, c
         double c = cos(state[2]), s = sin(state[2]);
         Push push = {{0.0}, {0.0}};
         for (int i = 0; i < n; i++) {
-            double angle = state[BODY + n + i];
-            Thrust thrust = {state[BODY + i], angle, cos(angle), sin(angle)};
+            Thrust thrust = thrust_of(state, n, i);
             add_thrust(&push, driver + i, &thrust);
         }
         push_wrench(&push, c, s, row);

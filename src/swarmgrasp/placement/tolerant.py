@@ -21,9 +21,9 @@ Array = NDArray[np.float64]
 WORK_PER_CELL = 250.0
 """The kernels' units of work that bounding a cell of places along one normal takes."""
 WORK_PER_PLACE = 1e7
-"""The same for the quality at one place, at most: some 30 ms."""
+"""Units of work that the quality at one place takes at most: some 30 ms."""
 BESIDES = 50
-"""Normals that a cell takes as long as, besides those looked at."""
+"""Work on a cell whatever the number of normals, in normals."""
 SMALLEST = 1e-12
 """Width of a cell [rad], or relative to the lap, that only rounding could split."""
 BATCH = 96

@@ -8,7 +8,7 @@ from swarmgrasp.scenario.writing import unusual
 from swarmgrasp.simulation.actuator import Actuator
 from swarmgrasp.simulation.control import Control
 from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Move, Send
-from swarmgrasp.simulation.hull import NONE, Hull
+from swarmgrasp.simulation.hull import NO_DAMPING, Hull
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.weather import Weather
 
@@ -40,7 +40,7 @@ def simulation_keys(simulation: Simulation, angle: Angle) -> dict[str, Any]:
 def _hull(hull: Hull) -> dict[str, Any]:
     """Return what the object weighs, outright: the draught it came from is not kept."""
     told = hull.to_data()
-    return told if hull.damping != NONE else {k: v for k, v in told.items() if k != "damping"}
+    return told if hull.damping != NO_DAMPING else {k: v for k, v in told.items() if k != "damping"}
 
 
 def _robots(simulation: Simulation, angle: Angle) -> dict[str, Any]:

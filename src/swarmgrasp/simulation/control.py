@@ -38,13 +38,12 @@ class Control(Plain):
     frequency : float [rad/s], optional
         How fast an error is taken back; 0.35 / T when left out: beyond that the loop rings.
     observer : float [rad/s], optional
-        How fast what the sensors say is believed; 2.5 times the frequency when left
-        out.
+        How fast what the sensors say is believed; 2.5 times the frequency when left out.
     position_noise : float [m], optional
         Standard deviation of a look, along x and along y; the smaller of 0.3 m and L / 200 when
         left out.
     heading_noise : float [rad]
-        The same of the heading.
+        Standard deviation of a look at the heading; 0.1 degrees by default.
 
     Raises
     ------
@@ -75,7 +74,7 @@ class Control(Plain):
         kept = {name: float(value) for name, value in vars(self).items() if is_number(value)}
         vars(self).update(kept)
 
-    def settled(self, lag: float, length: float) -> "Tuning":
+    def settled(self, lag: float, length: float) -> Tuning:
         """Return the tuning for robots and an object.
 
         Parameters

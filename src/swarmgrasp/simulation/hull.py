@@ -1,7 +1,7 @@
 """What an object weighs in water: its mass, and the water that moves along."""
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
 
@@ -31,9 +31,12 @@ RECTANGLES = (2.23, 1.98, 1.70, 1.51, 1.36, 1.21, 1.14)
 """Added masses of rectangles that move sideways over that of a circle as high: DNV-RP-C205, table
 D-1."""
 
+EIGENVALUE_NOISE = 1e-12
+"""How far below 0 rounding takes an eigenvalue, relative to the largest entry."""
+
 Pair = tuple[float, float]
 Triple = tuple[float, float, float]
-NONE: tuple[Triple, Triple, Triple] = ((0.0, 0.0, 0.0),) * 3
+NO_DAMPING: tuple[Triple, Triple, Triple] = ((0.0, 0.0, 0.0),) * 3
 
 
 @dataclass(frozen=True)
@@ -76,7 +79,7 @@ class Hull(Plain):
     inertia: float
     added: Triple
     added_at: Pair = (0.0, 0.0)
-    damping: tuple[Triple, Triple, Triple] = field(default=NONE)
+    damping: tuple[Triple, Triple, Triple] = NO_DAMPING
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -323,7 +326,7 @@ def _damping_faults(damping: object) -> list[str]:
     if rows is None or rows.shape != (3, 3) or not np.isfinite(rows).all():
         return [f"the damping is {shown(damping)}; it should be three rows of three finite numbers"]
     least = float(np.linalg.eigvalsh(rows + rows.T).min())
-    if least >= -1e-12 * float(np.abs(rows).max()):
+    if least >= -EIGENVALUE_NOISE * float(np.abs(rows).max()):
         return []
     return [
         f"the damping is {shown(damping)}; it should take energy out of any motion: u' D u >= 0"

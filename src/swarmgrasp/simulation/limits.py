@@ -1,7 +1,7 @@
 """The largest wind that simulated robots hold, at every bearing, beside what statics says."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,15 +15,13 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
 from swarmgrasp.ranges import array_of, call_faults, items, kind_faults, number, shown
 from swarmgrasp.simulation.plant import MOST_STEPS
-from swarmgrasp.simulation.simulate import Course
+from swarmgrasp.simulation.simulate import Course, Progress
 from swarmgrasp.simulation.simulation import Simulation, seed_faults
 from swarmgrasp.simulation.station import StationKeeping
-from swarmgrasp.simulation.verdict import TURN_WITHIN, WITHIN
+from swarmgrasp.simulation.verdict import TURN_WITHIN, USUAL, USUAL_TURN, WITHIN
 from swarmgrasp.simulation.weather import Mean, Weather, mean_of
 
 Array = NDArray[np.float64]
-Progress = Callable[[float], object] | None
-
 STEP = math.radians(15.0)
 """Between the bearings looked at by default [rad]."""
 TRIED = 8
@@ -74,8 +72,8 @@ def limits(
     bearings: ArrayLike | None = None,
     *,
     seeds: Sequence[int] | None = None,
-    within: float = 5.0,
-    within_turn: float = math.radians(5.0),
+    within: float = USUAL,
+    within_turn: float = USUAL_TURN,
     gap: float = 0.002,
     progress: Progress = None,
 ) -> Limits:
@@ -99,8 +97,9 @@ def limits(
         tried.
     within : float [m]
     within_turn : float [rad]
+        How far the object may be from where it is to be, and still be held.
     gap : float
-        Relative, within [1e-6, 0.5].
+        Of a limit, within which the simulated ones are found; within [1e-6, 0.5].
     progress : callable, optional
         Called with the part that is done, within [0, 1], now and then.
 

@@ -195,7 +195,7 @@ class Plant(Frozen):
         if streams is not None:
             faults: list[str] = []
             flows = _rows(streams, (runs, STREAM), "streams", faults)
-            _refuse(faults)
+            refuse((SimulationInvalid, faults))
             states[:, 3:5] = -flows[:, 2:]
         return states
 
@@ -215,7 +215,7 @@ class Plant(Frozen):
         """
         faults: list[str] = []
         wanted = _rows(vectors, (None, len(self), 2), "forces", faults)
-        _refuse(faults)
+        refuse((SimulationInvalid, faults))
         found, (cos, sin) = np.empty_like(wanted), self._ways
         found[..., 0] = wanted[..., 0] * cos + wanted[..., 1] * sin
         found[..., 1] = self.swarm.directions
@@ -286,7 +286,7 @@ class Plant(Frozen):
         loads = (
             np.zeros((len(states), 3)) if load is None else _rows(load, (runs, 3), "loads", faults)
         )
-        _refuse(faults)
+        refuse((SimulationInvalid, faults))
         found = advanced(
             self._afloat, self._drivers, states, flows, wanted.reshape(len(states), -1), loads,
             float(step), int(steps),
@@ -334,7 +334,7 @@ class Plant(Frozen):
         flows = np.zeros((len(states), STREAM))
         if stream is not None:
             flows = _rows(stream, flows.shape, "streams", faults)
-        _refuse(faults)
+        refuse((SimulationInvalid, faults))
         return exerted(self._afloat, self._drivers, states, flows)
 
 
@@ -356,9 +356,3 @@ def _rows(
         row = np.argwhere(~np.isfinite(found))[0].tolist()
         faults.append(f"of the {called}, that at {row} is {found[tuple(row)]}; it should be finite")
     return found
-
-
-def _refuse(faults: list[str]) -> None:
-    """Raise `SimulationInvalid` if there are faults."""
-    if faults:
-        raise SimulationInvalid(faults)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-class Aim(NamedTuple):
+class Target(NamedTuple):
     """Where the object is to be, moved as it pleases: to a point, or along a path.
 
     Attributes
@@ -34,7 +34,7 @@ class Aim(NamedTuple):
 
         Examples
         --------
-        >>> Aim(np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]), 0.5, 10.0, 2.0).at(12.5).tolist()
+        >>> Target(np.array([[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]), 0.5, 10.0, 2.0).at(12.5).tolist()
         [4.0, 1.0, 0.5]
         """
         if len(self.corners) == 1:
@@ -55,10 +55,10 @@ class Point(NamedTuple):
 
 
 class Reference:
-    """What the object is to do, which goes to its aim as a critically damped spring would.
+    """What the object is to do, which goes to its target as a critically damped spring would.
 
-    ``x'' = w^2 (aim - x) - 2 w x'``, exactly for an aim that stays for a period. A path is followed
-    2 / w behind, and its corners are rounded.
+    ``x'' = w^2 (target - x) - 2 w x'``, exactly for a target that stays for a period. A path is
+    followed 2 / w behind, and its corners are rounded.
 
     Parameters
     ----------
@@ -68,29 +68,29 @@ class Reference:
 
     def __init__(self, frequency: float) -> None:
         self._frequency = frequency
-        self._aim = Aim(np.zeros((1, 2)), 0.0)
+        self._target = Target(np.zeros((1, 2)), 0.0)
         self._pose, self._velocity = np.zeros(3), np.zeros(3)
 
     def move(self, place: Sequence[float], heading: float) -> None:
         """Aim at another place [m, m] and heading [rad]."""
-        self._aim = Aim(np.array([place], dtype=float), heading)
+        self._target = Target(np.array([place], dtype=float), heading)
 
     def follow(self, path: Sequence[Sequence[float]], speed: float, time: float) -> None:
         """Aim along a path from the place aimed at, from a time [s] on at a speed [m/s]."""
-        x, y, heading = self._aim.at(time).tolist()
-        self._aim = Aim(np.array([(x, y), *path], dtype=float), heading, time, speed)
+        x, y, heading = self._target.at(time).tolist()
+        self._target = Target(np.array([(x, y), *path], dtype=float), heading, time, speed)
 
     def at(self, time: float) -> Point:
         """Return the reference now, at a time [s]."""
-        w, off = self._frequency, self._aim.at(time) - self._pose
+        w, off = self._frequency, self._target.at(time) - self._pose
         return Point(self._pose, self._velocity, w * w * off - 2.0 * w * self._velocity)
 
     def advance(self, time: float, period: float) -> None:
         """Go on from a time [s] for a period [s]."""
-        w, aim = self._frequency, self._aim.at(time)
-        off, decay = self._pose - aim, math.exp(-w * period)
+        w, target = self._frequency, self._target.at(time)
+        off, decay = self._pose - target, math.exp(-w * period)
         push = self._velocity + w * off
-        self._pose = aim + (off + push * period) * decay
+        self._pose = target + (off + push * period) * decay
         self._velocity = (self._velocity - w * push * period) * decay
 
     @property
@@ -101,5 +101,5 @@ class Reference:
     @property
     def goal(self) -> str:
         """Where it is to go, in words."""
-        (x, y), turn = self._aim.corners[-1].tolist(), math.degrees(self._aim.heading)
+        (x, y), turn = self._target.corners[-1].tolist(), math.degrees(self._target.heading)
         return f"({x:g}, {y:g}) m, heading {turn:g} degrees"

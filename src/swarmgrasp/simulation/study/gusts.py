@@ -139,7 +139,7 @@ class Gusts(Study):
         rows = ask(
             f"SELECT {classes} AS class, count(*), avg(held::INT), "
             "median(distance), quantile_cont(distance, 0.9) "
-            f"FROM runs WHERE spread > 0 GROUP BY class ORDER BY class"
+            "FROM runs WHERE spread > 0 GROUP BY class ORDER BY class"
         )
         ends = (-math.inf, *EDGES, math.inf)
         told = [(ends[int(c)], ends[int(c) + 1], *rest) for c, *rest in rows]

@@ -15,9 +15,9 @@ Seeds = NDArray[np.int64]
 Ask = Callable[[str], list[tuple[Any, ...]]]
 """Puts a question in SQL to the table `runs`, whose rows are those runs that have no fault."""
 
-
 ENOUGH = 20
-"""Seeds of a batch that its draws hang on: thousands take as long as what is drawn."""
+"""Seeds of a batch that its draws hang on. With thousands, making the source of chance takes as
+long as what is drawn from it."""
 
 
 class Column(NamedTuple):

@@ -31,7 +31,7 @@ Progress = Callable[[int], object]
 """Called with the number of runs that are done, those found done at the start among them."""
 
 
-class _Crew(Protocol):
+class _Workers(Protocol):
     """Who does the work."""
 
     width: int
@@ -98,7 +98,7 @@ def run_plan(
     executor : Executor, optional
         Instead of processes on this machine: any that takes functions of modules.
     progress : callable, optional
-        Called after each shard with the number of runs that are done, also before.
+        Called after each shard with the number of runs that are done, earlier calls included.
 
     Raises
     ------
@@ -138,9 +138,10 @@ class _Work:
     """What is to be done, and by whom."""
 
     def __init__(
-        self, folder: Path, plan: Plan, missing: list[int], crew: _Crew, progress: Progress | None
-    ) -> None:
-        self.folder, self.plan, self.crew, self.progress = folder, plan, crew, progress
+        self, folder: Path, plan: Plan, missing: list[int], workers: _Workers,
+        progress: Progress | None,
+    ) -> None:  # fmt: skip
+        self.folder, self.plan, self.workers, self.progress = folder, plan, workers, progress
         self.waiting, self.running = deque(missing), dict[Future[bytes], int]()
         self.suspects, self.tries = deque[int](), Counter[int]()
         self.given_up: dict[int, BaseException] = {}
@@ -174,11 +175,11 @@ class _Work:
         while self._next() is not None:
             queue = self._next() or self.waiting
             try:
-                future = self.crew.executor.submit(_task(), self.plan.text, queue[0])
+                future = self.workers.executor.submit(_task(), self.plan.text, queue[0])
             except BrokenExecutor as broken:  # what ran tells of it when it is taken in
                 if self.running:
                     return
-                self.crew.renew(broken)
+                self.workers.renew(broken)
             except Exception as error:  # of an executor of any make
                 raise StudyStopped(
                     f"the executor takes no more work ({_words(error)}); what is done is kept: go "
@@ -191,9 +192,8 @@ class _Work:
         """Return the queue that a shard is to be taken from now, if any is."""
         if self.suspects:
             return None if self.running else self.suspects
-        return (
-            self.waiting if self.waiting and len(self.running) < WINDOW * self.crew.width else None
-        )
+        has_room = len(self.running) < WINDOW * self.workers.width
+        return self.waiting if self.waiting and has_room else None
 
     def _take_in(self, done: set[Future[bytes]]) -> None:
         """Write what was done, and see to what was lost."""
@@ -212,7 +212,7 @@ class _Work:
             for shard in self.running.values():
                 self._suspect(shard, lost)
             self.running.clear()
-            self.crew.renew(lost)
+            self.workers.renew(lost)
 
     def _suspect(self, shard: int, error: BaseException) -> None:
         """Note that a shard was lost: it is tried again alone, for it may be what did it."""
