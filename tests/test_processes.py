@@ -25,6 +25,7 @@ INTERRUPTED = """
 import os, signal
 from swarmgrasp.processes import Pool
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever it was started with
     pool = Pool(1)
     future = pool.submit(abs, -3)
     try:
