@@ -7,24 +7,13 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.errors import StudyInvalid, refuse
-from swarmgrasp.placement import Problem
 from swarmgrasp.quality import qualities
-from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
-from swarmgrasp.simulation.study.study import (
-    Ask,
-    Column,
-    Findings,
-    Heading,
-    Seeds,
-    Study,
-    draws_of,
-    told_rows,
-)
+from swarmgrasp.simulation.study.crowd_study import CrowdStudy
+from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, told_rows
 
 
 @dataclass(frozen=True)
-class Losses(Study):
+class Losses(CrowdStudy):
     """How random swarms bear the loss of one robot.
 
     Each run is a swarm of random robots that are all like the problem's newcomer, anywhere in its
@@ -45,7 +34,6 @@ class Losses(Study):
         As for `Crowds`.
     """
 
-    problem: Problem
     fewest_robots: int = 5
     most_robots: int = 16
 
@@ -60,29 +48,14 @@ class Losses(Study):
         "vital": Column("count", "", "robots whose loss leaves no force closure"),
     }
 
-    def __post_init__(self) -> None:
-        """Check the values."""
-        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest_robots, self.most_robots)))
-        vars(self)["problem"] = question_of(self.problem)
-        crowds_of(self.problem)
-
-    @property
-    def words(self) -> str:
-        """Of what swarms it is."""
-        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem)}"
-
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and lose each of its robots."""
-        draws, crowds = draws_of(seeds), crowds_of(self.problem)
-        robots = draws.integers(self.fewest_robots, self.most_robots, len(seeds), endpoint=True)
         quality, after = np.empty(len(seeds)), np.empty(len(seeds))
-        vital = np.empty(len(seeds), dtype=int)
-        for count in np.unique(robots).tolist():
-            alike = robots == count
-            rows = crowds.generators(crowds.draw(draws, (int(alike.sum()), count)))
+        robots, vital = np.empty(len(seeds), dtype=int), np.empty(len(seeds), dtype=int)
+        for alike, rows in self.swarms(seeds):
             left = qualities_after_losses(rows)
-            quality[alike], after[alike] = qualities(rows), left.min(axis=1)
-            vital[alike] = (left == 0.0).sum(axis=1)
+            robots[alike], quality[alike] = rows.shape[1], qualities(rows)
+            after[alike], vital[alike] = left.min(axis=1), (left == 0.0).sum(axis=1)
         return {"robots": robots, "quality": quality, "after": after, "vital": vital}
 
     def find(self, ask: Ask) -> Findings:

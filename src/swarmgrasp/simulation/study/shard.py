@@ -38,7 +38,8 @@ def shard_bytes(text: str, shard: int) -> bytes:
     StudyInvalid
         If the plan is of another version or of other kernels than are installed here.
     """
-    plan, study = _plan(text), _plan(text).study
+    plan = _plan(text)
+    study = plan.study
     seeds, schema = plan.seeds(shard), schema_of(study)
     first = shard * plan.size
     batches: list[pa.RecordBatch] = []

@@ -7,24 +7,13 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import StudyInvalid, refuse
-from swarmgrasp.placement import Problem
 from swarmgrasp.quality import qualities
-from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
-from swarmgrasp.simulation.study.study import (
-    Ask,
-    Column,
-    Findings,
-    Heading,
-    Seeds,
-    Study,
-    draws_of,
-    told_rows,
-)
+from swarmgrasp.simulation.study.crowd_study import CrowdStudy
+from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, told_rows
 
 
 @dataclass(frozen=True)
-class Sizes(Study):
+class Sizes(CrowdStudy):
     """Quality against the number of robots.
 
     Each run is a swarm of random robots that are all like the problem's newcomer, anywhere in its
@@ -45,7 +34,6 @@ class Sizes(Study):
         As for `Crowds`.
     """
 
-    problem: Problem
     fewest_robots: int = 4
     most_robots: int = 16
 
@@ -58,26 +46,11 @@ class Sizes(Study):
         "quality": Column("number", "N", "exact quality"),
     }
 
-    def __post_init__(self) -> None:
-        """Check the values."""
-        refuse((StudyInvalid, crowd_faults(self.problem, self.fewest_robots, self.most_robots)))
-        vars(self)["problem"] = question_of(self.problem)
-        crowds_of(self.problem)
-
-    @property
-    def words(self) -> str:
-        """Of what swarms it is."""
-        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem)}"
-
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm for each seed, and measure its quality."""
-        draws, crowds = draws_of(seeds), crowds_of(self.problem)
-        robots = draws.integers(self.fewest_robots, self.most_robots, len(seeds), endpoint=True)
-        quality = np.empty(len(seeds))
-        for count in np.unique(robots).tolist():
-            alike = robots == count
-            crowd = crowds.draw(draws, (int(alike.sum()), count))
-            quality[alike] = qualities(crowds.generators(crowd))
+        robots, quality = np.empty(len(seeds), dtype=int), np.empty(len(seeds))
+        for alike, rows in self.swarms(seeds):
+            robots[alike], quality[alike] = rows.shape[1], qualities(rows)
         return {"robots": robots, "quality": quality}
 
     def find(self, ask: Ask) -> Findings:

@@ -6,18 +6,17 @@ from typing import ClassVar
 
 from numpy.typing import ArrayLike
 
-from swarmgrasp.errors import StudyInvalid, refuse
-from swarmgrasp.placement import Problem, place_together
+from swarmgrasp.placement import place_together
 from swarmgrasp.placement.problem import check_several
 from swarmgrasp.ranges import is_whole, shown
-from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
+from swarmgrasp.simulation.study.crowd_study import CrowdStudy
+from swarmgrasp.simulation.study.crowds import crowds_of
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
     Findings,
     Heading,
     Seeds,
-    Study,
     draws_of,
     told_rows,
 )
@@ -30,7 +29,7 @@ EFFORT = 1000
 
 
 @dataclass(frozen=True)
-class PlacedTogether(Study):
+class PlacedTogether(CrowdStudy):
     """What is lost by placing robots one after the other instead of together.
 
     Each run is a swarm of random robots that are all like the problem's newcomer, anywhere in its
@@ -55,7 +54,6 @@ class PlacedTogether(Study):
         As for `Crowds`.
     """
 
-    problem: Problem
     fewest_robots: int = 4
     most_robots: int = 8
     newcomers: int = 2
@@ -74,24 +72,23 @@ class PlacedTogether(Study):
 
     def __post_init__(self) -> None:
         """Check the values."""
-        faults = crowd_faults(self.problem, self.fewest_robots, self.most_robots)
+        super().__post_init__()
+        check_several(self.problem, "placement together")
+
+    def _faults(self) -> list[str]:
+        """Return what is wrong with the values."""
+        faults = super()._faults()
         if not is_whole(self.newcomers) or not 2 <= self.newcomers <= MOST_NEWCOMERS:
             faults.append(
                 f"the newcomers are {shown(self.newcomers)}; they should be a whole number from 2 "
                 f"to {MOST_NEWCOMERS}"
             )
-        refuse((StudyInvalid, faults))
-        vars(self)["problem"] = question_of(self.problem)
-        crowds_of(self.problem)
-        check_several(self.problem, "placement together")
+        return faults
 
     @property
     def words(self) -> str:
         """Of what swarms it is."""
-        return (
-            f"{self.newcomers} newcomers beside {self.fewest_robots} to {self.most_robots} "
-            f"{like_words(self.problem)}"
-        )
+        return f"{self.newcomers} newcomers beside {super().words}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm, and place newcomers beside it both ways."""
