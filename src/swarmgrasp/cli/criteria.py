@@ -30,7 +30,7 @@ def failures_of(scenario: "Scenario", given: Sequence[str]) -> tuple[tuple[str, 
         If no robot and no group has a name; it says which there are.
     """
     swarm = scenario.swarm
-    known = list(dict.fromkeys([*swarm.rare.groups.values(), *swarm.names]))
+    known = list(dict.fromkeys([*swarm.groups, *swarm.names]))
     found = [
         (text,) if text in known else tuple(name.strip() for name in text.split(","))
         for text in given

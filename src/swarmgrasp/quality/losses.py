@@ -101,7 +101,7 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
 def _after(swarm: Swarm, rows: list[int], terms: Terms) -> Quality:
     """Compute the quality without the robots in some rows; failures take those of them left."""
     left = swarm.without_rows(rows)
-    known = {*left.names, *left.rare.groups.values()}
+    known = {*left.names, *left.groups}
     named = [[name for name in failure if name in known] for failure in terms.get("failures", ())]
     failures = tuple(tuple(names) for names in named if names)
     beside = terms.copy()

@@ -110,9 +110,7 @@ def _failing(
         If a name is none of a robot or a group; all such names are told.
     """
     found, faults = np.zeros((len(failures), count), dtype=bool), []
-    members: dict[str, list[int]] = {}
-    for i, group in swarm.rare.groups.items():
-        members.setdefault(group, []).append(i)
+    members = {g: [swarm.index(name) for name in names] for g, names in swarm.groups.items()}
     for row, names in zip(found, failures, strict=True):
         for name in names:
             if name in members:
