@@ -6,6 +6,7 @@ from queue import SimpleQueue
 import pytest
 from mcap.reader import make_reader
 
+from on_the_wire import BLOCK, await_listener
 from swarmgrasp.agents.network import NetworkSettings, Router, make_papers
 from swarmgrasp.agents.network import settings as settings_module
 from swarmgrasp.agents.network.fleet import free_ports
@@ -80,13 +81,14 @@ def test_a_robot_writes_its_own_keys_and_no_other_s(gate):
     everything = "swarmgrasp/**"
     watcher.declare_subscriber(everything, lambda s: heard.put(str(s.key_expr)))
     watcher.liveliness().declare_subscriber(everything, lambda s: heard.put(str(s.key_expr)))
+    await_listener(boreas, BOREAS.to_all)
     tokens, queries = [], []
     for keys in (AJAX, BOREAS):  # his own last: what came before has then been refused
         for key in (keys.to_all, keys.to("Castor"), keys.event, keys.order, keys.answer, keys.ask):
-            boreas.put(key, b"x")
+            boreas.put(key, b"x", congestion_control=BLOCK)
         queries.append(boreas.declare_queryable(keys.records, lambda q: q.reply(q.key_expr, b"x")))
         tokens.append(boreas.liveliness().declare_token(keys.alive))
-    boreas.put(BOREAS.to_all, b"last")
+    boreas.put(BOREAS.to_all, b"last", congestion_control=BLOCK)
     own = {BOREAS.to_all, BOREAS.to("Castor"), BOREAS.event, BOREAS.order, BOREAS.alive,
            BOREAS.answer}  # fmt: skip
     got = set()
@@ -106,11 +108,12 @@ def test_an_operator_asks_and_does_nothing_else(gate):
         SimpleQueue(),
     )
     listener.declare_subscriber("swarmgrasp/**", lambda s: heard.put((str(s.key_expr), s.payload)))
+    await_listener(operator, AJAX.ask)
     for key in (AJAX.to_all, AJAX.to("Boreas"), AJAX.event, AJAX.order, AJAX.answer):
         operator.put(key, b"x")
     watcher.put(AJAX.ask, b"watch")
     watcher.get("swarmgrasp/1/m/records/*", lambda _: None, timeout=0.1)
-    operator.put(AJAX.ask, b"operator")
+    operator.put(AJAX.ask, b"operator", congestion_control=BLOCK)
     key, payload = heard.get(timeout=60.0)
     assert (key, payload.to_bytes()) == (AJAX.ask, b"operator")
 

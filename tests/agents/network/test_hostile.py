@@ -2,8 +2,8 @@
 
 import msgspec
 import pytest
-import zenoh
 
+from on_the_wire import send
 from swarmgrasp.agents.network import NetworkSettings
 from swarmgrasp.agents.network.asking import read_answer, read_wish
 from swarmgrasp.agents.network.fleet import free_ports
@@ -36,11 +36,6 @@ def victim(fleet):
         yield robot, session
 
 
-def put(session, key, data):
-    """Send bytes that are not dropped when a giant is before them."""
-    session.put(key, data, congestion_control=zenoh.CongestionControl.BLOCK)
-
-
 def refused(robot, words):
     """Tell whether a robot has told that it refused something."""
     return any(words in each for each in robot.reports("refused"))
@@ -60,11 +55,11 @@ def test_garbage_is_dropped_counted_and_told(fleet, victim):
         encode(Beat("Mallory", 2**61, b"x" * 8)),
     ]  # fmt: skip
     for data in bad:
-        put(session, key, data)
+        send(session, key, data)
     fleet.wait(lambda: refused(robot, "(8 so far)"), "that eight are refused")
     assert refused(robot, "sends what is no message")
     assert "Mallory" not in robot.heard
-    put(session, robot_key("event"), b'{"event": "join"}')
+    send(session, robot_key("event"), b'{"event": "join"}')
     fleet.wait(lambda: robot.phase == "attached", "that it attaches")
     assert robot.record["place"]["x"] == pytest.approx(-12.192)
 
@@ -90,7 +85,7 @@ def test_wishes_that_are_none_are_counted_and_an_operator_is_answered(fleet, vic
     """Garbage does nothing; then the robot joins when asked, and leaves when asked."""
     robot, session = victim
     for data in (b"\xff" * 9, b'{"wish": "fly", "number": 1}'):
-        put(session, robot_key("ask"), data)
+        send(session, robot_key("ask"), data)
     fleet.wait(lambda: refused(robot, "(2 so far)"), "that two are refused")
     assert refused(robot, "an operator asks what is none")
     end = robot.endpoint
@@ -112,7 +107,7 @@ def test_a_robot_that_tells_two_stories_is_told_of(fleet, victim):
     robot, session = victim
     one = Record("Mallory", LIVES, 1, Phase.WAITING, 1)
     for record in (one, msgspec.structs.replace(one, ticket=2)):
-        put(session, own_keys(MISSION, "Mallory").to_all, encode(Put(record)))
+        send(session, own_keys(MISSION, "Mallory").to_all, encode(Put(record)))
     fleet.wait(lambda: bool(robot.reports("two stories")), "that two stories are noticed")
     assert robot.reports("two stories")[0].startswith("Mallory tells two stories")
 
@@ -121,7 +116,7 @@ def test_one_that_speaks_in_a_robot_s_name_is_refuted(fleet, victim):
     """What it never said is answered with a higher version; it goes on."""
     robot, session = victim
     said = Record("Fortuna", LIVES * 9, 7, Phase.LEFT)
-    put(session, own_keys(MISSION, "Fortuna").to_all, encode(Put(said)))
+    send(session, own_keys(MISSION, "Fortuna").to_all, encode(Put(said)))
     fleet.wait(lambda: robot.record["incarnation"] > LIVES * 9, "that it is refuted")
     assert "someone else speaks as Fortuna" in robot.reports("refuted")[0]
 

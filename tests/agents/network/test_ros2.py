@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 import zenoh
 
+from on_the_wire import await_listener, send
 from swarmgrasp.agents.network.fleet import free_ports
 from swarmgrasp.agents.network.keys import own_keys
 from swarmgrasp.agents.network.ros2 import (
@@ -81,7 +82,7 @@ def test_orders_go_out_and_events_come_in():
     bridge.begin()
     carrier = threading.Thread(target=bridge.run)
     carrier.start()
-    swarm, ros = open_session(here), open_session(there)
+    swarm, near, ros, far = map(open_session, (here, here, there, there))
     topics = topics_of("Fortuna", 0)
     events: Queue = Queue()
     poses: Queue = Queue()
@@ -91,15 +92,17 @@ def test_orders_go_out_and_events_come_in():
     ]
     try:
         order = {"order": "go", "number": 1, "x": 1.0, "y": 2.0, "direction": 0.5, "steers": 0.0}
-        swarm.put(keys.order, json.dumps(order).encode())
+        await_listener(far, topics["target"].key)
+        send(swarm, keys.order, json.dumps(order).encode())
         sample = poses.get(timeout=20)
         assert place_of(sample.payload.to_bytes())["direction"] == pytest.approx(0.5)
         assert len(sample.attachment.to_bytes()) == 33
-        ros.put(topics["pose"].key, pose_message(1.1, 2.0, 0.5, 0.0))
+        await_listener(near, keys.event)
+        send(ros, topics["pose"].key, pose_message(1.1, 2.0, 0.5, 0.0))
         assert json.loads(events.get(timeout=20))["x"] == pytest.approx(1.1)
-        ros.put(topics["event"].key, text_message('{"event": "at place"}'))
+        send(ros, topics["event"].key, text_message('{"event": "at place"}'))
         assert json.loads(events.get(timeout=20)) == {"event": "at place"}
-        ros.put(topics["pose"].key, b"garbage")
+        send(ros, topics["pose"].key, b"garbage")
         assert "are no" in said.get(timeout=20)
         tokens = [str(r.ok.key_expr) for r in ros.liveliness().get("@ros2_lv/0/**")]
         assert sum("/MP/" in token for token in tokens) == 2
@@ -110,7 +113,7 @@ def test_orders_go_out_and_events_come_in():
     finally:
         bridge.stop()
         carrier.join(20)
-        for session in (swarm, ros, *routers):
+        for session in (swarm, near, ros, far, *routers):
             session.close()
 
 
