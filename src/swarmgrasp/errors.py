@@ -50,6 +50,10 @@ class ZoneInvalid(SwarmGraspError):
     """A zone, a no-go stretch or a spacing is malformed or outside the outline."""
 
 
+class TermsInvalid(SwarmGraspError):
+    """A unit in which answers are told is unknown, or a frame or a word for robots is none."""
+
+
 class EnvironmentInvalid(SwarmGraspError):
     """A wind, a current or a coefficient is outside its range, or a part is missing."""
 

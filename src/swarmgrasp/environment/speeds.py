@@ -2,12 +2,13 @@
 
 from bisect import bisect_right
 
-KNOT = 1852.0 / 3600.0
-"""One knot [m/s]: a nautical mile an hour."""
+from swarmgrasp.terms import KNOT
 
 _LEAST = (0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7)
 """Least wind speeds [m/s] of Beaufort 1 to 12, as the World Meteorological Organization
 lists them."""
+
+__all__ = ["KNOT", "beaufort"]
 
 
 def beaufort(speed: float) -> int:

@@ -10,6 +10,7 @@ from swarmgrasp.outline import Stretch
 from swarmgrasp.placement import Problem
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
+from swarmgrasp.terms import SI, Terms
 
 if TYPE_CHECKING:
     from swarmgrasp.simulation.simulation import Simulation
@@ -41,6 +42,8 @@ class Scenario(Frozen):
         What quality means; nominal when the file does not say.
     simulation : Simulation or None
         What becomes of all this in time.
+    terms : Terms
+        The units and the frame of its file, and its word for robots; all else is in SI and ours.
     answer : dict or None
         The answer file that asks all this, as plain data, if it was read from one.
     """
@@ -55,6 +58,7 @@ class Scenario(Frozen):
     environment: Environment | None = None
     criterion: Criterion = NOMINAL
     simulation: "Simulation | None" = None
+    terms: Terms = SI
     answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
 
     def problem(self, criterion: Criterion | None = None) -> Problem:
