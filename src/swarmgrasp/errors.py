@@ -82,6 +82,10 @@ class NowhereToAttach(SwarmGraspError):
     """Zones, no-go stretches and spacing leave no boundary point to a newcomer."""
 
 
+class QuantityInvalid(SwarmGraspError):
+    """A quantity is no number with a unit of what is measured."""
+
+
 class ScenarioInvalid(SwarmGraspError):
     """A scenario file has faults; each carries file, line, column and key."""
 

@@ -14,27 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import TermsInvalid, refuse
 from swarmgrasp.ranges import angles, is_flag, name_faults, shown
+from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
-KNOT: Final = 1852.0 / 3600.0
-"""One knot [m/s]: a nautical mile an hour."""
-LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}
-"""Metres per unit of length in which answers are told."""
-FORCES: Final = {
-    "N": 1.0,
-    "kN": 1e3,
-    "MN": 1e6,
-    "kgf": 9.80665,
-    "tf": 9806.65,
-    "lbf": 4.4482216152605,
-    "kip": 4448.2216152605,
-}
-"""Newtons per unit of force in which answers are told."""
-ANGLES: Final = {"deg": math.pi / 180.0, "rad": 1.0}
-"""Radians per unit of angle."""
-SPEEDS: Final = {"m/s": 1.0, "km/h": 1.0 / 3.6, "kn": KNOT}
-"""Metres per second per unit of speed in which answers are told."""
 UNITS: Final = {"length": LENGTHS, "force": FORCES, "angle": ANGLES, "speed": SPEEDS}
-"""The units of each quantity."""
+"""The units in which answers are told, of each quantity."""
 
 
 @dataclass(frozen=True)

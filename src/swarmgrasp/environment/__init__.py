@@ -7,7 +7,7 @@ from swarmgrasp.environment.coefficients import (
     vessel_type,
 )
 from swarmgrasp.environment.loads import AIR, WATER, Current, Environment, Wind
-from swarmgrasp.environment.speeds import KNOT, beaufort
+from swarmgrasp.units import KNOT, beaufort
 
 __all__ = [
     "AIR",
