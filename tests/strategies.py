@@ -33,6 +33,23 @@ FAMILIES = (
 """Kinds of swarms, the usual ones first."""
 
 
+DOCK = [(-30, -20), (30, -20), (30, -14), (-24, -14), (-24, 14), (30, 14), (30, 20), (-30, 20)]
+"""A U, open to +x."""
+
+
+def twisted(rng):
+    """Return a star that is turned the more, the farther from its middle: full of bights."""
+    from shapely import Polygon
+
+    while True:
+        turns = np.sort(rng.uniform(0.0, math.tau, rng.integers(5, 14)))
+        reach = rng.uniform(0.2, 1.0, len(turns))
+        turns = turns + reach * rng.uniform(0.0, 3.0)
+        corners = np.column_stack([reach * np.cos(turns), reach * np.sin(turns)])
+        if Polygon(corners).is_valid and np.ptp(turns) > 1.0:
+            return Outline(corners)
+
+
 def rectangle(rng):
     """Return a rectangle of random proportions about the origin."""
     half = (rng.uniform(0.5, 3.0), rng.uniform(0.5, 3.0))

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import NowhereToAttach
 from swarmgrasp.outline import Outline, Stretch
+from swarmgrasp.outline.lines import free_cells
 from swarmgrasp.outline.nearest import chords
 from swarmgrasp.swarm import Newcomer, Zone
 from swarmgrasp.swarm.robot import RIGHT_ANGLE, Attachment
@@ -159,7 +160,8 @@ def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
     if not pieces:
         raise NowhereToAttach(
             "no boundary point is left to the newcomer: widen the zones or their directions, "
-            "shorten the no-go stretches or lessen the spacing"
+            "shorten the no-go stretches or lessen the spacing; a line that "
+            "pulls has to run free of the object"
         )
     numbers = np.array([piece[:6] for piece in pieces])
     edges = numbers[:, 0].astype(int)
@@ -214,7 +216,26 @@ def _on_stretch(
     for inward in (True, False):
         middle = inward_normal if inward else inward_normal + math.pi
         for lo, hi in _sectors(newcomer, zone, inward, middle):
-            yield Piece(edge, start, end, lo, hi, inward, place)
+            if inward or _attachment(newcomer, zone)[0] != "pull":
+                yield Piece(edge, start, end, lo, hi, inward, place)
+            else:
+                for a, b, first, last in _free(outline, edge, (start, end), (lo, hi), middle):
+                    yield Piece(edge, a, b, first, last, inward, place)
+
+
+def _free(
+    outline: Outline, edge: int, stretch: Interval, sector: Interval, middle: float
+) -> Iterator[tuple[float, float, float, float]]:
+    """Yield the parts of a stretch with the directions in which a line from there runs free."""
+    (start, end), (lo, hi), cells = stretch, sector, free_cells(outline)[edge]
+    if cells is None:
+        yield start, end, lo, hi
+        return
+    for cell in cells:
+        a, b = max(start, cell.start), min(end, cell.end)
+        first, last = max(lo, middle + cell.lo), min(hi, middle + cell.hi)
+        if first <= last and (b - a > SLIVER * outline.extent or (start == end and a == b)):
+            yield a, b, first, last
 
 
 def _allowed(
@@ -287,9 +308,7 @@ def _minus(whole: Interval, taken: list[Interval]) -> Iterator[Interval]:
 
 def _sectors(newcomer: Newcomer, zone: Zone | None, inward: bool, middle: float) -> list[Interval]:
     """Return the sectors of directions allowed on one side of an edge."""
-    attachment, half_angle = newcomer.attachment, newcomer.half_angle
-    if zone is not None and zone.attachment is not None:
-        attachment, half_angle = zone.attachment, zone.half_angle
+    attachment, half_angle = _attachment(newcomer, zone)
     if newcomer.friction:  # a finger pushes, whatever else a zone lets others do
         attachment, half_angle = ("pull" if attachment == "pull" else "push"), 0.0
         if not inward:
@@ -303,3 +322,10 @@ def _sectors(newcomer: Newcomer, zone: Zone | None, inward: bool, middle: float)
     half = RIGHT_ANGLE if half_angle is None else half_angle
     lo, hi = middle - half, middle + half
     return [(lo, hi)] if zone is None else zone.sectors(lo, hi)
+
+
+def _attachment(newcomer: Newcomer, zone: Zone | None) -> tuple[Attachment, float | None]:
+    """Return how a newcomer attaches in a zone, and its half angle [rad]."""
+    if zone is not None and zone.attachment is not None:
+        return zone.attachment, zone.half_angle
+    return newcomer.attachment, newcomer.half_angle

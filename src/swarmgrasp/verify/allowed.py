@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from swarmgrasp.verify.boundary import Boundary, surrounds
+from swarmgrasp.verify.lines import free_parts
 from swarmgrasp.verify.recompute import (
     ANGLE,
     Array,
     covers,
     distance_to,
     hull_of,
+    is_line,
     labels_of,
     sides_of,
     whole_turn,
@@ -30,6 +32,7 @@ if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
 
 INSIDE = "inside"
 """What the whole inside of the outline is called."""
+Span = tuple[float, float]
 NEXT = 1e-5
 """Relative difference of widths next to a sliver's that rounding may make."""
 
@@ -88,8 +91,26 @@ class Allowed:
                     if not self.has(zone, middle, lap, 0.5 * (start + end)):
                         continue
                     place = label or boundary.names[edge] or f"edge {edge}"
-                    for lo, hi in sides_of(self.asked, zone, inward):
+                    sectors = list(sides_of(self.asked, zone, inward))
+                    if is_line(self.asked, zone):
+                        yield from self.lines(place, edge, (a, b), inward + math.pi, sectors)
+                        continue
+                    for lo, hi in sectors:
                         yield Piece(place, start, end, lo, hi, 0.0 < b - a <= sliver * (1.0 + NEXT))
+
+    def lines(
+        self, place: str, edge: int, span: Span, outward: float, sectors: list[Span]
+    ) -> Iterator[Piece]:
+        """Yield the parts of a span with the directions in which lines run free."""
+        boundary = self.boundary
+        (p, q), length = boundary.edge(edge), float(boundary.lengths[edge])
+        for a, b, low, high in free_parts(boundary, edge, *span):
+            start, end = (p + (q - p) * (s / length) for s in (a, b))
+            for lo, hi in sectors:
+                first, last = max(lo, outward + low), min(hi, outward + high)
+                if first <= last:
+                    is_sliver = 0.0 < b - a <= boundary.sliver * (1.0 + NEXT)
+                    yield Piece(place, start, end, first, last, is_sliver)
 
     def inside(self, zone: "ZoneClaim | None", label: str) -> Iterator[Piece]:
         """Yield pieces of an area, or of all inside: of what steers, the area itself.

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:  # pydantic takes 0.1 s to import: not before it is needed
-    from swarmgrasp.verify.claims import ProblemClaim, StretchClaim, ZoneClaim
+    from swarmgrasp.verify.claims import NewcomerClaim, ProblemClaim, StretchClaim, ZoneClaim
 
 ABSOLUTE = 1e-12
 """Share of sum |b_i| that counts as rounding, and up to which a quality counts as 0."""
@@ -150,7 +150,7 @@ def sides_of(
     asked: "ProblemClaim", zone: "ZoneClaim | None", inward: float
 ) -> Iterator[tuple[float, float]]:
     """Yield the sectors allowed at an edge, each on one side of it."""
-    source = asked.newcomer if zone is None or zone.attachment is None else zone
+    source = _source(asked, zone)
     free = source.attachment == "free"
     half = math.pi / 2 if free or source.half_angle is None else source.half_angle
     if asked.newcomer.friction:  # a finger pushes
@@ -164,6 +164,16 @@ def sides_of(
         if not free and source.attachment != side:
             continue
         yield from within(zone, middle - half, middle + half)
+
+
+def is_line(asked: "ProblemClaim", zone: "ZoneClaim | None") -> bool:
+    """Tell whether a newcomer pulls on a line in a zone."""
+    return _source(asked, zone).attachment == "pull"
+
+
+def _source(asked: "ProblemClaim", zone: "ZoneClaim | None") -> "NewcomerClaim | ZoneClaim":
+    """Return what says how a newcomer attaches in a zone."""
+    return asked.newcomer if zone is None or zone.attachment is None else zone
 
 
 def whole_turn(zone: "ZoneClaim | None", inward: float) -> tuple[float, float]:
