@@ -161,7 +161,8 @@ REST = {
     "metric: {force_weights: [1, 0]}": (
         "4:29: metric.force_weights.1: should be greater than 0 (got 0)"
     ),
-    "units: {length: yard}": "4:17: units.length: should be 'm' or 'ft' (got 'yard')",
+    "units: {length: yard}": "4:17: units.length: there is no unit of length 'yard'; "
+    "known: m, mm, cm, km, ft, in (got 'yard')",
     "Zones: []": "4:1: Zones: unknown key; did you mean 'zones'?",
     "1: 2": "4:1: a key should be text (got 1)",
 }

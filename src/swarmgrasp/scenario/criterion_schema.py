@@ -5,12 +5,15 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Discriminator, Field, Tag
 
 from swarmgrasp.scenario.fields import Label, Number, Section
+from swarmgrasp.scenario.measures import Row
 
 HEAVIEST = 1e15
 """Largest force or torque of a wrench, in the file's units."""
 
 Wrench = Annotated[
-    list[Annotated[Number, Field(ge=-HEAVIEST, le=HEAVIEST)]], Field(min_length=3, max_length=3)
+    list[Annotated[Number, Field(ge=-HEAVIEST, le=HEAVIEST)]],
+    Field(min_length=3, max_length=3),
+    Row(("force", "force", "torque")),
 ]
 Wrenches = Annotated[list[Wrench], Field(min_length=1)]
 

@@ -6,6 +6,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 from pydantic_core import PydanticCustomError
 
 from swarmgrasp.ranges import name_fault
+from swarmgrasp.scenario.measures import Measure
 
 FARTHEST = 1e9
 """Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
@@ -14,13 +15,15 @@ STRONGEST = 1e12
 """Largest force, in the file's unit."""
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
-Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST)]
-Distance = Annotated[Number, Field(ge=0, le=FARTHEST)]
-Length = Annotated[Number, Field(gt=0, le=FARTHEST)]
-Force = Annotated[Number, Field(gt=0, le=STRONGEST)]
+Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST), Measure("length")]
+Distance = Annotated[Number, Field(ge=0, le=FARTHEST), Measure("length")]
+Length = Annotated[Number, Field(gt=0, le=FARTHEST), Measure("length")]
+Area = Annotated[Number, Field(gt=0, le=FARTHEST), Measure("area")]
+Force = Annotated[Number, Field(gt=0, le=STRONGEST), Measure("force")]
 Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
 Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
-Angle = Annotated[Number, Field(ge=-1e6, le=1e6)]
+Angle = Annotated[Number, Field(ge=-1e6, le=1e6), Measure("angle")]
+AnyAngle = Annotated[Number, Measure("angle")]
 Range = Annotated[list[Angle], Field(min_length=2, max_length=2)]
 
 

@@ -4,7 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from swarmgrasp.scenario.fields import STRONGEST, Force, Number, Range, Section
+from swarmgrasp.scenario.fields import STRONGEST, AnyAngle, Force, Number, Range, Section
+from swarmgrasp.scenario.measures import Measure
 from swarmgrasp.swarm.robot import MOST_FRICTION
 
 
@@ -25,7 +26,7 @@ class BothWaysSection(Section):
     astern: Force = Field(description="Largest force against the direction [units.force].")
 
 
-_Component = Annotated[Number, Field(ge=-STRONGEST, le=STRONGEST)]
+_Component = Annotated[Number, Field(ge=-STRONGEST, le=STRONGEST), Measure("force")]
 _Pair = Annotated[list[Force], Field(min_length=2, max_length=2), Tag("pair")]
 _OneWay = Annotated[Force, Tag("value")]
 _BothWays = Annotated[BothWaysSection, Tag("both")]
@@ -36,7 +37,7 @@ Limit = Annotated[_OneWay | _BothWays, _by(both=dict)]
 RobotLimit = Annotated[_OneWay | _Pair | _BothWays, _by(pair=list, both=dict)]
 """The same, or the least and the largest force of what always exerts some."""
 Steers = Annotated[
-    Annotated[Literal["any"], Tag("word")] | Annotated[Number, _HALF_TURN, Tag("value")],
+    Annotated[Literal["any"], Tag("word")] | Annotated[AnyAngle, _HALF_TURN, Tag("value")],
     _by(word=str),
 ]
 """How far either side of its direction a robot turns its force, or any way."""

@@ -11,10 +11,10 @@ from pydantic.config import JsonDict, JsonValue
 from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
     Angle,
+    AnyAngle,
     Distance,
     Label,
     Length,
-    Number,
     Point,
     Range,
     Section,
@@ -31,10 +31,12 @@ from swarmgrasp.scenario.force_schema import (
     SectorRanges,
     Steers,
 )
+from swarmgrasp.scenario.measures import Unit
 from swarmgrasp.scenario.simulation_schema import SimulationSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
 from swarmgrasp.swarm.robot import Attachment
+from swarmgrasp.units import PLAIN
 
 
 def _kind(value: object) -> str:
@@ -70,21 +72,26 @@ HALF_ANGLE = (
 )
 
 
+def _one_of(quantity: str) -> str:
+    """Say which units of a quantity a file may be in."""
+    return f"One of {', '.join(PLAIN[quantity])}, as people spell them."
+
+
 def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
     """Return the JSON schemas of "these keys are given", one per set of keys."""
     return [{"required": key} for key in keys]
 
 
 class UnitsSection(Section):
-    """Units of every number in the file; SI where left out."""
+    """Units of every number in the file that has none of its own; SI where left out."""
 
-    length: Literal["m", "ft"] = Field("m", description="Metre or foot (0.3048 m).")
-    force: Literal["N", "kN", "tonne-force"] = Field(
-        "N", description="Newton, kilonewton, or tonne-force (9806.65 N), as in bollard pull."
+    length: Annotated[str, Unit("length")] = Field("m", description=_one_of("length"))
+    force: Annotated[str, Unit("force")] = Field(
+        "N", description=_one_of("force") + " A t is a tonne-force here, as in bollard pull."
     )
-    angle: Literal["rad", "deg"] = Field("rad", description="Radian or degree.")
-    speed: Literal["m/s", "knot"] = Field(
-        "m/s", description="Metre per second or knot (1852 m/h), of wind and current."
+    angle: Annotated[str, Unit("angle")] = Field("rad", description=_one_of("angle"))
+    speed: Annotated[str, Unit("speed")] = Field(
+        "m/s", description=_one_of("speed") + " Or Bft, the strongest wind of a Beaufort number."
     )
 
 
@@ -156,7 +163,7 @@ class RobotSection(Section):
 
     name: Label = Field("", description="A label, different for each robot.", examples=["Ajax"])
     contact: Point | None = Field(None, description=CONTACT, examples=[[4, 1.5]])
-    theta: Number | None = Field(None, description=THETA, examples=[0.5])
+    theta: AnyAngle | None = Field(None, description=THETA, examples=[0.5])
     at: Distance | None = Field(None, description=AT, examples=[5.5])
     edge: Edge | None = Field(None, description=EDGE, examples=["port", 2])
     along: Distance | None = Field(None, description=ALONG, examples=[1.5])
@@ -216,7 +223,7 @@ class NewcomerSection(Section):
     name: Label = Field("", description="A label.", examples=["Hector"])
     limit: Limit = Field(description=LIMIT, examples=[60])
     attachment: Attachment = Field("free", description=ATTACHMENT)
-    half_angle: Number | None = Field(
+    half_angle: AnyAngle | None = Field(
         None,
         description=HALF_ANGLE + " Not for a free attachment.",
         json_schema_extra={"minimum": 0, "maximum": 90},
@@ -274,7 +281,7 @@ class ZoneSection(StretchSection):
     )
 
     contact: Point | None = Field(None, description=CONTACT, examples=[[4, 1.5]])
-    theta: Number | None = Field(None, description=THETA, examples=[0.5])
+    theta: AnyAngle | None = Field(None, description=THETA, examples=[0.5])
     at: Distance | None = Field(None, description=AT, examples=[5.5])
     along: Distance | None = Field(None, description=ALONG, examples=[1.5])
     area: list[Point] | None = Field(
@@ -287,7 +294,7 @@ class ZoneSection(StretchSection):
     attachment: Attachment | None = Field(
         None, description=ATTACHMENT + " Overrides the newcomer's own."
     )
-    half_angle: Number | None = Field(
+    half_angle: AnyAngle | None = Field(
         None,
         description=HALF_ANGLE + " Goes with `attachment`.",
         json_schema_extra={"minimum": 0, "maximum": 90},

@@ -6,8 +6,8 @@ from pydantic import ConfigDict, Field
 
 from swarmgrasp.ranges import MOST_SEED
 from swarmgrasp.scenario.fields import (
+    FARTHEST,
     Angle,
-    Coordinate,
     Distance,
     Label,
     Length,
@@ -15,6 +15,7 @@ from swarmgrasp.scenario.fields import (
     Point,
     Section,
 )
+from swarmgrasp.scenario.measures import BEARING, Measure, Row
 from swarmgrasp.scenario.weather_schema import COMES_FROM, Bearing, Speed
 
 LONGEST = 1e6
@@ -22,14 +23,24 @@ LONGEST = 1e6
 HEAVIEST = 1e12
 """Largest mass [kg]."""
 
-Time = Annotated[Number, Field(ge=0, le=LONGEST)]
-Span = Annotated[Number, Field(gt=0, le=LONGEST)]
-Mass = Annotated[Number, Field(gt=0, le=HEAVIEST)]
+Time = Annotated[Number, Field(ge=0, le=LONGEST), Measure("time")]
+Span = Annotated[Number, Field(gt=0, le=LONGEST), Measure("time")]
+Mass = Annotated[Number, Field(gt=0, le=HEAVIEST), Measure("mass")]
+TurnRate = Annotated[Number, Field(gt=0, le=1e6), Measure("turn rate")]
 Frequency = Annotated[Number, Field(gt=0, le=1e3)]
 Share = Annotated[Number, Field(gt=0, le=1)]
 Three = Annotated[list[Number], Field(min_length=3, max_length=3)]
-Added = Annotated[list[Annotated[Number, Field(ge=0)]], Field(min_length=3, max_length=3)]
-Aim = Annotated[list[Coordinate], Field(min_length=2, max_length=3)]
+Added = Annotated[
+    list[Annotated[Number, Field(ge=0)]],
+    Field(min_length=3, max_length=3),
+    Row(("mass", "mass", "inertia")),
+]
+Aim = Annotated[
+    list[Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST)]],
+    Field(min_length=2, max_length=3),
+    Row(("length", "length", "angle")),
+]
+Winds = Annotated[Three, Row(("time", "speed", BEARING))]
 
 
 class HullSection(Section):
@@ -47,7 +58,7 @@ class HullSection(Section):
     mass: Mass | None = Field(
         None, description="That of the water it displaces when left out [kg].", examples=[4000]
     )
-    inertia: Annotated[Number, Field(gt=0)] | None = Field(
+    inertia: Annotated[Number, Field(gt=0), Measure("inertia")] | None = Field(
         None, description="About the centre of mass; of an even mass when left out [kg m^2]."
     )
     centre: Point | None = Field(
@@ -76,7 +87,7 @@ class ActuatorSection(Section):
 
     lag: Time = Field(5.0, description="Time constant of its force [s].")
     slew: Time = Field(10.0, description="From idle to its full force [s]; 0 for at once.")
-    turn_rate: Annotated[Angle, Field(gt=0)] | None = Field(
+    turn_rate: TurnRate | None = Field(
         None,
         description="How fast it turns its force [units.angle per second]; 12 degrees when left "
         "out.",
@@ -85,7 +96,7 @@ class ActuatorSection(Section):
     efficiency: Share = Field(
         1.0, description="The part of an ordered force that reaches the object [1].", examples=[0.9]
     )
-    mass: Annotated[Number, Field(ge=0, le=HEAVIEST)] = Field(
+    mass: Annotated[Number, Field(ge=0, le=HEAVIEST), Measure("mass")] = Field(
         0.0, description="Of a robot that is fixed to the object and moves with it [kg]."
     )
     follows: Literal["hull", "earth"] = Field(
@@ -119,7 +130,7 @@ class WeatherSection(Section):
         "none",
         description="None, or those of the spectrum of the Norwegian Petroleum Directorate.",
     )
-    series: Annotated[list[Three], Field(min_length=1)] | None = Field(
+    series: Annotated[list[Winds], Field(min_length=1)] | None = Field(
         None,
         description="A mean wind in time, instead of the environment's: [time, speed, from], in "
         "the order of time [s, units.speed, units.angle].",

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Discriminator, Field, Tag
 from pydantic.config import JsonValue
 
-from swarmgrasp.scenario.fields import Coordinate, Distance, Force, Number, Section
+from swarmgrasp.scenario.fields import AnyAngle, Coordinate, Distance, Force, Section
 
 
 def _kind(value: object) -> str:
@@ -32,9 +32,9 @@ Reach = Annotated[
 """How far a contact may lie off: either way, or between two offsets."""
 
 Turn = Annotated[
-    Annotated[Number, Field(ge=0, json_schema_extra={"maximum": 180}), Tag("spread")]
+    Annotated[AnyAngle, Field(ge=0, json_schema_extra={"maximum": 180}), Tag("spread")]
     | Annotated[
-        list[Number], Field(min_length=2, max_length=2, json_schema_extra=_TURNS), Tag("offsets")
+        list[AnyAngle], Field(min_length=2, max_length=2, json_schema_extra=_TURNS), Tag("offsets")
     ],
     _ByKind,
 ]

@@ -1,21 +1,9 @@
-"""The units a scenario file may use; everything behind the file is in SI."""
+"""The units of a scenario file; everything behind the file is in SI."""
 
 import math
 from dataclasses import dataclass
 
-from swarmgrasp.environment import KNOT
-
-LENGTHS = {"m": 1.0, "ft": 0.3048}
-"""Metres per unit of length."""
-
-FORCES = {"N": 1.0, "kN": 1000.0, "tonne-force": 9806.65}
-"""Newtons per unit of force."""
-
-ANGLES = {"rad": 1.0, "deg": math.pi / 180.0}
-"""Radians per unit of angle."""
-
-SPEEDS = {"m/s": 1.0, "knot": KNOT}
-"""Metres per second per unit of speed."""
+from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
 
 @dataclass(frozen=True)
@@ -25,19 +13,31 @@ class Units:
     Attributes
     ----------
     length, force, angle, speed : str
-        Names of units, for messages.
+        Names of units, as `swarmgrasp.units` has them.
 
     Examples
     --------
-    >>> file = Units(length="ft", force="tonne-force", angle="deg")
+    >>> file = Units(length="ft", force="tf", angle="deg")
     >>> file.metres(250), file.newtons(2), file.radians(90) == math.pi / 2
     (76.2, 19613.3, True)
+    >>> file.of("torque"), file.of("area"), file.of("mass")
+    ('tf ft', 'ft^2', '')
     """
 
     length: str = "m"
     force: str = "N"
     angle: str = "rad"
     speed: str = "m/s"
+
+    def of(self, measured: str) -> str:
+        """Return the unit of a number that has none, by what it measures; "" where it is SI's."""
+        units = {
+            **vars(self),
+            "area": f"{self.length}^2",
+            "torque": f"{self.force} {self.length}",
+            "turn rate": f"{self.angle}/s",
+        }
+        return str(units.get(measured, ""))
 
     def metres(self, length: float) -> float:
         """Convert a length to metres."""

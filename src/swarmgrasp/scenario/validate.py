@@ -16,6 +16,7 @@ from pydantic import BaseModel, ValidationError
 from swarmgrasp.ranges import unknown_key
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
+from swarmgrasp.scenario.quantities import in_numbers
 from swarmgrasp.scenario.schema import ScenarioFile
 
 _AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
@@ -95,8 +96,8 @@ def check(root: Node, faults: Faults) -> Checked:
     -------
     Checked
     """
-    data: Any = root.plain()
-    bad: set[Path] = set()
+    data, unread = in_numbers(root, ScenarioFile, faults)
+    bad = {_mend(data, path, "") for path in unread}
     _drop_empty(data, (), root, bad, faults)
     while True:
         try:

@@ -5,15 +5,16 @@ from typing import Annotated
 from pydantic import ConfigDict, Field
 
 from swarmgrasp.environment import AIR, BLENDERMANN, WATER
-from swarmgrasp.scenario.fields import Coordinate, Label, Length, Number, Section
+from swarmgrasp.scenario.fields import Area, Coordinate, Label, Number, Section
+from swarmgrasp.scenario.measures import BEARING, Measure
 
 FASTEST = 1e3
 """Largest speed, in the file's unit."""
 
-Speed = Annotated[Number, Field(ge=0, le=FASTEST)]
-Bearing = Annotated[Number, Field(ge=-1e6, le=1e6)]
+Speed = Annotated[Number, Field(ge=0, le=FASTEST), Measure("speed")]
+Bearing = Annotated[Number, Field(ge=-1e6, le=1e6), Measure(BEARING)]
 Coefficient = Annotated[Number, Field(gt=0, le=10)]
-Density = Annotated[Number, Field(gt=0, le=1e5)]
+Density = Annotated[Number, Field(gt=0, le=1e5), Measure("density")]
 
 
 class WindCoefficientsSection(Section):
@@ -66,10 +67,10 @@ class WindSection(Section):
     coefficients: WindCoefficientsSection | None = Field(
         None, description="The coefficients themselves, instead of `vessel`."
     )
-    frontal_area: Length = Field(
+    frontal_area: Area = Field(
         description="Area above the water seen from ahead [units.length squared].", examples=[6]
     )
-    lateral_area: Length = Field(
+    lateral_area: Area = Field(
         description="Area above the water seen from the side [units.length squared].",
         examples=[20],
     )
@@ -86,12 +87,12 @@ class WindSection(Section):
 class CurrentSection(Section):
     """What the object shows to the current, and the current."""
 
-    frontal_area: Length = Field(
+    frontal_area: Area = Field(
         description="Area under water seen from ahead, about beam times draught "
         "[units.length squared].",
         examples=[2],
     )
-    lateral_area: Length = Field(
+    lateral_area: Area = Field(
         description="Area under water seen from the side, about length times draught "
         "[units.length squared].",
         examples=[4],

@@ -17,8 +17,9 @@ from swarmgrasp.plain import plain
 from swarmgrasp.quality import Criterion, Polytope
 from swarmgrasp.scenario.reading import parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
-from swarmgrasp.scenario.units import ANGLES, FORCES, Units
+from swarmgrasp.scenario.units import Units
 from swarmgrasp.swarm import Newcomer, Robot, Tolerance, Zone
+from swarmgrasp.units import ANGLES, FORCES
 
 DIGITS = 15
 """Of a number in a unit of its own: more would not be what anybody wrote."""

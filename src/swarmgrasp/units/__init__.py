@@ -1,8 +1,8 @@
 """The units that people write, and the numbers they stand for."""
 
 from swarmgrasp.units.beaufort import beaufort, beaufort_speed
-from swarmgrasp.units.compass import COMPASS, compass_point
-from swarmgrasp.units.quantity import is_quantity, quantity
+from swarmgrasp.units.compass import COMPASS, bearing, compass_point
+from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, unit_size
 from swarmgrasp.units.spellings import (
     ANGLES,
     BEAUFORT,
@@ -14,6 +14,8 @@ from swarmgrasp.units.spellings import (
     canonical,
     size,
     spellings,
+    unit_fault,
+    unit_name,
 )
 
 __all__ = [
@@ -25,12 +27,17 @@ __all__ = [
     "LENGTHS",
     "PLAIN",
     "SPEEDS",
+    "bearing",
     "beaufort",
     "beaufort_speed",
     "canonical",
     "compass_point",
+    "in_unit",
     "is_quantity",
     "quantity",
     "size",
     "spellings",
+    "unit_fault",
+    "unit_name",
+    "unit_size",
 ]

@@ -65,14 +65,16 @@ _WRITTEN = (
 
 
 def is_quantity(value: object) -> bool:
-    """Tell whether text begins like a quantity: with a number.
+    """Tell whether text begins with a number, and is more than one.
 
     Examples
     --------
-    >>> is_quantity("90 deg"), is_quantity("-.5 kN"), is_quantity("inward")
-    (True, True, False)
+    >>> is_quantity("90 deg"), is_quantity("-.5 kN"), is_quantity("inward"), is_quantity("60")
+    (True, True, False, False)
     """
-    return isinstance(value, str) and bool(_SIGNED.match(value.strip()))
+    text = value.strip() if isinstance(value, str) else ""
+    found = _QUANTITY.fullmatch(text)
+    return bool(_SIGNED.match(text)) and not (found and found[2] == "")
 
 
 def quantity(value: str | float, of: str, unit: str = "") -> float:
@@ -112,6 +114,35 @@ def quantity(value: str | float, of: str, unit: str = "") -> float:
     if not math.isfinite(found):
         raise QuantityInvalid(f"{shown(value)} is no finite number")
     return found
+
+
+def in_unit(value: str | float, of: str, unit: str) -> float:
+    """Return a quantity in some unit; the number itself if it is written in that unit.
+
+    Parameters
+    ----------
+    value, of
+        As of `quantity`.
+    unit : str
+        Not Bft; the SI unit for "".
+
+    Raises
+    ------
+    QuantityInvalid
+        As of `quantity`.
+
+    Examples
+    --------
+    >>> in_unit("60 t", "force", "kN"), in_unit("12.1 feet", "length", "ft")
+    (588.399, 12.1)
+    """
+    unit = unit or KINDS[of].si
+    amount, word = (number(value), "") if is_number(value) else _parted(value, KINDS[of])
+    if math.isfinite(amount) and (
+        word in ("", unit) or (of in PLAIN and canonical(word, of) == unit)
+    ):
+        return amount
+    return quantity(value, of) / unit_size(unit, of)
 
 
 def unit_size(word: str, of: str) -> float:

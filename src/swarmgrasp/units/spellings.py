@@ -103,6 +103,17 @@ def spellings(quantity: str) -> dict[str, str]:
     return {**own, **({BEAUFORT: BEAUFORT} if quantity == "speed" else {}), **also}
 
 
+def unit_name(word: str, quantity: str) -> str | None:
+    """Return what a common unit is called here; None for a rare one, or none.
+
+    Examples
+    --------
+    >>> unit_name("Knots", "speed"), unit_name("tonne-force", "force"), unit_name("yard", "length")
+    ('kn', 'tf', None)
+    """
+    return spellings(quantity).get(word) or _folded(quantity).get(word.lower())
+
+
 @cache
 def _folded(quantity: str) -> dict[str, str]:
     """Return the spellings of three letters and more in small letters: case means nothing there."""
@@ -117,7 +128,7 @@ def canonical(word: str, quantity: str) -> str | None:
     >>> canonical("Knots", "speed"), canonical("kN", "speed"), canonical("yard", "length")
     ('kn', None, 'yard')
     """
-    found = spellings(quantity).get(word) or _folded(quantity).get(word.lower())
+    found = unit_name(word, quantity)
     if found or word in _VAGUE or any(word in spellings(other) for other in PLAIN):
         return found
     return None if known_size(word, _SI[quantity]) is None else word
