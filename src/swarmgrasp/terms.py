@@ -151,8 +151,8 @@ class Terms:
     Examples
     --------
     >>> barge = Terms(length="ft", force="tf", speed="kn", robot="tug")
-    >>> barge.robots(1), barge.robots(3)
-    ('1 tug', '3 tugs')
+    >>> barge.robots(1), barge.robots(3), barge.several
+    ('1 tug', '3 tugs', 'tugs')
     >>> Terms(force="stone")
     Traceback (most recent call last):
     swarmgrasp.errors.TermsInvalid: the unit of force is 'stone'; it should be one of N, kN, MN, \
@@ -180,9 +180,14 @@ kgf, tf, lbf, kip
             faults.append("a robot is called ''; it should be a word, such as tug")
         refuse((TermsInvalid, faults))
 
+    @property
+    def several(self) -> str:
+        """What several robots are called."""
+        return f"{self.robot}s"
+
     def robots(self, count: int) -> str:
         """Return a number of robots in the file's word."""
-        return f"{count} {self.robot}{'s' * (count != 1)}"
+        return f"{count} {self.robot if count == 1 else self.several}"
 
 
 SI: Final = Terms()

@@ -72,15 +72,15 @@ def wrench_words(direction: ArrayLike) -> str:
     return " while ".join(said)
 
 
-def machine_words(count: int, has_groups: bool) -> str:
+def machine_words(count: int, has_groups: bool, robot: str = "robot") -> str:
     """Return what so many of that which fails at once are called: groups, too, if there are any.
 
     Examples
     --------
-    >>> machine_words(1, False), machine_words(2, True)
-    ('robot', 'robots or groups')
+    >>> machine_words(1, False), machine_words(2, True, "tug")
+    ('robot', 'tugs or groups')
     """
-    kinds = ("robot", "group")[: 1 + has_groups]
+    kinds = (robot, "group")[: 1 + has_groups]
     return " or ".join(kind + "s" * (count != 1) for kind in kinds)
 
 
@@ -108,6 +108,10 @@ class Unit:
     name : str
     figures : int
         Significant digits of a number.
+    metres : float
+        The size of the unit of length that goes with it in torques.
+    arm : str
+        The name of that.
 
     Examples
     --------
@@ -121,6 +125,13 @@ class Unit:
     newtons: float
     name: str
     figures: int = 5
+    metres: float = 1.0
+    arm: str = "m"
+
+    @property
+    def torque(self) -> str:
+        """The name of the unit of torque that goes with it."""
+        return f"{self.name} {self.arm}"
 
     @classmethod
     def for_size(cls, *sizes: float, figures: int = 5) -> "Unit":
@@ -139,24 +150,31 @@ class Unit:
         name = self.name if force or self.newtons >= 1.0 else "N"
         return f"{self.number(force)} {name}"
 
-    def part(self, force: float, whole: float, unit: str = "") -> str:
-        """Return a part of a whole with its unit, to the last digit of the whole, never as -0.
-
-        Parameters
-        ----------
-        force, whole : float [N, or N m for both]
-        unit : str
-            Follows the unit of force: " m" for a torque.
+    def part(self, force: float, whole: float) -> str:
+        """Return a part of a whole [N] with its unit, to the last digit of the whole, never as -0.
 
         Examples
         --------
         >>> unit = Unit.for_size(2e3)
-        >>> unit.part(-1e-9, 2e3), unit.part(-1500.0, 2e3), unit.part(150.0, 2e3, " m")
-        ('0 kN', '-1.5000 kN', '0.1500 kN m')
+        >>> unit.part(-1e-9, 2e3), unit.part(-1500.0, 2e3)
+        ('0 kN', '-1.5000 kN')
         """
-        held = 0.0 if abs(force) < PART * abs(whole) else force
-        number = digits(held / self.newtons, whole / self.newtons, self.figures)
-        return f"{number} {self.name}{unit}"
+        return f"{self._part(force, whole, self.newtons)} {self.name}"
+
+    def turn(self, torque: float, whole: float) -> str:
+        """Do the same for a part of a torque [N m].
+
+        Examples
+        --------
+        >>> Unit.for_size(2e3).turn(150.0, 2e3)
+        '0.1500 kN m'
+        """
+        return f"{self._part(torque, whole, self.newtons * self.metres)} {self.torque}"
+
+    def _part(self, part: float, whole: float, size: float) -> str:
+        """Return a part of a whole in a unit of some size, without its name."""
+        held = 0.0 if abs(part) < PART * abs(whole) else part
+        return digits(held / size, whole / size, self.figures)
 
     def wrench(self, parts: Sequence[float], length: float) -> tuple[str, str, str]:
         """Return the parts (3,) [N, N, N m] of a wrench whose torque counts by a length [m].
@@ -168,7 +186,7 @@ class Unit:
         """
         x, y, turn = parts
         size = math.hypot(x, y, turn / length)
-        return self.part(x, size), self.part(y, size), self.part(turn, size * length, " m")
+        return self.part(x, size), self.part(y, size), self.turn(turn, size * length)
 
 
 def digits(value: float, size: float, figures: int = 5) -> str:
@@ -209,28 +227,45 @@ def percent(share: float) -> str:
 
 @dataclass(frozen=True)
 class Lengths:
-    """How many decimals suit the lengths of one object: some 1/10 000 of its extent."""
+    """How the lengths of one object are told: to some 1/10 000 of its extent.
+
+    Attributes
+    ----------
+    decimals : int
+    metres : float
+        The size of their unit.
+    name : str
+        Of their unit.
+    """
 
     decimals: int
+    metres: float = 1.0
+    name: str = "m"
 
     @classmethod
-    def for_extent(cls, extent: float) -> "Lengths":
+    def for_extent(cls, extent: float, metres: float = 1.0, name: str = "m") -> "Lengths":
         """Choose the number of decimals for an object so many metres across."""
-        return cls(max(0, 4 - math.floor(math.log10(extent))))
+        return cls(max(0, 4 - math.floor(math.log10(extent / metres))), metres, name)
 
     def number(self, length: float) -> str:
         """Return a length [m] without its unit."""
-        return f"{round(length, self.decimals) + 0.0:.{self.decimals}f}"
+        return f"{round(length / self.metres, self.decimals) + 0.0:.{self.decimals}f}"
 
-    def point(self, point: tuple[float, float]) -> str:
-        """Return a point as "(x, y) m".
+    def text(self, length: float) -> str:
+        """Return a length [m] with its unit."""
+        return f"{self.number(length)} {self.name}"
+
+    def point(self, point: Sequence[float]) -> str:
+        """Return a point [m, m] as "(x, y) m".
 
         Examples
         --------
         >>> Lengths.for_extent(76.2).point((-12.19, 10.9728))
         '(-12.190, 10.973) m'
+        >>> Lengths.for_extent(76.2, 0.3048, "ft").point((-12.192, 10.9728))
+        '(-40.00, 36.00) ft'
         """
-        return f"({self.number(point[0])}, {self.number(point[1])}) m"
+        return f"({self.number(point[0])}, {self.number(point[1])}) {self.name}"
 
 
 def turned(angle: float) -> float:

@@ -15,6 +15,7 @@ from swarmgrasp.cli.inputs import (
     whole_faults,
 )
 from swarmgrasp.cli.question import asked_before, check_newcomer
+from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED, STRONGEST
 
 MOST = 20
@@ -32,6 +33,7 @@ def count(
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Find the fewest robots like the newcomer that bring a required quality.
 
@@ -82,7 +84,11 @@ def count(
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.count import show
 
-    deliver(json, document_of(found, scenario.name), lambda: show(scenario.name, found))
+    deliver(
+        json,
+        document_of(found, scenario.name),
+        lambda: show(scenario.name, found, wording.terms(scenario)),
+    )
 
 
 def _number_faults(quality: float | None, most: str | None, effort: str | None) -> list[str]:

@@ -17,6 +17,7 @@ from swarmgrasp.cli.inputs import (
     read_scenario,
 )
 from swarmgrasp.cli.question import asked_before, tell_omitted
+from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.cli.wrenches import Triple, number_faults, read_wrenches
 from swarmgrasp.errors import SwarmGraspError
 
@@ -36,6 +37,7 @@ def forces(
     csv: Dashed | None = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Tell how hard each robot pushes to make a wrench.
 
@@ -84,7 +86,7 @@ def forces(
     tell_omitted(scenario, file, "forces", load=load)
     load = scenario.criterion.load if load is None else load
     if table is not None:
-        _tell_many(scenario, *table, load, csv, json)
+        _tell_many(scenario, *table, load, csv, json, wording)
         return
     if wrench is None:
         raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
@@ -103,12 +105,12 @@ def forces(
         return [save(forces_plan(found), plot)]
 
     document = document_of(found, scenario.name)
-    deliver(json, document, lambda: show(scenario.name, found), draw)
+    deliver(json, document, lambda: show(scenario.name, found, wording.terms(scenario)), draw)
 
 
 def _tell_many(
     scenario: "Scenario", lines: Sequence[int], rows: Sequence[Triple], load: Triple,
-    csv: str | None, json: str | None,
+    csv: str | None, json: str | None, wording: Wording,
 ) -> None:  # fmt: skip
     """Find and tell the forces for the wrenches of a table, each with its line there."""
     from swarmgrasp.answer_file import document_of
@@ -130,7 +132,7 @@ def _tell_many(
         if csv == DASH:
             print_json(table_text(found))
         else:
-            show(scenario.name, found, lines)
+            show(scenario.name, found, lines, wording.terms(scenario))
 
     deliver(json, document_of(found, scenario.name), tell, write, aside=csv == DASH)
 

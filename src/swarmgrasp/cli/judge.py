@@ -9,6 +9,7 @@ from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import blaming, output_faults, read_scenario
 from swarmgrasp.cli.question import missing, tell_omitted
+from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
@@ -27,6 +28,7 @@ def judge(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     mass: Annotated[float | None, Parameter(metavar="KG")] = None,
     mjcf: Path | None = None,
+    wording: Wording = FILE,
 ) -> int:
     """Let MuJoCo, a simulator of others, say whether the quality is right.
 
@@ -81,7 +83,7 @@ def judge(
     with blaming(file):
         found = judge_of(quality_of(scenario.swarm, **criterion.terms), hull)
     written = [] if mjcf is None else [_written(scenario, hull, mjcf)]
-    show(scenario.name, scenario.swarm, found)
+    show(scenario.name, scenario.swarm, found, wording.terms(scenario))
     told_written(written)
     return 0 if found else REFUSED
 

@@ -9,6 +9,7 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import blaming, json_faults, read_scenario
 from swarmgrasp.cli.question import tell_omitted
+from swarmgrasp.cli.wording import FILE, Wording
 
 
 def move(
@@ -19,6 +20,7 @@ def move(
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Find the one robot that should attach elsewhere, and where.
 
@@ -59,4 +61,8 @@ def move(
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.move import show
 
-    deliver(json, document_of(found, scenario.name), lambda: show(scenario.name, found))
+    deliver(
+        json,
+        document_of(found, scenario.name),
+        lambda: show(scenario.name, found, wording.terms(scenario)),
+    )

@@ -18,6 +18,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import asked_before, check_newcomer
+from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ def place(
     runners_up: float | None = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Find where the next robot attaches and which way it pushes.
 
@@ -102,14 +104,14 @@ def place(
     criterion = criterion_of(scenario, file, losing, worst_case, failures, count)
     if together:
         steps = None if effort is None else int(effort)
-        _tell_together(scenario, file, count, gap, steps, criterion, plot, json)
+        _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
     else:
-        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json)
+        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording)
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
-    criterion: "Criterion", plot: Path | None, json: str | None,
+    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording,
 ) -> None:  # fmt: skip
     """Find and tell robots placed one after the other; what is None is as in the answer read."""
     from swarmgrasp.answer_file import document_of
@@ -123,14 +125,14 @@ def _tell_sequence(
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(scenario.name, answers),
+        lambda: show(scenario.name, answers, wording.terms(scenario)),
         lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
     )
 
 
 def _tell_together(
     scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
-    criterion: "Criterion", plot: Path | None, json: str | None,
+    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording,
 ) -> None:  # fmt: skip
     """Find and tell robots placed all at once; what is None is as in the answer read."""
     from swarmgrasp.answer_file import document_of
@@ -147,7 +149,7 @@ def _tell_together(
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found),
+        lambda: show(scenario.name, found, wording.terms(scenario)),
         lambda: pictures_together(_beside(plot), found) if plot else [],
     )
 

@@ -10,6 +10,7 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import UsageFault, blaming, json_faults, read_scenario, source_of
 from swarmgrasp.cli.question import asked_before, tell_omitted
+from swarmgrasp.cli.wording import FILE, Wording
 
 
 def quality(
@@ -21,6 +22,7 @@ def quality(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     sensitivities: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Tell how well the robots hold the object, and where worst.
 
@@ -82,5 +84,5 @@ def quality(
     deliver(
         json,
         sealed(found.kind, told, scenario.name),
-        lambda: show(scenario, found, lost, slopes),
+        lambda: show(scenario, found, lost, slopes, wording.terms(scenario)),
     )

@@ -19,6 +19,7 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain, told_written
+from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_SEED
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from swarmgrasp.simulation.run import Run
     from swarmgrasp.simulation.simulation import Simulation
     from swarmgrasp.simulation.verdict import Verdict
+    from swarmgrasp.terms import Terms
 
     Named = tuple[str, Actuator]
 
@@ -60,6 +62,7 @@ def simulate(
     mcap: Path | None = None,
     player: Path | None = None,
     capability: Annotated[bool, Parameter(negative="")] = False,
+    wording: Wording = FILE,
 ) -> int:
     """Let the object and its robots move in wind and current, and tell whether they hold it.
 
@@ -126,13 +129,13 @@ def simulate(
     far = usual_within(scenario.swarm.outline) if within is None else within
     limit = USUAL_TURN if turn is None else math.radians(turn)
     if capability:
-        return _capability(scenario.name, asked, far, limit, plot)
+        return _capability(scenario.name, asked, far, limit, plot, wording.terms(scenario))
     run = _run(asked)
     from swarmgrasp.cli.show.simulate import show
 
     verdict = verdict_of(run, far, limit)
     written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
-    show(scenario.name, run, verdict)
+    show(scenario.name, run, verdict, wording.terms(scenario))
     told_written(written)
     if not run.is_whole:
         return INTERRUPTED
@@ -265,7 +268,12 @@ def _of_those_there(asked: "Simulation", events: "list[Event]") -> "tuple[Named,
 
 
 def _capability(
-    name: str, asked: "Simulation", within: float, turn: float, plot: Path | None
+    name: str,
+    asked: "Simulation",
+    within: float,
+    turn: float,
+    plot: Path | None,
+    terms: "Terms",
 ) -> int:
     """Find, draw and tell the largest winds held."""
     from swarmgrasp.cli.show.limits import show
@@ -280,7 +288,7 @@ def _capability(
         from swarmgrasp.plot.limits import limits_diagram
 
         written.append(save(limits_diagram(found, name), plot))
-    show(name, found)
+    show(name, found, terms)
     told_written(written)
     return 0
 

@@ -19,6 +19,7 @@ from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import items, kind_faults, shown
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.swarm.choices import Choice
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.verify import Verdict, verify_document
 
 COARSE = 1e-3
@@ -144,9 +145,13 @@ class Placement(Frozen, Answer):
     @property
     def reason(self) -> str:
         """What limits the answer, in words."""
+        return self.reason_in(SI)
+
+    def reason_in(self, terms: Terms) -> str:
+        """Return the same in other terms than ours."""
         if self._held is not None:
-            return f"with the sectors kept, {reason_of(self._held)}"
-        return reason_of(self)
+            return f"with the sectors kept, {reason_of(self._held, terms)}"
+        return reason_of(self, terms)
 
     @property
     def explanation(self) -> str:

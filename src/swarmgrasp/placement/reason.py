@@ -15,6 +15,8 @@ from swarmgrasp.quality.explain import (
 from swarmgrasp.quality.max_transfer import Quality
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm.sectors import sector_words
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.words import Unit, degrees, list_words, percent
 
 if TYPE_CHECKING:
@@ -31,19 +33,21 @@ ALL_OF_IT = 0.9995
 """Share from which on a runner-up gives as much."""
 
 
-def reason_of(answer: "Placement") -> str:
+def reason_of(answer: "Placement", terms: Terms = SI) -> str:
     """Say what limits the swarm with its new robot, or why no newcomer improves it."""
-    swarm, criterion = answer.problem.swarm, answer.problem.criterion
+    robot, swarm, criterion = terms.robot, answer.problem.swarm, answer.problem.criterion
     if answer.improves:
         return f"what remains weakest is {_weakest(answer, answer.after)}"
     if len(swarm) + 1 < answer.problem.fewest:
-        return too_few_words(answer.problem.fewest, criterion.losing, len(swarm) + 1, "this one")
+        return too_few_words(
+            answer.problem.fewest, criterion.losing, len(swarm) + 1, "this one", terms
+        )
     weakest = _weakest(answer, answer.before)
     before = answer.before.quality
     if before * (1.0 + EQUAL) < answer.upper_bound <= before + answer.noise:
         return (
-            f"no allowed robot raises what is weakest, {weakest}, by more than rounding in the "
-            f"outline's coordinates may make of none, {_value(answer.noise, answer)}"
+            f"no allowed {robot} raises what is weakest, {weakest}, by more than rounding in the "
+            f"outline's coordinates may make of none, {_noise(answer, terms)}"
         )
     is_one_way = answer.problem.newcomer.reverse_limit == 0.0
     if is_one_way and before > 0.0 and answer.opposite <= before * (1.0 + EQUAL):
@@ -52,22 +56,22 @@ def reason_of(answer: "Placement") -> str:
             opposite = f"at {criterion.weakest_words(swarm, -np.array(answer.before.normal))}"
         return (
             f"the swarm is equally weak at {weakest} and {opposite}, and one "
-            "robot can push only one way: place two, or one that reverses"
+            f"{robot} can push only one way: place two, or one that reverses"
         )
     if answer.is_open:
         return (
-            f"no allowed robot was found that raises what is weakest, {weakest}; whether there is "
-            "one is not settled: ask for a smaller gap, or place several"
+            f"no allowed {robot} was found that raises what is weakest, {weakest}; whether there "
+            "is one is not settled: ask for a smaller gap, or place several"
         )
     if criterion.has_load and answer.quality == 0.0:
-        return "with none of the allowed robots has the swarm force closure beside the load"
+        return f"with none of the allowed {robot}s has the swarm force closure beside the load"
     return (
-        f"no allowed robot raises what is weakest, {weakest}, without another direction "
+        f"no allowed {robot} raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"
     )
 
 
-def too_few_words(fewest: int, lost: int, robots: int, last: str) -> str:
+def too_few_words(fewest: int, lost: int, robots: int, last: str, terms: Terms = SI) -> str:
     """Say that so many robots, the last ones included, are too few for any quality.
 
     Parameters
@@ -76,6 +80,7 @@ def too_few_words(fewest: int, lost: int, robots: int, last: str) -> str:
         Robots that it takes, and those of them that may be lost.
     robots : int
     last : str
+    terms : Terms
 
     Examples
     --------
@@ -85,7 +90,7 @@ def too_few_words(fewest: int, lost: int, robots: int, last: str) -> str:
     'holding a load takes at least 3 robots beside the 1 lost; with this one there is 1'
     """
     left = fewest - lost
-    takes = f"{_TAKES[left]} takes at least {left} robot{'s' if left > 1 else ''}"
+    takes = f"{_TAKES[left]} takes at least {terms.robots(left)}"
     where = f" beside the {lost} lost" if lost else ", wherever they are"
     return f"{takes}{where}; with {last} there {'are' if robots > 1 else 'is'} {robots}"
 
@@ -141,6 +146,14 @@ def _weakest(answer: "Placement", found: Weakest) -> str:
 def _value(value: float, answer: "Placement") -> str:
     """Say a quality, in the one unit of all of them."""
     return _unit(answer).text(value)
+
+
+def _noise(answer: "Placement", terms: Terms) -> str:
+    """Say in some terms what rounding in the outline's coordinates may change of a quality."""
+    if answer.problem.criterion.task is not None:
+        return _value(answer.noise, answer)
+    limits = answer.swarm_after.limits.tolist()
+    return Telling.of(terms, answer.problem.swarm.outline.extent, limits).force.text(answer.noise)
 
 
 def _unit(answer: "Placement") -> Unit:

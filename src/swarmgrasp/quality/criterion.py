@@ -183,7 +183,7 @@ class Criterion(Plain):
             way = self.task.farthest(way * swarm.scale) * swarm.scale
         return wrench_words(way)
 
-    def words(self, swarm: Swarm) -> str:
+    def words(self, swarm: Swarm, robot: str = "robot") -> str:
         """Say beside what and after what, as part of a sentence; nothing as things stand.
 
         A task goes unmentioned: it is in the unit of the quality.
@@ -192,6 +192,8 @@ class Criterion(Plain):
         ----------
         swarm : Swarm
             Whose robots are lost, or groups, if it has any.
+        robot : str
+            What one is called.
 
         Examples
         --------
@@ -213,7 +215,7 @@ class Criterion(Plain):
                 else f"after the worst of {len(self.failures)} failures"
             )
         if self.losing:
-            lost = machine_words(self.losing, bool(swarm.rare.groups))
+            lost = machine_words(self.losing, bool(swarm.rare.groups), robot)
             parts.append(f"after the worst loss of {self.losing} {lost}")
         if self.has_load:
             parts.append("beside the load")

@@ -19,6 +19,7 @@ from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.swarm.names import filled
+from swarmgrasp.terms import Terms
 
 SMALLEST_EXTENT = 1e-6
 """Least diagonal of an outline's bounding box, in the file's unit."""
@@ -76,6 +77,12 @@ def build(checked: Checked, default_name: str) -> Scenario:
         spacing=units.metres(file.spacing),
         environment=environment,
         criterion=criterion_of(checked, units, swarm.outline, environment),
+        terms=Terms(
+            units.length,
+            {"tonne-force": "tf"}.get(units.force, units.force),
+            units.angle,
+            {"knot": "kn"}.get(units.speed, units.speed),
+        ),
     )
     return _with_simulation(scenario, checked, units)
 

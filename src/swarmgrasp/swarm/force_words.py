@@ -3,12 +3,12 @@
 import math
 
 from swarmgrasp.swarm.robot import Newcomer, Robot
-from swarmgrasp.swarm.sectors import sector_words
-from swarmgrasp.words import Unit, degrees, turned
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI
 
 
-def force_words(robot: Robot, unit: Unit | None = None) -> str:
-    """Say how hard a robot pushes which way, in a unit, or in one that suits it.
+def force_words(robot: Robot, tell: Telling | None = None) -> str:
+    """Say how hard a robot pushes which way, as an answer is told, or in the unit that suits it.
 
     Examples
     --------
@@ -22,13 +22,13 @@ def force_words(robot: Robot, unit: Unit | None = None) -> str:
     >>> force_words(azimuth)
     '90 kN from 20 to 160 deg or 200.5 to 338 deg'
     """
-    unit = unit or Unit.for_size(robot.limit)
+    tell = tell or Telling.of(SI, 1.0, [robot.limit])
     friction = f", friction {robot.friction:.4g}" if robot.friction else ""
     comma = "," if robot.reverse_limit else ""
-    return f"{strength_words(robot, unit)}{comma} {_way(robot)}{friction}"
+    return f"{strength_words(robot, tell)}{comma} {_way(robot, tell)}{friction}"
 
 
-def newcomer_words(newcomer: Newcomer) -> str:
+def newcomer_words(newcomer: Newcomer, tell: Telling | None = None) -> str:
     """Say how hard a newcomer pushes, which way it may, and how much of that it keeps.
 
     Examples
@@ -44,10 +44,10 @@ def newcomer_words(newcomer: Newcomer) -> str:
         said = "steering any way" if newcomer.steers else "pushing any way"
     else:
         said = f"{way}, steering {within}" if newcomer.steers else f"{way} {within}"
-    return f"{strength_words(newcomer)}, {said}{', on board' if newcomer.mounted else ''}"
+    return f"{strength_words(newcomer, tell)}, {said}{', on board' if newcomer.mounted else ''}"
 
 
-def strength_words(robot: Robot | Newcomer, unit: Unit | None = None) -> str:
+def strength_words(robot: Robot | Newcomer, tell: Telling | None = None) -> str:
     """Say how hard a robot pushes, both ways if it does.
 
     Examples
@@ -55,7 +55,7 @@ def strength_words(robot: Robot | Newcomer, unit: Unit | None = None) -> str:
     >>> strength_words(Robot((0, 0), 0.0, 20e3, least=2e3))
     '2 to 20 kN'
     """
-    unit = unit or Unit.for_size(robot.limit)
+    unit = (tell or Telling.of(SI, 1.0, [robot.limit])).force
     limit, other_way = (f"{f / unit.newtons:.5g}" for f in (robot.limit, robot.reverse_limit))
     if robot.reverse_limit:
         return f"{limit} {unit.name} ahead, {other_way} {unit.name} astern"
@@ -63,13 +63,13 @@ def strength_words(robot: Robot | Newcomer, unit: Unit | None = None) -> str:
     return f"{least:.5g} to {limit} {unit.name}" if least else f"{limit} {unit.name}"
 
 
-def _way(robot: Robot) -> str:
+def _way(robot: Robot, tell: Telling) -> str:
     """Say which way a robot pushes."""
     if robot.steers >= math.pi:
         return "in any direction"
     if robot.sectors is not None:
-        return f"from {' or '.join(map(sector_words, robot.sectors))}"
-    ahead = f"{round(turned(robot.direction), 1) + 0.0:g} deg"
+        return f"from {' or '.join(map(tell.sector, robot.sectors))}"
+    ahead = f"{'bearing ' * tell.terms.bearings}{tell.short(robot.direction)} deg"
     if robot.envelope is not None:
         return f"at most, by an envelope about {ahead}"
     return f"within {width(robot.steers)} deg of {ahead}" if robot.steers else f"at {ahead}"
@@ -86,8 +86,8 @@ def width(angle: float) -> str:
     return f"{math.degrees(angle):.4g}"
 
 
-def heading(robot: Robot) -> str:
+def heading(robot: Robot, tell: Telling) -> str:
     """Return the direction of a robot in degrees for a table; "any" or "several" if it has none."""
     if robot.sectors is not None:
         return "several"
-    return "any" if robot.steers >= math.pi else degrees(robot.direction)
+    return "any" if robot.steers >= math.pi else tell.degrees(robot.direction)

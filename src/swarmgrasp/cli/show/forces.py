@@ -7,12 +7,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.cli.show.change import telling_of, xy_columns
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.forces import Forces
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.swarm.force_words import heading
 from swarmgrasp.swarm.stance import stance
-from swarmgrasp.words import Lengths, Unit, degrees, percent, wrench_words
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
+from swarmgrasp.words import percent, wrench_words
 
 IDLE = 1e-7
 """Share that is told as none."""
@@ -26,31 +29,32 @@ AT_END = 1e-6
 """Difference of two angles [rad] that counts as none."""
 
 
-def show(name: str, found: Forces) -> None:
+def show(name: str, found: Forces, terms: Terms) -> None:
     """Write the forces for one wrench for people."""
     report, swarm = Report(), found.swarm
     told = (found.wanted, found.wrench, found.load, found.wanted - found.load)
-    unit = Unit.for_size(*(size_of(swarm, wrench) for wrench in told))
+    tell = telling_of(terms, swarm, [size_of(swarm, wrench) for wrench in told])
     if found.is_degraded:
-        report.headline(f"{name}: out of reach by {unit.text(found.shortfall)}", "caution")
+        report.headline(f"{name}: out of reach by {tell.force.text(found.shortfall)}", "caution")
     elif not found.shares.any():
         report.headline(f"{name}: no force is needed", "good")
     else:
         report.headline(
-            f"{name}: the robots make it, with shares up to {share(found.largest_share)}", "good"
+            f"{name}: the {terms.several} make it, with shares up to {share(found.largest_share)}",
+            "good",
         )
     report.blank()
-    report.facts(_missed(found, unit) if found.is_degraded else _made(found, unit))
-    _show_robots(report, found)
-    report.small_print(swarm, share_words(swarm))
+    report.facts(_missed(found, tell) if found.is_degraded else _made(found, tell))
+    _show_robots(report, found, tell)
+    report.small_print(swarm, tell, share_words(swarm, terms))
 
 
-def share_words(swarm: Swarm) -> str:
+def share_words(swarm: Swarm, terms: Terms) -> str:
     """Say what a share is."""
     if swarm.has_rays_only:
-        return "Share: a robot's force as a part of its limit."
+        return f"Share: a {terms.robot}'s force as a part of its limit."
     taut = "; above a least force, a part of the way to its limit" if _has_rests(swarm) else ""
-    return f"Share: a robot's force as a part of the largest it can exert that way{taut}."
+    return f"Share: a {terms.robot}'s force as a part of the largest it can exert that way{taut}."
 
 
 def _has_rests(swarm: Swarm) -> bool:
@@ -58,33 +62,35 @@ def _has_rests(swarm: Swarm) -> bool:
     return bool(swarm.leasts.any() or swarm.rare.envelopes)
 
 
-def _made(found: Forces, unit: Unit) -> list[tuple[str, str]]:
+def _made(found: Forces, tell: Telling) -> list[tuple[str, str]]:
     """Tell a wrench that is made, who pushes hardest, and how much larger it might be."""
-    facts = _asked(found, unit)
+    facts = _asked(found, tell)
     if not found.shares.any():
         return facts
     facts.append(("Largest share", f"{share(found.largest_share)}: {_hardest(found)}"))
+    robots = tell.terms.several
     proof = found.certificate.sectors
     if proof is None or proof.is_best:
-        facts.append(("", "no forces of these robots make the wrench with a smaller one"))
+        facts.append(("", f"no forces of these {robots} make the wrench with a smaller one"))
     else:
         facts.append(("", "in the best choice of sectors found: there are too many to try all"))
     if found.needed < 1.0 - FULL and not _has_rests(found.swarm):
         more = 1.0 / found.needed
         times = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
         what = "this" if not found.load.any() else "what they make"
-        facts.append(("Reserve", f"the robots could make {times} times {what}"))
+        facts.append(("Reserve", f"the {robots} could make {times} times {what}"))
     return facts
 
 
-def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
+def _missed(found: Forces, tell: Telling) -> list[tuple[str, str]]:
     """Tell a wrench that is out of reach: what is made instead, and what would be needed."""
-    swarm = found.swarm
+    swarm, robots = found.swarm, tell.terms.several
     wanted = size_of(swarm, found.wanted - found.load)
-    what = "what the robots were to make" if found.load.any() else "it"
+    what = f"what the {robots} were to make" if found.load.any() else "it"
+    short = tell.force.text(found.shortfall)
     left = f"{percent(found.shortfall / wanted)} of {what}"
     if math.isinf(found.needed):
-        needed = "no limits would be large enough: these robots do not push that way"
+        needed = f"no limits would be large enough: these {robots} do not push that way"
     else:
         more = found.needed - 1.0
         needed = (
@@ -94,10 +100,10 @@ def _missed(found: Forces, unit: Unit) -> list[tuple[str, str]]:
         )
         needed += ", counted from the least forces" if _has_rests(swarm) else ""
     return [
-        *_asked(found, unit),
-        ("Made instead", wrench_text(swarm, found.wrench, unit, wanted)),
-        ("Missing", wrench_text(swarm, found.missing, unit)),
-        ("Short by", f"{unit.text(found.shortfall)} in the metric, {left}; {_nearest(found)}"),
+        *_asked(found, tell),
+        ("Made instead", wrench_text(swarm, found.wrench, tell, wanted)),
+        ("Missing", wrench_text(swarm, found.missing, tell)),
+        ("Short by", f"{short} in the metric, {left}; {_nearest(found)}"),
         ("It takes", needed),
         *([("Largest share", f"{share(found.largest_share)}: {_hardest(found)}")]
           if found.shares.any() else []),
@@ -113,28 +119,25 @@ def _nearest(found: Forces) -> str:
     return "nothing is nearer" if is_known else "nothing nearer was found"
 
 
-def _asked(found: Forces, unit: Unit) -> list[tuple[str, str]]:
+def _asked(found: Forces, tell: Telling) -> list[tuple[str, str]]:
     """Tell the wrench wanted, and the environment's part of it."""
     swarm = found.swarm
-    facts = [("Wanted", wrench_text(swarm, found.wanted, unit))]
+    facts = [("Wanted", wrench_text(swarm, found.wanted, tell))]
     if found.load.any():
-        facts.append(("Load", f"{wrench_text(swarm, found.load, unit)}, by the environment"))
+        facts.append(("Load", f"{wrench_text(swarm, found.load, tell)}, by the environment"))
         rest = found.wanted - found.load
-        facts.append(("By the robots", wrench_text(swarm, rest, unit)))
+        facts.append((f"By the {tell.terms.several}", wrench_text(swarm, rest, tell)))
     return facts
 
 
 def wrench_text(
-    swarm: Swarm, wrench: NDArray[Any] | Sequence[float], unit: Unit, beside: float = 0.0
+    swarm: Swarm, wrench: NDArray[Any] | Sequence[float], tell: Telling, beside: float = 0.0
 ) -> str:
     """Say what a wrench is, in numbers and in words; beside one of some size [N] it may be none."""
-    x, y, turn = (float(part) for part in wrench)
-    size = size_of(swarm, wrench)
-    if size <= NONE * beside:
+    if size_of(swarm, wrench) <= NONE * beside:
         return "no wrench"
-    length = swarm.characteristic_length
-    parts = [(unit.part(x, size), "along x"), (unit.part(y, size), "along y")]
-    parts.append((unit.part(turn, size * length, " m"), "of torque"))
+    x, y, turn = tell.wrench(np.asarray(wrench).tolist(), swarm.characteristic_length)
+    parts = [(x, "along x"), (y, "along y"), (turn, "of torque")]
     told = [f"{text} {way}" for text, way in parts if not text.startswith("0 ")]
     return f"{', '.join(told)}: {wrench_words(np.asarray(wrench) * swarm.scale)}"
 
@@ -199,19 +202,17 @@ def manner(robot: Robot, direction: float) -> str:
     return ", ".join(words)
 
 
-def _show_robots(report: Report, found: Forces) -> None:
+def _show_robots(report: Report, found: Forces, tell: Telling) -> None:
     """Write the table of robots."""
-    swarm = found.swarm
+    swarm, unit = found.swarm, tell.force
     if not len(swarm):
         return
-    unit = Unit.for_size(*swarm.limits.tolist())
-    own = Unit.for_size(*found.forces.tolist()) if found.vectors.any() else unit
-    lengths = Lengths.for_extent(swarm.outline.extent)
     columns = [
-        Column("robot"),
+        Column(tell.terms.robot),
         *(Column(text, is_number=True) for text in (
-            f"force [{own.name}]", "share", f"limit [{unit.name}]", "to [deg]", "x [m]", "y [m]",
+            f"force [{unit.name}]", "share", f"limit [{unit.name}]", tell.way,
         )),
+        *xy_columns(tell),
         Column("place", is_spare=True),
     ]  # fmt: skip
     if not swarm.has_rays_only:
@@ -221,13 +222,12 @@ def _show_robots(report: Report, found: Forces) -> None:
         part, direction = float(found.shares[index]), float(found.directions[index])
         is_idle = part <= IDLE and robot.least == 0.0 and robot.envelope is None
         said = "" if is_idle else manner(robot, direction)
-        x, y = (lengths.number(v) for v in robot.contact)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
         limit = robot.reverse_limit if "astern" in said else robot.limit
         rows.append([
-            swarm.names[index], own.number(0.0 if is_idle else float(found.forces[index])),
+            swarm.names[index], unit.number(0.0 if is_idle else float(found.forces[index])),
             share(part), unit.number(limit),
-            heading(robot) if is_idle else degrees(direction), x, y,
+            heading(robot, tell) if is_idle else tell.degrees(direction), *tell.xy(robot.contact),
             *([] if swarm.has_rays_only else [said]), where,
         ])  # fmt: skip
     report.blank()

@@ -2,17 +2,20 @@
 
 import math
 
-from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.cli.show.change import telling_of, unit_of
+from swarmgrasp.cli.show.report import Column, Report, metric_note
 from swarmgrasp.simulation.mujoco import Judgement
 from swarmgrasp.swarm import Swarm
-from swarmgrasp.words import Unit, digits, percent
+from swarmgrasp.terms import Terms
+from swarmgrasp.words import digits, percent
 
 
-def show(name: str, swarm: Swarm, found: Judgement) -> None:
+def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
     """Write a judgement for people."""
     report, quality = Report(), found.quality
-    unit = quality.criterion.unit(quality.value)
-    words = quality.criterion.words(swarm)
+    tell = telling_of(terms, swarm, [quality.value])
+    unit = unit_of(quality.criterion, tell)
+    words = quality.criterion.words(swarm, terms.robot)
     held = " ".join(filter(None, [unit.text(quality.value), "is held", words]))
     comma = "," if words else ""
     if found:
@@ -28,20 +31,22 @@ def show(name: str, swarm: Swarm, found: Judgement) -> None:
     ])  # fmt: skip
     report.blank()
     size = max(trial.net for trial in found.trials)
-    force = Unit.for_size(size)
+    force, length = tell.force, tell.length
     columns = [
         Column("of the quality", is_number=True), Column("held"),
-        Column(f"left over [{force.name}]", is_number=True), Column("moved by [m]", is_number=True),
+        Column(f"left over [{force.name}]", is_number=True),
+        Column(f"moved by [{length.name}]", is_number=True),
         Column("turned by [deg]", is_number=True),
     ]  # fmt: skip
     report.table(columns, [
         [
             percent(trial.factor), "yes" if trial.is_held else "no",
-            force.part(trial.net, size).split()[0], f"{trial.distance:.2g}",
+            force.part(trial.net, size).split()[0], f"{trial.distance / length.metres:.2g}",
             f"{math.degrees(trial.turn):.2g}",
         ]
         for trial in found.trials
     ])  # fmt: skip
     report.blank()
     report.note("Left over: force and torque that act on the object at the start, in the metric.")
-    report.note(f"Metric: {swarm.metric_sentence}.")
+    for note in (metric_note(swarm, tell), *tell.notes()):
+        report.note(note)

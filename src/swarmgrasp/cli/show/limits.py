@@ -6,24 +6,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.report import Column, Report
-from swarmgrasp.environment import KNOT
 from swarmgrasp.simulation.limits import Limits
+from swarmgrasp.terms import LENGTHS, SPEEDS, Terms
 
 ROWS = 24
 """Bearings that are told at most."""
-SLOW = 2.0
-"""Speed [m/s] of all winds below which they are told in m/s."""
 
 
-def show(name: str, found: Limits) -> None:
+def show(name: str, found: Limits, terms: Terms) -> None:
     """Write the largest winds held for people."""
     report = Report()
     gusty, static = found.gusty.min(axis=0), found.static
     known = static > 0.0
     report.headline(f"{name}: {_headline(found, gusty, known)}", "good" if known.all() else "bad")
     report.blank()
-    fastest = max(float(static.max()), float(found.steady.max()))
-    unit, scale = ("m/s", 1.0) if fastest < SLOW else ("kn", KNOT)
+    unit, scale = terms.speed, SPEEDS[terms.speed]
+    far = f"{found.within / LENGTHS[terms.length]:.3g} {terms.length}"
     columns = [
         Column("from [deg]", is_number=True),
         *(Column(f"{each} [{unit}]", is_number=True) for each in ("static", "steady", "gusty")),
@@ -47,7 +45,7 @@ def show(name: str, found: Limits) -> None:
         "with sensors that tell the truth.",
         f"Gusty: the mean wind held in {'gusts' if weather != 'none' else 'a steady wind'} with "
         "noisy sensors. Load factor: the load of the static limit over that of the gusty one.",
-        f"Held: within {found.within:.3g} m and {math.degrees(found.within_turn):.3g} deg for "
+        f"Held: within {far} and {math.degrees(found.within_turn):.3g} deg for "
         f"{duration:g} s; short runs flatter. Limits are found to {100 * found.gap:.2g} %.",
         "Bearings: degrees clockwise from the bow, where the wind comes from; 90 is starboard.",
     ):

@@ -2,15 +2,16 @@
 
 from collections.abc import Sequence
 
-from swarmgrasp.cli.show.change import spot
+from swarmgrasp.cli.show.change import spot, spot_columns, telling_of, unit_of
 from swarmgrasp.cli.show.report import ALONG, Column, Report
 from swarmgrasp.placement import Placement
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.force_words import force_words
-from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.swarm.stance import Stance, stance
-from swarmgrasp.words import Lengths, Unit, degrees, percent
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
+from swarmgrasp.words import Unit, percent
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -20,7 +21,7 @@ MOST_TOLD = 12
 """Runners-up of one newcomer that are told."""
 
 
-def show(name: str, answers: Sequence[Placement]) -> None:
+def show(name: str, answers: Sequence[Placement], terms: Terms) -> None:
     """Write the answer for people.
 
     Parameters
@@ -29,21 +30,23 @@ def show(name: str, answers: Sequence[Placement]) -> None:
         The scenario's.
     answers : sequence of Placement
         One newcomer, or several placed one after the other.
+    terms : Terms
+        In which to tell it.
     """
-    report = Report()
-    criterion = answers[0].problem.criterion
-    unit = criterion.unit(answers[-1].quality, answers[-1].upper_bound)
+    report, problem = Report(), answers[0].problem
+    tell = telling_of(terms, problem.swarm, [answers[-1].upper_bound], problem.newcomer)
     if len(answers) == 1:
-        _show_one(report, name, answers[0], unit)
+        _show_one(report, name, answers[0], tell)
     else:
-        _show_sequence(report, name, answers, unit)
-    _show_runners_up(report, answers, unit)
-    report.small_print(answers[0].problem.swarm, ALONG)
+        _show_sequence(report, name, answers, tell)
+    _show_runners_up(report, answers, tell)
+    report.small_print(problem.swarm, tell, ALONG)
 
 
-def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
+def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> None:
     """Tell where one newcomer goes."""
-    robot = answer.robot
+    robot, unit = answer.robot, unit_of(answer.problem.criterion, tell)
+    reason = answer.reason_in(tell.terms)
     if answer.improves:
         best = "best found place" if answer.is_open else "the best place"
         report.headline(f"{name}: {best} for {robot.name}", "good")
@@ -53,11 +56,11 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
         report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
         enough = max(2, answer.problem.fewest - len(answer.problem.swarm))
         why = [
-            ("Why", answer.reason),
+            ("Why", reason),
             (
                 "Suggestion",
                 f"{robot.name} adds nothing now; of all places this one prepares best for the "
-                f"next robot (--robots {enough} goes on from here)",
+                f"next {tell.terms.robot} (--robots {enough} goes on from here)",
             ),
         ]
     placed = _stance(answer)
@@ -66,45 +69,44 @@ def _show_one(report: Report, name: str, answer: Placement, unit: Unit) -> None:
         [
             *why,
             ("Where", _where(answer, placed)),
-            ("", _spot(answer, placed)),
-            *_way(robot, placed),
+            ("", _spot(answer, placed, tell)),
+            *_way(robot, placed, tell),
             (
                 "Quality",
                 _gain(answer.quality_before, answer.quality, unit)
                 if answer.improves
                 else f"stays {unit.text(answer.quality_before)}",
             ),
-            *_kept(answer),
-            *_beside(answer, answer, unit),
+            *_kept(answer, tell),
+            *_beside(answer, answer, tell),
             ("Proven", _sure(answer, unit)),
-            *([("Limit now", answer.reason)] if answer.improves else []),
+            *([("Limit now", reason)] if answer.improves else []),
         ]
     )  # fmt: skip
 
 
-def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit: Unit) -> None:
+def _show_sequence(report: Report, name: str, answers: Sequence[Placement], tell: Telling) -> None:
     """Tell where several newcomers go, one row each."""
     first, last = answers[0], answers[-1]
+    unit = unit_of(first.problem.criterion, tell)
     helps = last.quality > first.quality_before and any(a.improves for a in answers)
     called = first.problem.newcomer.name or "newcomer"
     report.headline(
-        f"{name}: {len(answers)} robots like {called}, one after the other"
+        f"{name}: {tell.terms.robots(len(answers))} like {called}, one after the other"
         + ("" if helps else ": no gain in quality"),
         "good" if helps else "caution",
     )
     report.blank()
     columns = [
-        *(Column(text) for text in ("robot", "place")),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
-        Column("along [m]", is_number=True, is_spare=True),
-        Column("to [deg]", is_number=True),
+        *(Column(text) for text in (tell.terms.robot, "place")),
+        *spot_columns(tell),
         Column(f"quality [{unit.name}]", is_number=True),
         Column("gain", is_number=True),
         Column("off the normal [deg]", is_spare=True),
     ]
     rows = []
     for answer in answers:
-        *figures, off = spot(first.problem.swarm.outline, answer.robot)
+        *figures, off = spot(first.problem.swarm.outline, answer.robot, tell)
         gain = _percent_gain(answer.quality_before, answer.quality) if answer.improves else "none"
         rows.append(
             [answer.robot.name, answer.place, *figures, unit.number(answer.quality), gain, off]
@@ -114,24 +116,24 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], unit
     worst = max(answers, key=lambda a: a.gap if a.quality else 0.0)
     report.facts([
         ("Quality", _gain(first.quality_before, last.quality, unit)),
-        *_beside(first, last, unit),
-        ("Proven", f"for each robot given those before it: {_sure(worst, unit, bound=False)}; "
-                   "other places for all of them together may be better still"),
-        ("Limit now" if last.improves else "Why no more", last.reason),
+        *_beside(first, last, tell),
+        ("Proven", f"for each {tell.terms.robot} given those before it: "
+                   f"{_sure(worst, unit, bound=False)}; other places for all of them together may "
+                   "be better still"),
+        ("Limit now" if last.improves else "Why no more", last.reason_in(tell.terms)),
     ])  # fmt: skip
 
 
-def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -> None:
+def _show_runners_up(report: Report, answers: Sequence[Placement], tell: Telling) -> None:
     """Tell the best robots in other places, for newcomers that help."""
+    unit = unit_of(answers[0].problem.criterion, tell)
     told = [answer for answer in answers if answer.improves and answer.runners_up]
     if not told:
         return
     several = len(answers) > 1
     columns = [
         *([Column("instead of")] if several else []), Column("place"),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
-        Column("along [m]", is_number=True, is_spare=True),
-        Column("to [deg]", is_number=True),
+        *spot_columns(tell),
         Column(f"quality [{unit.name}]", is_number=True),
         Column("of best", is_number=True), Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
@@ -139,14 +141,14 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], unit: Unit) -
     for answer in told:
         more += len(answer.runners_up[MOST_TOLD:])
         for runner in answer.runners_up[:MOST_TOLD]:
-            *figures, off = spot(answer.problem.swarm.outline, runner.robot)
+            *figures, off = spot(answer.problem.swarm.outline, runner.robot, tell)
             instead_of = [answer.robot.name] if several else []
             share = f"{100.0 * runner.quality / answer.quality:.1f} %"
             reached = unit.number(runner.quality)
             rows.append([*instead_of, runner.place, *figures, reached, share, off])
     report.blank()
     best = "best found" if any(answer.is_open for answer in told) else "best"
-    report.headline(f"Next best: the {best} robot on each other edge, side or zone")
+    report.headline(f"Next best: the {best} {tell.terms.robot} on each other edge, side or zone")
     report.table(columns, rows)
     if more:
         report.note(f"... and {more} more; --json has them all.")
@@ -164,24 +166,22 @@ def _where(answer: Placement, placed: Stance) -> str:
     )
 
 
-def _spot(answer: Placement, placed: Stance) -> str:
+def _spot(answer: Placement, placed: Stance, tell: Telling) -> str:
     """Return the contact."""
-    lengths = Lengths.for_extent(answer.problem.swarm.outline.extent)
-    point = lengths.point(answer.robot.contact)
+    point = tell.point(answer.robot.contact)
     if placed.arc_length is None:
         return f"contact {point}"
-    return f"contact {point}, {lengths.number(placed.arc_length)} m along the outline"
+    return f"contact {point}, {tell.length.text(placed.arc_length)} along the outline"
 
 
-def _way(robot: Robot, placed: Stance) -> list[tuple[str, str]]:
+def _way(robot: Robot, placed: Stance, tell: Telling) -> list[tuple[str, str]]:
     """Return as facts which way a robot pushes and how hard."""
     way = f": {placed.way}" if placed.way else ""
     if not robot.is_ray:
-        return [("Force", f"{force_words(robot)}{way}")]
-    limit = Unit.for_size(robot.limit).text(robot.limit)
+        return [("Force", f"{force_words(robot, tell)}{way}")]
     return [
-        ("Direction", f"{degrees(robot.direction)} deg{way}"),
-        ("Force", f"{limit}, its limit"),
+        ("Direction", f"{tell.direction(robot.direction)}{way}"),
+        ("Force", f"{tell.force.text(robot.limit)}, its limit"),
     ]
 
 
@@ -193,33 +193,29 @@ def _gain(before: float, after: float, unit: Unit) -> str:
     return f"{change} ({_percent_gain(before, after)})"
 
 
-def _kept(answer: Placement) -> list[tuple[str, str]]:
+def _kept(answer: Placement, tell: Telling) -> list[tuple[str, str]]:
     """Tell the sectors that robots with gaps between theirs keep."""
     if answer.choice is None:
         return []
     each = answer.choice.sectors.items()
-    kept = "; ".join(f"{name} {sector_words(sector)}" for name, sector in each)
-    return [("Sectors kept", f"{kept}; robots may change sectors, which is not counted")]
+    kept = "; ".join(f"{name} {tell.sector(sector)}" for name, sector in each)
+    return [
+        ("Sectors kept", f"{kept}; {tell.terms.several} may change sectors, which is not counted")
+    ]
 
 
-def _beside(first: Placement, last: Placement, unit: Unit) -> list[tuple[str, str]]:
+def _beside(first: Placement, last: Placement, tell: Telling) -> list[tuple[str, str]]:
     """Say by what criterion the quality is meant, and how it changes as things stand."""
     criterion = first.problem.criterion
-    words = criterion.words(first.problem.swarm)
+    words = criterion.words(first.problem.swarm, tell.terms.robot)
     facts = [("", words)] if words else []
     if criterion.is_of_worst:
         before, after = (
             quality(swarm, load=criterion.load, task=criterion.task).value
             for swarm in (first.problem.swarm, last.swarm_after)
         )
-        own = criterion.unit(before, after)
-        facts.append(("As it stands", _gain(before, after, max(unit, own, key=_size))))
+        facts.append(("As it stands", _gain(before, after, unit_of(criterion, tell))))
     return facts
-
-
-def _size(unit: Unit) -> float:
-    """Return the size of a unit [N]."""
-    return unit.newtons
 
 
 def _percent_gain(before: float, after: float) -> str:

@@ -1,9 +1,8 @@
 """How `swarmgrasp quality` tells its answer."""
 
-import math
 from collections.abc import Sequence
 
-from swarmgrasp.cli.show.change import spot
+from swarmgrasp.cli.show.change import spot, telling_of, unit_of, xy_columns
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.cli.show.sensitivities import show_sensitivities
 from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities
@@ -11,44 +10,50 @@ from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.force_words import force_words
-from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.swarm.stance import stance
-from swarmgrasp.words import Unit, list_words, machine_words, percent
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
+from swarmgrasp.words import Unit, list_words, percent
 
 EQUAL = 1e-9
 """Relative difference of two qualities that is none."""
 
 
 def show(
-    scenario: Scenario, found: Quality, lost: Sequence[Loss], slopes: Sensitivities | None = None
+    scenario: Scenario,
+    found: Quality,
+    lost: Sequence[Loss],
+    slopes: Sensitivities | None,
+    terms: Terms,
 ) -> None:
     """Write a quality for people."""
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
-    unit = criterion.unit(found.upper_bound or max((r.limit for r in swarm.robots), default=0.0))
-    words = criterion.words(swarm)
+    tell = telling_of(terms, swarm, [found.upper_bound])
+    unit = unit_of(criterion, tell)
+    words = criterion.words(swarm, terms.robot)
     report.headline(
         f"{scenario.name}: quality {_told(found, unit)} {words}".rstrip(),
         "good" if max(found.value, found.bound) > found.noise else "bad",
     )
     report.blank()
     facts = [
-        *_kept(found, unit),
-        *_beside(swarm, found, lost, unit),
+        *_kept(found, tell),
+        *_beside(swarm, found, lost, tell),
         ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
         *_noise(found, unit),
-        *_weakest(swarm, found),
+        *_weakest(swarm, found, tell),
     ]
     if len(swarm) and criterion.is_nominal:
-        facts.append(_efficiency(swarm, found, unit))
+        facts.append(_efficiency(swarm, found, tell))
     report.facts(facts)
     if lost:
-        _show_losses(report, swarm, lost, unit)
+        _show_losses(report, swarm, lost, tell, unit)
     if criterion.worst_case:
-        _show_robots(report, found.worst_swarm, "The worst poses")
-    _show_robots(report, swarm, _title(criterion))
+        _show_robots(report, found.worst_swarm, "The worst poses", tell)
+    _show_robots(report, swarm, _title(criterion, tell), tell)
     if slopes is not None:
-        show_sensitivities(report, slopes, unit)
-    report.small_print(swarm)
+        show_sensitivities(report, slopes, tell)
+    report.small_print(swarm, tell)
 
 
 def _told(found: Quality, unit: Unit) -> str:
@@ -58,16 +63,17 @@ def _told(found: Quality, unit: Unit) -> str:
     return f"{unit.number(found.bound)} to {unit.text(found.upper_bound)}"
 
 
-def _kept(found: Quality, unit: Unit) -> list[tuple[str, str]]:
+def _kept(found: Quality, tell: Telling) -> list[tuple[str, str]]:
     """Tell the sectors that robots with gaps between theirs keep, and what changing them may do."""
     if found.choice is None:
         return []
-    kept = "; ".join(f"{name} {sector_words(at)}" for name, at in found.choice.sectors.items())
+    unit, robots = unit_of(found.criterion, tell), tell.terms.several
+    kept = "; ".join(f"{name} {tell.sector(at)}" for name, at in found.choice.sectors.items())
     known = "the best choice" if found.choice.is_best else "the best choice found"
     least, most = unit.text(found.bound), unit.text(found.upper_bound)
     return [
         ("Sectors kept", f"{kept}: {known}, which has {unit.text(found.value)}"),
-        ("Changing them", f"from {least} to {most}, as robots may change between sectors"),
+        ("Changing them", f"from {least} to {most}, as {robots} may change between sectors"),
     ]
 
 
@@ -87,14 +93,15 @@ def _noise(found: Quality, unit: Unit) -> list[tuple[str, str]]:
     return [("", f"{decimals} to {unit.text(found.noise)} only")]
 
 
-def _title(criterion: Criterion) -> str:
+def _title(criterion: Criterion, tell: Telling) -> str:
     """Return the title of the robots' table, which other tables may stand before."""
+    robots = f"The {tell.terms.several}"
     if criterion.worst_case:
-        return "The robots as they are meant to be"
-    return "The robots" if criterion.losing or criterion.failures else ""
+        return f"{robots} as they are meant to be"
+    return robots if criterion.losing or criterion.failures else ""
 
 
-def _efficiency(swarm: Swarm, found: Quality, unit: Unit) -> tuple[str, str]:
+def _efficiency(swarm: Swarm, found: Quality, tell: Telling) -> tuple[str, str]:
     """Tell how much of what the limits allow is reached."""
     weighted = "" if swarm.force_weights == (1.0, 1.0) else "weighted "
     what = f"the {weighted}sum of the limits / pi"
@@ -102,8 +109,8 @@ def _efficiency(swarm: Swarm, found: Quality, unit: Unit) -> tuple[str, str]:
         what = f"the {weighted}mean of their forces over all directions"
     return (
         "Efficiency",
-        f"{percent(found.efficiency)} of {unit.text(found.ceiling)}, {what}, which these robots "
-        "could not exceed wherever they were",
+        f"{percent(found.efficiency)} of {tell.force.text(found.ceiling)}, {what}, which these "
+        f"{tell.terms.several} could not exceed wherever they were",
     )
 
 
@@ -120,13 +127,14 @@ def _worst_loss(found: Quality, lost: Sequence[Loss]) -> str:
 
 
 def _beside(
-    swarm: Swarm, found: Quality, lost: Sequence[Loss], unit: Unit
+    swarm: Swarm, found: Quality, lost: Sequence[Loss], tell: Telling
 ) -> list[tuple[str, str]]:
     """Tell what else the swarm can do, and who is lost, by a criterion."""
     criterion = found.criterion
     if criterion.is_nominal:
         return []
     plain = quality_of(swarm, load=criterion.load, task=criterion.task).value
+    unit = unit_of(criterion, tell)
     facts = []
     if criterion.is_of_worst:
         facts.append(("As it stands", unit.text(plain)))
@@ -140,11 +148,13 @@ def _beside(
     if criterion.worst_case and absent:
         facts.append(("Absent", ", ".join(absent)))
     if criterion.has_load:
-        facts.append(("Load", f"{_parts(swarm, criterion.load)} of torque on the object"))
+        facts.append(("Load", f"{_parts(swarm, criterion.load, tell)} of torque on the object"))
     return facts
 
 
-def _show_losses(report: Report, swarm: Swarm, lost: Sequence[Loss], unit: Unit) -> None:
+def _show_losses(
+    report: Report, swarm: Swarm, lost: Sequence[Loss], tell: Telling, unit: Unit
+) -> None:
     """Write the table of what the loss of each robot, or group, leaves."""
     columns = [
         Column("without"),
@@ -162,59 +172,58 @@ def _show_losses(report: Report, swarm: Swarm, lost: Sequence[Loss], unit: Unit)
         for loss in lost
     ]
     report.blank()
-    report.headline(f"What the loss of each {machine_words(1, bool(swarm.rare.groups))} leaves")
+    report.headline(f"What the loss of each {tell.machines(1, bool(swarm.rare.groups))} leaves")
     report.table(columns, rows)
 
 
-def _parts(swarm: Swarm, wrench: Sequence[float]) -> str:
+def _parts(swarm: Swarm, wrench: Sequence[float], tell: Telling) -> str:
     """Return the parts of a wrench [N, N, N m] in words, the torque last."""
-    length = swarm.characteristic_length
-    fx, fy, tz = wrench
-    x, y, turn = Unit.for_size(math.hypot(fx, fy, tz / length)).wrench(wrench, length)
+    x, y, turn = tell.wrench(wrench, swarm.characteristic_length)
     return f"{x} along x, {y} along y and {turn}"
 
 
-def _weakest(swarm: Swarm, found: Quality) -> list[tuple[str, str]]:
+def _weakest(swarm: Swarm, found: Quality, tell: Telling) -> list[tuple[str, str]]:
     """Tell the weakest wrench and the robots that define it."""
     if not len(swarm):
-        return [("Weakest", "there are no robots")]
+        return [("Weakest", f"there are no {tell.terms.several}")]
+    robots = f"the {tell.terms.several}"
 
     words = found.weakest_words + (", keeping these sectors" if found.choice is not None else "")
     if found.value > 0.0:
-        who = "robots and load come to" if found.criterion.has_load else "the robots exert"
-        told = _parts(swarm, found.weakest_wrench.tolist())
+        who = f"{robots} and load come to" if found.criterion.has_load else f"{robots} exert"
+        told = _parts(swarm, found.weakest_wrench.tolist(), tell)
         facts = [("Weakest wrench", words), ("", f"{who} at most {told} of torque at once")]
     elif found.criterion.has_load and found.is_force_closure:
-        facts = [("Weakest wrench", f"{words}: the robots do not hold the load there")]
+        facts = [("Weakest wrench", f"{words}: {robots} do not hold the load there")]
     else:
-        facts = [("Weakest wrench", f"{words}: the robots exert nothing that way")]
+        facts = [("Weakest wrench", f"{words}: {robots} exert nothing that way")]
     if len(found.facet_robots) > 1:
         names = ", ".join(found.facet_robots)
         facts.append(("Set by", f"{names}: their wrenches span the weakest facet"))
     return facts
 
 
-def _show_robots(report: Report, swarm: Swarm, title: str) -> None:
+def _show_robots(report: Report, swarm: Swarm, title: str, tell: Telling) -> None:
     """Write a table of robots."""
     if not len(swarm):
         return
 
-    unit = Unit.for_size(*(robot.limit for robot in swarm.robots))
+    unit = tell.force
     has_forces, has_groups = not swarm.has_rays_only, bool(swarm.rare.groups)
-    to = [Column("to [deg]", is_number=True), Column(f"limit [{unit.name}]", is_number=True)]
+    to = [Column(tell.way, is_number=True), Column(f"limit [{unit.name}]", is_number=True)]
     columns = [
-        Column("robot"),
-        *(Column(text, is_number=True) for text in ("x [m]", "y [m]")),
+        Column(tell.terms.robot),
+        *xy_columns(tell),
         *([Column("forces")] if has_forces else to),
         *([Column("group")] if has_groups else []), Column("place"),
         Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
     rows = []
     for robot in swarm:
-        x, y, _, to_deg, off = spot(swarm.outline, robot)
+        x, y, _, to_deg, off = spot(swarm.outline, robot, tell)
         rows.append([
             robot.name, x, y,
-            *([force_words(robot, unit)] if has_forces else [to_deg, unit.number(robot.limit)]),
+            *([force_words(robot, tell)] if has_forces else [to_deg, unit.number(robot.limit)]),
             *([robot.group] if has_groups else []), stance(swarm.outline, robot).where, off,
         ])  # fmt: skip
     report.blank()

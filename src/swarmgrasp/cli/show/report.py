@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from swarmgrasp.swarm import Swarm
+    from swarmgrasp.telling import Telling
 
 Mood = Literal["", "good", "caution", "bad"]
 STYLES: dict[Mood, str] = {
@@ -19,10 +20,6 @@ STYLES: dict[Mood, str] = {
     "bad": "bold red",
 }
 GAP = "  "
-NOTES = (
-    "Units: SI with degrees, whatever the file's; x and y in the file's frame.",
-    "Directions: degrees counter-clockwise from +x, the way the force acts on the object.",
-)
 ALONG = "Along the outline: counter-clockwise from its first vertex."
 
 
@@ -99,10 +96,10 @@ class Report:
         """Write an empty line."""
         self.sentence("")
 
-    def small_print(self, swarm: "Swarm", *notes: str) -> None:
+    def small_print(self, swarm: "Swarm", tell: "Telling", *notes: str) -> None:
         """Write what the numbers mean, after an empty line."""
         self.blank()
-        for note in (f"Metric: {swarm.metric_sentence}.", *NOTES, *notes):
+        for note in (metric_note(swarm, tell), *tell.notes(), *notes):
             self.note(note)
 
     def facts(self, rows: Sequence[tuple[str, str]]) -> None:
@@ -153,7 +150,7 @@ class Report:
         spare = [index for index in reversed(kept) if columns[index].is_spare]
         numbers = [index for index in kept if columns[index].is_number and index not in spare]
         for index in spare + numbers:
-            x_is_gone = columns[index].name == "y [m]" and index - 1 not in kept
+            x_is_gone = columns[index].name.startswith("y [") and index - 1 not in kept
             if x_is_gone or sum(widths[i] for i in kept) - len(GAP) > room:
                 kept.remove(index)
         return kept
@@ -168,6 +165,16 @@ class Report:
                 for cell, width, right in zip(row, widths, is_number, strict=True)
             ]
             print(GAP.join(cells).rstrip())
+
+
+def metric_note(swarm: "Swarm", tell: "Telling") -> str:
+    """Say by what metric wrenches are compared."""
+    a1, a2 = swarm.force_weights
+    length = swarm.characteristic_length / tell.length.metres
+    return (
+        f"Metric: force weights {a1:g} and {a2:g}, characteristic length {length:.6g} "
+        f"{tell.length.name}."
+    )
 
 
 def told_written(paths: Iterable[str | Path], *, aside: bool = False) -> None:

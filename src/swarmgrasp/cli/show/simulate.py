@@ -1,39 +1,52 @@
 """How `swarmgrasp simulate` tells its answer."""
 
 import math
+from dataclasses import replace
 
-from swarmgrasp.cli.show.report import Column, Mood, Report
-from swarmgrasp.environment import KNOT
+from swarmgrasp.cli.show.change import telling_of
+from swarmgrasp.cli.show.report import Column, Mood, Report, metric_note
 from swarmgrasp.simulation.run import Happening, Run
 from swarmgrasp.simulation.verdict import Circle, Verdict
-from swarmgrasp.words import Unit, digits, percent
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
+from swarmgrasp.words import digits, percent
 
-SLOW = 2.0
-"""Speed [m/s] below which knots are not told."""
 AFTER = ("lost", "left", "weather", "start")
 """Kinds of happenings after which the load may be out of reach."""
 
 
-def show(name: str, run: Run, verdict: Verdict) -> None:
+def show(name: str, run: Run, verdict: Verdict, terms: Terms) -> None:
     """Write a run for people."""
-    report = Report()
-    report.headline(f"{name}: {_headline(run, verdict)}", _mood(run, verdict))
+    report, swarm = Report(), run.simulation.problem.swarm
+    tell = _telling(run, verdict, terms)
+    report.headline(f"{name}: {_headline(run, verdict, tell)}", _mood(run, verdict))
     report.blank()
-    report.facts(_facts(run, verdict))
+    report.facts(_facts(run, verdict, tell))
     report.blank()
-    _show_happenings(report, run, verdict)
+    _show_happenings(report, run, verdict, tell)
     report.blank()
-    limits = f"{verdict.within:.3g} m or {math.degrees(verdict.within_turn):.3g} deg"
+    far = f"{verdict.within / tell.length.metres:.3g} {terms.length}"
+    limits = f"{far} or {math.degrees(verdict.within_turn):.3g} deg"
     for note in (
         f"Held: never off by more than {limits}. Off by, turned: the largest until the next line, "
         "and what 95 % of the time is within.",
-        "Margin: what the robots can exert in any direction beside the mean load; below 0, how far "
-        f"that is out of reach; {run.simulation.problem.swarm.metric_sentence}.",
+        f"Margin: what the {terms.several} can exert in any direction beside the mean load; below "
+        "0, how far that is out of reach.",
         f"Foretold: how long the missing part of the mean load takes to move the object {limits}.",
         "Bearings: degrees clockwise from the bow at the start; 90 is starboard.",
-        "The loads are those of the environment: this tries robots and control, no coefficients.",
+        f"The loads are those of the environment: this tries {terms.several} and control, no "
+        "coefficients.",
+        metric_note(swarm, tell),
+        tell.notes()[0],
     ):
         report.note(note)
+
+
+def _telling(run: Run, verdict: Verdict, terms: Terms) -> Telling:
+    """Choose how to tell a run: three digits are enough."""
+    sizes = [at.margin + at.shortfall for at in run.happenings] + [float(verdict.spreads[0])]
+    tell = telling_of(terms, run.simulation.problem.swarm, sizes)
+    return replace(tell, force=replace(tell.force, figures=3))
 
 
 def _mood(run: Run, verdict: Verdict) -> Mood:
@@ -43,12 +56,12 @@ def _mood(run: Run, verdict: Verdict) -> Mood:
     return "good" if run.is_whole else "caution"
 
 
-def _headline(run: Run, verdict: Verdict) -> str:
+def _headline(run: Run, verdict: Verdict, tell: Telling) -> str:
     """Say whether the object was held, and within what."""
     end = float(run.times[-1])
     far = max(float(c.distance[0]) for c in verdict.circles)
     turned = max(float(c.turn[0]) for c in verdict.circles)
-    within = f"{_metres(far)} and {_degrees(turned)}"
+    within = f"{_far(far, tell)} and {_degrees(turned)}"
     whole = (
         f"for {end:g} s"
         if run.is_whole
@@ -60,9 +73,11 @@ def _headline(run: Run, verdict: Verdict) -> str:
     cause = [h for h in run.happenings if h.time <= at and h.kind in AFTER][-1]
     since = f", {at - cause.time:.3g} s after {_cause(cause)}" if cause.kind != "start" else ""
     if cause.shortfall:
-        since += f", {Unit.for_size(cause.shortfall, figures=3).text(cause.shortfall)} out of reach"
+        since += f", {tell.force.text(cause.shortfall)} out of reach"
     off = run.poses[0, -1].astype(float) - run.references[-1]
-    now = f"{_metres(math.hypot(off[0], off[1]))} and {_degrees(math.remainder(off[2], math.tau))}"
+    now = (
+        f"{_far(math.hypot(off[0], off[1]), tell)} and {_degrees(math.remainder(off[2], math.tau))}"
+    )
     later = f"; off by {within} at most, {now} at {end:g} s"
     stopped = "" if run.is_whole else f"; stopped at {end:g} of {run.simulation.duration:g} s"
     return f"not held from {at:.4g} s on{since}{later}{stopped}"
@@ -74,11 +89,9 @@ def _cause(at: Happening) -> str:
     return f"{at.robot} {words[at.kind]}" if at.kind in words else "the weather changes"
 
 
-def _facts(run: Run, verdict: Verdict) -> list[tuple[str, str]]:
+def _facts(run: Run, verdict: Verdict, tell: Telling) -> list[tuple[str, str]]:
     """Tell the weather that acts, the margin, and what the robots do."""
-    start = run.happenings[0]
-    sizes = [at.margin for at in run.happenings] + [float(verdict.spreads[0])]
-    unit = Unit.for_size(*sizes, figures=3)
+    start, unit = run.happenings[0], tell.force
     margin = f"{unit.text(start.margin)} beside the mean load at the start"
     if start.shortfall:
         margin = f"none: the mean load is out of reach by {unit.text(start.shortfall)}"
@@ -89,8 +102,8 @@ def _facts(run: Run, verdict: Verdict) -> list[tuple[str, str]]:
         )
     share, use = float(verdict.largest_share[0]), float(verdict.use[0])
     facts = [
-        ("Wind", _wind_words(run)),
-        ("Current", _current_words(run)),
+        ("Wind", _wind_words(run, tell)),
+        ("Current", _current_words(run, tell)),
         ("Margin", margin),
         (
             "Thrust",
@@ -106,33 +119,26 @@ def _facts(run: Run, verdict: Verdict) -> list[tuple[str, str]]:
     return facts
 
 
-def _speed(speed: float) -> str:
-    """Return a speed [m/s] as text."""
-    if speed < SLOW:
-        return f"{speed:.3g} m/s"
-    return f"{speed / KNOT:.3g} kn ({speed:.3g} m/s)"
-
-
-def _wind_words(run: Run) -> str:
+def _wind_words(run: Run, tell: Telling) -> str:
     """Tell the wind that acts, and how much it varies."""
     asked = run.simulation
     spread = float(run.gusts[0])
-    gusts = f", gusts of standard deviation {_speed(spread)}" if spread else ", no gusts"
+    gusts = f", gusts of standard deviation {tell.speed(spread)}" if spread else ", no gusts"
     wind = asked.environment.wind
     if asked.weather.series is None and wind.speed is not None:
         if not wind.speed:
             return "none at the start"
         bearing = math.degrees(wind.bearing or 0.0) % 360.0
-        return f"{_speed(wind.speed)} from {round(bearing, 1):g} deg{gusts}"
+        return f"{tell.speed(wind.speed)} from {round(bearing, 1):g} deg{gusts}"
     x, y = run.streams[0, :, :2].astype(float).mean(axis=0).tolist()
-    return f"a series, at the mean {_speed(math.hypot(x, y))} from {_bearing(x, y)} deg{gusts}"
+    return f"a series, at the mean {tell.speed(math.hypot(x, y))} from {_bearing(x, y)} deg{gusts}"
 
 
-def _current_words(run: Run) -> str:
+def _current_words(run: Run, tell: Telling) -> str:
     """Tell the current that acts."""
     x, y = run.streams[0, :, 2:].astype(float).mean(axis=0).tolist()
     speed = math.hypot(x, y)
-    return f"{_speed(speed)} from {_bearing(x, y)} deg" if speed else "none"
+    return f"{tell.speed(speed)} from {_bearing(x, y)} deg" if speed else "none"
 
 
 def _bearing(x: float, y: float) -> str:
@@ -140,15 +146,14 @@ def _bearing(x: float, y: float) -> str:
     return f"{round(math.degrees(math.atan2(y, -x)) % 360.0, 1) % 360.0:g}"
 
 
-def _show_happenings(report: Report, run: Run, verdict: Verdict) -> None:
+def _show_happenings(report: Report, run: Run, verdict: Verdict, tell: Telling) -> None:
     """Write the table of what happened."""
-    sizes = [at.margin + at.shortfall for at in run.happenings]
-    unit = Unit.for_size(*sizes, figures=3)
+    unit = tell.force
     columns = [
         Column("at [s]", is_number=True),
         Column("what happens"),
         Column(f"margin [{unit.name}]", is_number=True),
-        Column("off by [m]", is_number=True),
+        Column(f"off by [{tell.length.name}]", is_number=True),
         Column("95 %", is_number=True, is_spare=True),
         Column("turned [deg]", is_number=True),
         Column("95 %", is_number=True, is_spare=True),
@@ -162,21 +167,22 @@ def _show_happenings(report: Report, run: Run, verdict: Verdict) -> None:
                 f"{at.time:.4g}",
                 at.words,
                 unit.number(at.margin - at.shortfall),
-                *_circle(circle),
+                *_circle(circle, tell),
                 *_leaving(run, verdict, i),
             ]
         )
     report.table(columns, rows)
 
 
-def _circle(circle: Circle) -> list[str]:
+def _circle(circle: Circle, tell: Telling) -> list[str]:
     """Tell a watch circle."""
     found = []
     for largest, usual in (
         (circle.distance, circle.usual_distance),
         (circle.turn, circle.usual_turn),
     ):
-        scale = 1.0 if largest is circle.distance else math.degrees(1.0)
+        is_far = largest is circle.distance
+        scale = 1.0 / tell.length.metres if is_far else math.degrees(1.0)
         pair = [scale * float(largest[0]), scale * float(usual[0])]
         found += [digits(value, max(pair[0], 1e-9), 3) for value in pair]
     return found
@@ -193,9 +199,10 @@ def _leaving(run: Run, verdict: Verdict, i: int) -> list[str]:
     return [gone, f"{foretold:.3g}" if math.isfinite(foretold) else "never"]
 
 
-def _metres(distance: float) -> str:
-    """Return a distance to two digits."""
-    return f"{digits(distance, max(distance, 1e-3), 2)} m"
+def _far(distance: float, tell: Telling) -> str:
+    """Return a distance [m] to two digits."""
+    value = distance / tell.length.metres
+    return f"{digits(value, max(value, 1e-3), 2)} {tell.length.name}"
 
 
 def _degrees(turn: float) -> str:

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.forces import IDLE, share, share_words, size_of, wrench_text
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.forces import ForcesAlong
-from swarmgrasp.words import Unit
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
 
 MOST_TOLD = 20
 """Wrenches of a table that are listed."""
@@ -37,11 +39,11 @@ def table_text(found: ForcesAlong) -> str:
     return out.getvalue()
 
 
-def show(name: str, found: ForcesAlong, lines: Sequence[int]) -> None:
+def show(name: str, found: ForcesAlong, lines: Sequence[int], terms: Terms) -> None:
     """Write the forces for many wrenches for people."""
     report, swarm = Report(), found.swarm
     sizes = [size_of(swarm, wanted) for wanted in found.wanted]
-    unit = Unit.for_size(*sizes)
+    tell = telling_of(terms, swarm, sizes)
     missed = [i for i, is_degraded in enumerate(found.is_degraded) if is_degraded]
     many = f"{len(found)} wrench{'es' if len(found) > 1 else ''}"
     if missed:
@@ -50,22 +52,22 @@ def show(name: str, found: ForcesAlong, lines: Sequence[int]) -> None:
         top = share(float(found.largest_shares.max(initial=0.0)))
         report.headline(f"{name}: {many}, all made, with shares up to {top}", "good")
     report.blank()
-    report.facts(_facts(found, lines, missed, unit))
-    _show_robots(report, found, lines)
-    _show_wrenches(report, found, lines, unit)
-    report.small_print(swarm, share_words(swarm))
+    report.facts(_facts(found, lines, missed, tell))
+    _show_robots(report, found, lines, tell)
+    _show_wrenches(report, found, lines, tell)
+    report.small_print(swarm, tell, share_words(swarm, terms))
 
 
 def _facts(
-    found: ForcesAlong, lines: Sequence[int], missed: Sequence[int], unit: Unit
+    found: ForcesAlong, lines: Sequence[int], missed: Sequence[int], tell: Telling
 ) -> list[tuple[str, str]]:
     """Tell which wrench is hardest, and which are out of reach."""
     facts = []
     if found.load.any():
-        facts.append(("Load", f"{wrench_text(found.swarm, found.load, unit)}, by the environment"))
+        facts.append(("Load", f"{wrench_text(found.swarm, found.load, tell)}, by the environment"))
     if missed:
         worst = int(found.shortfalls.argmax())
-        short = unit.text(float(found.shortfalls[worst]))
+        short = tell.force.text(float(found.shortfalls[worst]))
         facts.append(("Out of reach", f"{_ranges([lines[i] for i in missed])} of the table"))
         facts.append(("Worst", f"line {lines[worst]}, short by {short} in the metric"))
         return facts
@@ -94,14 +96,13 @@ def _ranges(lines: Sequence[int]) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(told)}{more}"
 
 
-def _show_robots(report: Report, found: ForcesAlong, lines: Sequence[int]) -> None:
+def _show_robots(report: Report, found: ForcesAlong, lines: Sequence[int], tell: Telling) -> None:
     """Write the table of what each robot does at most."""
-    swarm = found.swarm
+    swarm, unit = found.swarm, tell.force
     if not len(swarm):
         return
-    unit = Unit.for_size(*swarm.limits.tolist())
     columns = [
-        Column("robot"),
+        Column(tell.terms.robot),
         *(Column(text, is_number=True) for text in (
             f"largest force [{unit.name}]", "share", "at line", "mean share",
         )),
@@ -120,9 +121,9 @@ def _show_robots(report: Report, found: ForcesAlong, lines: Sequence[int]) -> No
     report.table(columns, rows)
 
 
-def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], unit: Unit) -> None:
+def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], tell: Telling) -> None:
     """Write the table of the wrenches, or of the hardest."""
-    swarm, torques = found.swarm, f"tz [{unit.name} m]"
+    swarm, unit, torques = found.swarm, tell.force, f"tz [{tell.force.torque}]"
     columns = [
         Column(text, is_number=True)
         for text in (
@@ -133,10 +134,8 @@ def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], uni
     order = np.lexsort((-found.largest_shares, -found.shortfalls))[:MOST_TOLD]
     rows = []
     for i in sorted(order.tolist()):
-        size = size_of(swarm, found.wanted[i])
-        wholes = (size, size, size * swarm.characteristic_length)
-        parts = zip(found.wanted[i].tolist(), wholes, strict=True)
-        numbers = [unit.number(0.0 if abs(v) < 1e-4 * whole else v) for v, whole in parts]
+        parts = tell.wrench(found.wanted[i].tolist(), swarm.characteristic_length)
+        numbers = [part.split()[0] for part in parts]
         short = float(found.shortfalls[i])
         largest = share(float(found.largest_shares[i]))
         rows.append([str(lines[i]), *numbers, largest, unit.number(short) if short else ""])

@@ -18,6 +18,7 @@ from swarmgrasp.placement.together.place import (
 from swarmgrasp.plain import Answer, picked
 from swarmgrasp.ranges import count_faults, number, shown
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.terms import SI, Terms
 
 MOST = 20
 """Robots tried unless told otherwise."""
@@ -88,19 +89,24 @@ class HowMany(Frozen, Answer):
     @property
     def reason(self) -> str:
         """How sure the number is, in words."""
+        return self.reason_in(SI)
+
+    def reason_in(self, terms: Terms) -> str:
+        """Return the same in other terms than ours."""
+        some = terms.robots
         if self.count == 0:
             return "the swarm has that quality already"
         if self.count is None and self.is_proven:
-            return f"{_robots(self.most)} cannot reach it, wherever they attach"
-        least = f"no fewer than {_robots(self.at_least)} can, wherever they attach"
+            return f"{some(self.most)} cannot reach it, wherever they attach"
+        least = f"no fewer than {some(self.at_least)} can, wherever they attach"
         if self.count is None:
-            return f"no places for up to {_robots(self.most)} that reach it were found; {least}"
+            return f"no places for up to {some(self.most)} that reach it were found; {least}"
         if self.is_proven:
             fewer = self.count - 1
-            return f"{_robots(self.count)} can, {fewer or 'none'} cannot, wherever they attach"
+            return f"{some(self.count)} can, {fewer or 'none'} cannot, wherever they attach"
         last = self.count - 1
         open_ = f"{last}" if self.at_least == last else f"{self.at_least} to {last}"
-        return f"{_robots(self.count)} can; {least}; whether {open_} can is not settled"
+        return f"{some(self.count)} can; {least}; whether {open_} can is not settled"
 
 
 def how_many(
@@ -233,8 +239,3 @@ class _Count:
                 return count
             problem = problem.with_swarm(answer.swarm_after)
         return self.most + 1
-
-
-def _robots(count: int) -> str:
-    """Return a number of robots in words."""
-    return f"{count} robot{'s' if count != 1 else ''}"

@@ -17,6 +17,7 @@ from swarmgrasp.ranges import gap_faults
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 from swarmgrasp.swarm.robot import RIGHT_ANGLE
 from swarmgrasp.swarm.swarm import check_gaps
+from swarmgrasp.terms import SI, Terms
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,11 +177,16 @@ class Move(Frozen, Answer):
     @property
     def reason(self) -> str:
         """What the best move does, in words."""
+        return self.reason_in(SI)
+
+    def reason_in(self, terms: Terms) -> str:
+        """Return the same in other terms than ours."""
         best, swarm, weakest = self.best, self.problem.swarm, self.before.weakest_words
         if not self.improves:
             if self._is_open:
                 return f"no move was found that raises what is weakest, {weakest}"
-            return f"no robot alone can raise what is weakest, {weakest}, by moving: leave them"
+            alone = f"no {terms.robot} alone can raise what is weakest"
+            return f"{alone}, {weakest}, by moving: leave them"
         after = self.problem.criterion.weakest_words(swarm, best.placement.after.normal)
         away = (
             "nothing is held in some directions" if best.quality_without == 0.0 else "less is held"

@@ -21,6 +21,7 @@ from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import call_faults, count_faults, gap_faults
 from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.terms import SI, Terms
 
 GAP = 1e-3
 """Difference between bound and quality, relative to the quality, at which a search ends."""
@@ -116,6 +117,10 @@ class Together(Frozen, Answer):
     @property
     def reason(self) -> str:
         """What limits the answer, in words."""
+        return self.reason_in(SI)
+
+    def reason_in(self, terms: Terms) -> str:
+        """Return the same in other terms than ours."""
         criterion = self.problem.criterion
         weakest = criterion.weakest_words(self.problem.swarm, self.after.normal)
         if self.improves:
@@ -123,8 +128,9 @@ class Together(Frozen, Answer):
         robots = len(self.problem.swarm) + len(self.robots)
         fewest = self.problem.fewest
         if self.upper_bound == 0.0 and robots < fewest:
-            return too_few_words(fewest, criterion.losing, robots, "these")
-        many = f"{len(self.robots)} such robots" if len(self.robots) > 1 else "such robot"
+            return too_few_words(fewest, criterion.losing, robots, "these", terms)
+        count = len(self.robots)
+        many = f"{count} such {terms.several}" if count > 1 else f"such {terms.robot}"
         if self.upper_bound == 0.0:
             return f"no {many} can give the swarm any quality, wherever they are: place more"
         if self.is_optimal():
