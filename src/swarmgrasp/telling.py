@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-from swarmgrasp.terms import FORCES, LENGTHS, SI, SPEEDS, Frame, Terms
+from swarmgrasp.terms import SI, Frame, Terms
+from swarmgrasp.units import FORCES, LENGTHS, SPEEDS
 from swarmgrasp.words import Lengths, Unit, digits, machine_words, turned
 
 SPELT: Final = {"tf": "tonne-force (tf)", "kn": "knots", "ft": "feet", "in": "inches"}
@@ -64,7 +65,7 @@ class Telling:
 
     # -- quantities ------------------------------------------------------------------------
 
-    def areas(self, square_metres: float) -> str:
+    def area(self, square_metres: float) -> str:
         """Return an area [m2] with its unit."""
         return f"{square_metres / self.length.metres**2:.4g} {self.length.name}2"
 

@@ -33,6 +33,7 @@ def answer_of(run, pontoon, tmp_path, monkeypatch):
 
     def answer_of(command, *arguments):
         given = [pontoon if each == "pontoon" else each for each in arguments]
+        given += [] if command == "capability" else ["--units", "si"]  # the units of answer files
         status, said, complaints = run(command, *given, "--json", "answer.json")
         assert (status, complaints) == (0, "")
         return (tmp_path / "answer.json").read_bytes(), said

@@ -9,7 +9,7 @@ def test_tells_the_fewest_and_where_they_go(run, tmp_path):
     status, said, complaints = run("count", "deck-barge", "--quality", "600e3", "--json", target)
     assert (status, complaints) == (0, "")
     lines = said.splitlines()
-    assert lines[0] == "Deck barge: 2 robots are the fewest for 600.00 kN"
+    assert lines[0] == "Deck barge: 2 robots are the fewest for 61.183 tf"
     assert "Proven      2 robots can, 1 cannot, wherever they attach" in lines
     assert sum(line.startswith("Fortuna ") for line in lines) == 2
     found = json.loads(target.read_text())
@@ -23,8 +23,8 @@ def test_more_than_allowed(run):
     """Out of reach of so many, and proven to be."""
     status, said, _ = run("count", "deck-barge", "--quality", "2e6", "--most", "3")
     assert status == 0
-    assert "2.0000 MN is out of reach of 3 robots" in said
-    assert "Quality  0.22922 MN as it is" in said
+    assert "203.94 tf is out of reach of 3 robots" in said
+    assert "Quality  23.374 tf as it is" in said
     assert "3 robots cannot reach it, wherever they attach" in said
 
 
@@ -44,7 +44,9 @@ def test_none_is_needed(run):
     _, said, _ = run("count", "deck-barge", "--quality", "1000", "--json", "-")
     found = json.loads(said)
     assert (found["count"], found["answer"]) == (0, None)
-    assert "1.0000 kN is there" in run("count", "deck-barge", "--quality", "1000")[1]
+    assert (
+        "1.0000 kN is there" in run("count", "deck-barge", "--quality", "1000", "--units", "si")[1]
+    )
 
 
 @pytest.mark.parametrize(

@@ -20,10 +20,10 @@ def test_tells_who_pushes_how_hard(run):
     status, said, complaints = run("forces", "deck-barge", "--wrench", "300e3", "0", "0")
     assert (status, complaints) == (0, "")
     assert said.startswith("Deck barge: the robots make it, with shares up to 38.9 %\n")
-    assert "Wanted         300.00 kN along x: " in said
+    assert "Wanted         30.591 tf along x: " in said
     assert "Largest share  38.9 %: Castor\n" in said
     assert "Reserve        the robots could make up to 2.57 times this" in said
-    assert "Castor       305.39  38.9 %" in said
+    assert "Castor       31.141  38.9 %" in said
     assert "Ajax              0     0 %" in said
     assert "Metric: force weights 1 and 1" in said
 
@@ -32,15 +32,15 @@ def test_negative_numbers_are_numbers(run):
     """A hyphen begins no option here; small forces have a unit of their own."""
     status, said, _ = run("forces", "deck-barge", "--wrench", "-5", "0", "-1e-3")
     assert status == 0
-    assert "Wanted         -5.0000 N along x" in said
-    assert "force [N]      share  limit [kN]" in said
+    assert "Wanted         -0.00050986 tf along x" in said
+    assert "force [tf]      share  limit [tf]" in said
 
 
 def test_out_of_reach_is_said_plainly(run):
     """What is made instead, how far short it falls, and what it would take."""
     status, said, _ = run("forces", "deck-barge", "--wrench", "900e3", "0", "0")
     assert status == 0
-    assert said.startswith("Deck barge: out of reach by 120.")
+    assert said.startswith("Deck barge: out of reach by 12.3")
     for label in ("Made instead", "Missing", "Short by", "It takes       limits larger by 16.8 %"):
         assert label in said
     assert "limits 5.97 times" in run("forces", "deck-barge", "--wrench", "-2e6", "-1e5", "5e6")[1]
@@ -75,15 +75,15 @@ def test_the_load_is_held_too(run, pontoon):
     wrench = ("--wrench", "0", "0", "0", "--load", "-500", "0", "0")
     _, said, _ = run("forces", pontoon, *wrench)
     assert "Wanted         no wrench" in said
-    assert "Load           -500.00 N along x" in said
-    assert "By the robots  500.00 N along x" in said
+    assert "Load           -0.50000 kN along x" in said
+    assert "By the robots  0.50000 kN along x" in said
 
 
 def test_the_load_may_be_the_scenarios(run, pontoon):
     """That of its criterion, unless an option says otherwise."""
     pontoon.write_text(pontoon.read_text() + "criterion: {load: [0, 0, 300]}\n")
     _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0")
-    assert "By the robots  -300.00 N m of torque" in said
+    assert "By the robots  -0.30000 kN m of torque" in said
     _, said, _ = run("forces", pontoon, "--wrench", "0", "0", "0", "--load", "0", "0", "0")
     assert "no force is needed" in said
 
@@ -201,7 +201,7 @@ def test_a_wrench_its_load_and_the_rest_are_told_with_one_prefix(run):
     )
     told = [line for line in said.splitlines() if line.startswith(("Wanted", "Load ", "By the"))]
     assert len(told) == 3
-    assert all(" MN along x" in line for line in told)
+    assert all(" tf along x" in line for line in told)
 
 
 def test_robots_that_steer_are_told_which_way(run, tmp_path):

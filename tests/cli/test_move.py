@@ -10,8 +10,8 @@ def test_tells_who_had_better_be_elsewhere(run, tmp_path):
     assert (status, complaints) == (0, "")
     lines = said.splitlines()
     assert lines[0] == "Deck barge: Castor had better be on stern pads"
-    assert "Quality    229.22 -> 330.69 kN (+44 %)" in lines
-    assert "Meanwhile  0 kN without Castor" in lines
+    assert "Quality    23.374 -> 33.721 tf (+44 %)" in lines
+    assert "Meanwhile  0 tf without Castor" in lines
     assert any(line.startswith("Proven     no move of one robot is better") for line in lines)
     rows = lines[lines.index("The best move of each robot") + 2 :][:5]
     assert [row.split()[0] for row in rows] == ["Castor", "Boreas", "Electra", "Dione", "Ajax"]

@@ -3,16 +3,17 @@
 import numpy as np
 
 from swarmgrasp import sensitivities
+from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Report
 from swarmgrasp.cli.show.sensitivities import show_sensitivities
 from swarmgrasp.scenario import load_example
-from swarmgrasp.words import Unit
+from swarmgrasp.terms import SI
 
 
 def test_a_row_per_robot_in_the_units_of_the_headings(capsys):
     """Both ways of shifting, turning and strengthening."""
     found = sensitivities(load_example("deck-barge").swarm)
-    show_sensitivities(Report(), found, Unit.for_size(found.quality.value))
+    show_sensitivities(Report(), found, telling_of(SI, found.swarm, []))
     lines = capsys.readouterr().out.splitlines()
     heading, *rows = lines[2:8]
     assert "along - [kN/m]  along + [kN/m]  to - [kN/deg]  to + [kN/deg]" in heading
@@ -24,7 +25,7 @@ def test_a_row_per_robot_in_the_units_of_the_headings(capsys):
 def test_a_ridge_is_told_and_thrusters_do_not_move(capsys):
     """Empty cells for what cannot move, and why both ways may be worse."""
     found = sensitivities(load_example("supply-vessel").swarm)
-    show_sensitivities(Report(), found, Unit.for_size(found.quality.value))
+    show_sensitivities(Report(), found, telling_of(SI, found.swarm, []))
     assert "8 directions are equally weak" in capsys.readouterr().out
     assert all(slopes["contact"] == [None, None] for slopes in found.to_data().values())
 

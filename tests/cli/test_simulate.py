@@ -10,6 +10,7 @@ from pyarrow import parquet
 from swarmgrasp.cli.show.simulate import show
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import verdict_of
+from swarmgrasp.terms import SI
 
 FILE = """\
 name: Pontoon
@@ -56,7 +57,7 @@ def test_an_object_that_is_held(run, pond):
     lines = said.splitlines()
     assert lines[0].startswith("Pontoon: held within 0.0")
     assert lines[0].endswith(" deg for 12 s")
-    assert "Wind     9.72 kn (5 m/s) from 90 deg, no gusts" in lines
+    assert "Wind     5.00 m/s from 90 deg, no gusts" in lines
     assert "Current  none" in lines
     assert any(line.startswith("Margin   ") and "mean load at the start" in line for line in lines)
     assert any(line.endswith("never") and "the run begins" in line for line in lines)
@@ -200,7 +201,7 @@ def test_a_full_turn_is_told_as_one_and_ends_where_it_should(capsys):
     poses[0, 100:, 2] += 2.0 * math.pi
     turns[0, 100:] = np.abs(poses[0, 100:, 2])
     run = replace(run, poses=poses, turns=turns)
-    show("Barge", run, verdict_of(run))
+    show("Barge", run, verdict_of(run), SI)
     first = capsys.readouterr().out.splitlines()[0]
     assert "36" in first.split(" deg at most")[0].split(" and ")[-1]
     assert " and 0.14 deg at 300 s" in first

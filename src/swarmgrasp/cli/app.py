@@ -49,9 +49,9 @@ anybody can check again.
 - Ask about one command: `swarmgrasp place --help`
 
 FILE is a scenario in YAML, an answer in JSON whose question is asked again, "-" for standard
-input, or the name of a built-in example when there is no such file. Answers are in SI units
-whatever the file's: metres, newtons or kilonewtons, and degrees counter-clockwise from +x; JSON
-is in radians.
+input, or the name of a built-in example when there is no such file. Answers come in the units and
+the frame of the file, with angles in degrees; `--units si` tells metres and newtons, `--bearings`
+directions clockwise from the bow. JSON is in SI units and radians.
 """
 
 STATUS = """

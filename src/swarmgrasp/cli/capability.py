@@ -12,6 +12,7 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import PICTURES, blaming, json_faults, output_faults, read_scenario
 from swarmgrasp.cli.question import asked_before, missing
+from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
     from swarmgrasp.environment import Environment
@@ -34,6 +35,7 @@ def capability(
     current: Annotated[float | None, Parameter(metavar="KNOTS")] = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    wording: Wording = FILE,
 ) -> None:
     """Tell the largest wind the robots hold from every bearing, intact and after a loss.
 
@@ -96,8 +98,8 @@ def capability(
 
         return [save(capability_diagram(found, scenario.name), plot)]
 
-    document = document_of(found, scenario.name)
-    deliver(json, document, lambda: show(scenario.name, found), draw)
+    document, terms = document_of(found, scenario.name), wording.terms(scenario)
+    deliver(json, document, lambda: show(scenario.name, found, terms), draw)
 
 
 def _number_faults(losing: str | None, step: float | None, current: float | None) -> list[str]:

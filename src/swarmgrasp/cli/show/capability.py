@@ -4,9 +4,12 @@ import math
 from typing import Any
 
 from swarmgrasp.capability import Capability
+from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.environment import KNOT, beaufort, vessel_type
 from swarmgrasp.quality import Criterion
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
 from swarmgrasp.words import wrench_words
 
 MOST_SHOWN = 100.0
@@ -15,14 +18,14 @@ ROWS = 12
 """Of the table: more bearings than this are told every 30 degrees, and where the least is held."""
 
 
-def show(name: str, found: Capability) -> None:
+def show(name: str, found: Capability, terms: Terms) -> None:
     """Write a capability for people."""
-    report = Report()
+    report, tell = Report(), telling_of(terms, found.swarm, [])
     worst, after = float(found.intact.min()), float(found.after_loss.min())
     held = f"holds {_wind(worst)} from any bearing" if worst else "does not hold every wind"
     report.headline(f"{name}: {held}", "good" if after else "caution" if worst else "bad")
     report.blank()
-    report.facts(_facts(found))
+    report.facts(_facts(found, tell))
     report.blank()
     _show_bearings(report, found)
     report.blank()
@@ -33,23 +36,24 @@ def show(name: str, found: Capability) -> None:
         report.note(note)
 
 
-def _facts(found: Capability) -> list[tuple[str, str]]:
+def _facts(found: Capability, tell: Telling) -> list[tuple[str, str]]:
     """Tell the worst bearings, what limits the robots there, and the surroundings."""
     i, j = found.worst, found.worst_after_loss
     lost = found.lost_words(j)
     facts = [("Intact", _least(found, found.intact, i, found.holds_current))]
     if found.intact[i] > 0.0:
-        facts.append(("", f"there the robots are weakest at {wrench_words(found.directions[i])}"))
+        weakest = wrench_words(found.directions[i])
+        facts.append(("", f"there the {tell.terms.several} are weakest at {weakest}"))
     least = _least(found, found.after_loss, j, found.holds_current_after_loss)
     if found.failures:
         asked = Criterion(losing=found.losing, failures=found.failures)
-        facts += [("After a failure", least), ("", asked.words(found.swarm))]
+        facts += [("After a failure", least), ("", asked.words(found.swarm, tell.terms.robot))]
     else:
         facts.append((f"Without {found.loss_words}", least))
     if lost:
         said = f"the worst {found.less_by} there: {lost}"
         facts.append(("", said if found.after_loss[j] > 0.0 else f"losing {lost} is enough"))
-    return [*facts, *_surroundings(found)]
+    return [*facts, *_surroundings(found, tell)]
 
 
 def _least(found: Capability, speeds: Any, index: int, holds: Any) -> str:
@@ -88,12 +92,12 @@ def _ranges(bearings: list[float], chosen: Any) -> str:
     return " and ".join([", ".join(said[:-1]), said[-1]] if len(said) > 1 else said)
 
 
-def _surroundings(found: Capability) -> list[tuple[str, str]]:
+def _surroundings(found: Capability, tell: Telling) -> list[tuple[str, str]]:
     """Tell the wind drag, the current and the allowance."""
     wind, current = found.environment.wind, found.environment.current
     vessel = vessel_type(wind.coefficients)
     drag = f"Blendermann's for {vessel!r}" if vessel else "the scenario's coefficients"
-    areas = f"{wind.frontal_area:.4g} m2 ahead and {wind.lateral_area:.4g} m2 abeam"
+    areas = f"{tell.area(wind.frontal_area)} ahead and {tell.area(wind.lateral_area)} abeam"
     facts = [("Wind drag", f"{drag}, {areas}")]
     if current is None or current.speed == 0.0:
         facts.append(("Current", "none"))
@@ -103,7 +107,7 @@ def _surroundings(found: Capability) -> list[tuple[str, str]]:
             way = f"from {_degrees(current.bearing)}"
         facts.append(("Current", f"{_speed(current.speed)}, {way}"))
     if found.worst_case:
-        facts.append(("Poses", "the worst that the robots' tolerances allow"))
+        facts.append(("Poses", f"the worst that the {tell.terms.several}' tolerances allow"))
     if found.environment.dynamic_factor != 1.0:
         factor = found.environment.dynamic_factor
         facts.append(("Allowance", f"both loads times {factor:g}"))

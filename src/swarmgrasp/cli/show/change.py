@@ -13,6 +13,8 @@ from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import TIMES, Unit, percent
 
+MANY = 100.0
+"""Times the largest limit up to which a force is told with the prefix of the limits."""
 SAME = 1e-9
 """Relative difference of two qualities that is none."""
 FINE = 1e-6
@@ -32,8 +34,9 @@ def telling_of(
         Forces of the answer, beside the limits.
     newcomer : Newcomer, optional
     """
-    limits = [float(swarm.limits.max(initial=0.0)), newcomer.limit if newcomer else 0.0]
-    return Telling.of(terms, swarm.outline.extent, [*limits, *sizes])
+    limit = max(float(swarm.limits.max(initial=0.0)), newcomer.limit if newcomer else 0.0)
+    largest = max(sizes, default=0.0) / (MANY if limit else 1.0)
+    return Telling.of(terms, swarm.outline.extent, [limit, largest])
 
 
 def unit_of(criterion: Criterion, tell: Telling) -> Unit:

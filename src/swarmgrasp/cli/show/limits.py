@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.simulation.limits import Limits
-from swarmgrasp.terms import LENGTHS, SPEEDS, Terms
+from swarmgrasp.terms import Terms
+from swarmgrasp.units import LENGTHS, SPEEDS
 
 ROWS = 24
 """Bearings that are told at most."""

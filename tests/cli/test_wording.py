@@ -1,0 +1,67 @@
+"""Answers come in the terms of the file, or in SI units; directions as bearings on request."""
+
+from dataclasses import replace
+
+import pytest
+
+from swarmgrasp.cli.show import placement
+from swarmgrasp.placement import place_sequence
+from swarmgrasp.scenario import load_example
+from swarmgrasp.terms import Frame, Terms
+
+COMMANDS = [
+    ["place", "deck-barge"],
+    ["place", "deck-barge", "--robots", "2", "--together", "--effort", "20"],
+    ["quality", "deck-barge", "--losing", "1", "--sensitivities"],
+    ["forces", "deck-barge", "--wrench", "300e3", "0", "0"],
+    ["move", "deck-barge"],
+    ["count", "deck-barge", "--quality", "300e3"],
+]
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: " ".join(command))
+def test_units_are_those_of_the_file_or_si(run, command):
+    """No number in metres or newtons where the file has feet and tonnes; and the other way."""
+    status, said, complaints = run(*command)
+    assert (status, complaints) == (0, "")
+    assert " tf" in said or "[tf" in said
+    assert "Units: feet, tonne-force (tf), knots, degrees. Frame: x forward, y to port" in said
+    assert not any(unit in said for unit in (" m,", "[m]", "kN", " N "))
+    status, said, complaints = run(*command, "--units", "si")
+    assert (status, complaints) == (0, "")
+    assert "kN" in said
+    assert "Units: SI with degrees. Frame" in said
+    assert not any(unit in said for unit in (" ft", "[ft", " tf", "[tf"))
+
+
+def test_directions_as_bearings(run):
+    """Clockwise from the bow, in sentences, tables and the small print."""
+    said = run("place", "deck-barge", "--bearings")[1]
+    assert "Direction  bearing 112.9 deg: pushing" in said
+    assert "bearing [deg]" in said
+    assert "degrees clockwise from the bow" in said
+
+
+def test_a_file_of_another_frame_and_word_is_answered_in_them(capsys):
+    """With y to starboard and angles clockwise, points and directions are mirrored."""
+    terms = Terms("ft", "tf", speed="kn", frame=Frame(mirrored=True), robot="tug")
+    answers = place_sequence(load_example("deck-barge").problem(), 1, runners_up=0.9)
+    placement.show("Barge", answers, terms)
+    said = capsys.readouterr().out
+    assert "contact (-40.00, -36.00) ft" in said
+    assert "Direction  112.9 deg: pushing, 22.9 deg clockwise off the inward normal" in said
+    assert "the best tug on each other edge" in said
+    assert "Frame: x forward, y to starboard, as in the file; torques clockwise." in said
+    north = replace(terms, frame=Frame(heading=1.0), bearings=True)
+    placement.show("Barge", answers, north)
+    said = capsys.readouterr().out
+    assert "bearing 170.2 deg" in said  # 112.9 from a bow at 57.3
+    assert "degrees clockwise from north" in said
+
+
+def test_one_unit_for_all_forces_of_an_answer(run, pontoon):
+    """Of a small wanted wrench and large limits, too."""
+    said = run("forces", pontoon, "--wrench", "5", "0", "0", "--load", "400", "0", "0")[1]
+    assert "kN" in said
+    assert " N " not in said
+    assert "[N" not in said
