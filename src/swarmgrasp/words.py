@@ -97,6 +97,20 @@ def list_words(names: Sequence[str]) -> str:
     return f"{', '.join(names[:-1])} and {names[-1]}"
 
 
+def either_words(names: Sequence[str]) -> str:
+    """Join names of which one is meant; what they begin with alike is said once.
+
+    Examples
+    --------
+    >>> either_words(["Ajax", "Boreas"]), either_words(["Tug 1", "Tug 2", "Tug 4"])
+    ('Ajax or Boreas', 'Tug 1, 2 or 4')
+    """
+    first, _, _ = names[0].rpartition(" ")
+    if first and all(name.rpartition(" ")[0] == first for name in names):
+        names = [names[0], *(name.rpartition(" ")[2] for name in names[1:])]
+    return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
 @dataclass(frozen=True)
 class Unit:
     """The unit in which one report tells one quantity, chosen by the largest value of it.

@@ -1,7 +1,7 @@
 """`swarmgrasp quality`: how well the robots hold the object."""
 
 from dataclasses import replace
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -11,6 +11,13 @@ from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import UsageFault, blaming, json_faults, read_scenario, source_of
 from swarmgrasp.cli.question import asked_before, tell_omitted
 from swarmgrasp.cli.wording import FILE, Wording
+
+if TYPE_CHECKING:
+    from swarmgrasp.quality import Criterion, Loss
+    from swarmgrasp.scenario import Scenario
+
+MOST_TRIED = 100
+"""Robots and groups up to which each is left out in turn to tell whether a load is held then."""
 
 
 def quality(
@@ -78,11 +85,22 @@ def quality(
         rest = replace(criterion, losing=0).terms
         lost = losses(scenario.swarm, **rest) if criterion.losing else ()
         slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
+        alone = _alone(scenario, criterion)
     told = {**found.to_data(), "losses": plain(lost), "sensitivities": plain(slopes)}
     from swarmgrasp.cli.show.quality import show
 
     deliver(
         json,
         sealed(found.kind, told, scenario.name),
-        lambda: show(scenario, found, lost, slopes, wording.terms(scenario)),
+        lambda: show(scenario, found, lost, slopes, wording.terms(scenario), alone),
     )
+
+
+def _alone(scenario: "Scenario", criterion: "Criterion") -> "tuple[Loss, ...] | None":
+    """Return what the loss of each robot or group leaves beside a load, if that is soon known."""
+    from swarmgrasp.quality import losses
+
+    machines = int(scenario.swarm.machines.max(initial=-1)) + 1
+    if not criterion.has_load or criterion.is_of_worst or machines > MOST_TRIED:
+        return None
+    return losses(scenario.swarm, **criterion.terms)

@@ -1,11 +1,13 @@
 """How `swarmgrasp quality` tells its answer."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from swarmgrasp.cli.show.change import spot, telling_of, unit_of, xy_columns
-from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.cli.show.held import Held, headline, held_of
+from swarmgrasp.cli.show.report import Column, Mood, Report
 from swarmgrasp.cli.show.sensitivities import show_sensitivities
-from swarmgrasp.quality import Criterion, Loss, Quality, Sensitivities
+from swarmgrasp.quality import Criterion, ForceClosure, Loss, Quality, Sensitivities
 from swarmgrasp.quality import quality as quality_of
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
@@ -25,35 +27,96 @@ def show(
     lost: Sequence[Loss],
     slopes: Sensitivities | None,
     terms: Terms,
+    alone: Sequence[Loss] | None = None,
 ) -> None:
-    """Write a quality for people."""
+    """Write a quality for people.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    found : Quality
+    lost : sequence of Loss
+        What the loss of each robot leaves, if the criterion is of a loss.
+    slopes : Sensitivities, optional
+    terms : Terms
+    alone : sequence of Loss, optional
+        What the loss of each leaves beside the load.
+    """
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
     tell = telling_of(terms, swarm, [found.upper_bound])
-    unit = unit_of(criterion, tell)
-    words = criterion.words(swarm, terms.robot)
-    report.headline(
-        f"{scenario.name}: quality {_told(found, unit)} {words}".rstrip(),
-        "good" if max(found.value, found.bound) > found.noise else "bad",
-    )
+    held = held_of(found, alone) if criterion.has_load and found.choice is None else None
+    _headline(report, scenario, found, held, tell)
     report.blank()
     facts = [
         *_kept(found, tell),
+        *(_grade(found, tell) if held else []),
         *_beside(swarm, found, lost, tell),
-        ("Force closure", f"{found.force_closure}: {_CLOSURE[str(found.force_closure)]}"),
-        *_noise(found, unit),
+        *_closure(swarm, found, tell),
+        *_noise(found, unit_of(criterion, tell)),
+        *(_missed(held, tell) if held else []),
         *_weakest(swarm, found, tell),
     ]
     if len(swarm) and criterion.is_nominal:
         facts.append(_efficiency(swarm, found, tell))
     report.facts(facts)
     if lost:
-        _show_losses(report, swarm, lost, tell, unit)
+        _show_losses(report, swarm, lost, tell, unit_of(criterion, tell))
     if criterion.worst_case:
         _show_robots(report, found.worst_swarm, "The worst poses", tell)
     _show_robots(report, swarm, _title(criterion, tell), tell)
     if slopes is not None:
         show_sensitivities(report, slopes, tell)
     report.small_print(swarm, tell)
+
+
+def _headline(
+    report: Report, scenario: Scenario, found: Quality, held: Held | None, tell: Telling
+) -> None:
+    """Answer what was asked: whether the load is held if there is one, else the quality."""
+    if held is not None:
+        mood: Mood = "caution" if held.unheld or not found.value else "good"
+        said = headline(scenario, held, tell)
+        report.headline(f"{scenario.name}: {said}", "bad" if held.is_missed else mood)
+        return
+    words = found.criterion.words(scenario.swarm, tell.terms.robot)
+    told = f"quality {_told(found, unit_of(found.criterion, tell))} {words}".rstrip()
+    if found.criterion.task is not None and len(scenario.swarm):
+        told += f", the least of it {found.weakest_words}"
+    report.headline(
+        f"{scenario.name}: {told}", "good" if max(found.value, found.bound) > found.noise else "bad"
+    )
+
+
+def _grade(found: Quality, tell: Telling) -> list[tuple[str, str]]:
+    """Tell the quality by its criterion, where the headline tells whether a load is held."""
+    words = found.criterion.words(found.worst_swarm, tell.terms.robot)
+    return [("Quality", f"{_told(found, unit_of(found.criterion, tell))} {words}")]
+
+
+def _closure(swarm: Swarm, found: Quality, tell: Telling) -> list[tuple[str, str]]:
+    """Tell the force closure of the swarm as it stands, and of what is left in the worst case."""
+    criterion = replace(found.criterion, load=(0.0, 0.0, 0.0))
+    closure = found.force_closure
+    said = f"{closure}: {_CLOSURE[str(closure)].format(tell.terms.several)}"
+    facts = [("Force closure", said)]
+    if criterion.is_of_worst:
+        intact = quality_of(swarm).force_closure
+        words = criterion.words(swarm, tell.terms.robot)
+        facts = [("Force closure", f"intact {intact}; {words} {said}")]
+    if closure is ForceClosure.NO and criterion.is_nominal and bool(swarm.mounted.all()):
+        facts.append(("", "of a vessel that is not to go every way, ask for what it is to do: "
+                          "criterion: {task: {polytope: [[FX, FY, TZ], ...]}}"))  # fmt: skip
+    return facts
+
+
+def _missed(held: Held, tell: Telling) -> list[tuple[str, str]]:
+    """Tell by how much a load is out of reach, and where it drives the object."""
+    if not held.is_missed:
+        return []
+    answer = held.answer
+    left = _parts(answer.swarm, (-answer.missing).tolist(), tell)
+    short = tell.force.text(answer.shortfall)
+    return [("Out of reach", f"by {short} in the metric: {left} of torque are left over")]
 
 
 def _told(found: Quality, unit: Unit) -> str:
@@ -78,10 +141,10 @@ def _kept(found: Quality, tell: Telling) -> list[tuple[str, str]]:
 
 
 _CLOSURE = {
-    "yes": "the robots can push and turn the object in every direction",
-    "no": "there are directions in which the robots can exert nothing",
+    "yes": "the {} can push and turn the object in every direction",
+    "no": "there are directions in which the {} can exert nothing",
     "open": "no choice of one sector each gives it; whether changing sectors does is not known",
-    "marginal": "rounding in the outline's coordinates decides whether the robots hold the object",
+    "marginal": "rounding in the outline's coordinates decides whether the {} hold the object",
 }
 
 
