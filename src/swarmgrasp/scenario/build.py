@@ -12,6 +12,7 @@ from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forc
 from swarmgrasp.scenario.locate import Locator, Place
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
+from swarmgrasp.scenario.speech import frame_of, terms_of
 from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
@@ -19,7 +20,6 @@ from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.swarm.names import filled
-from swarmgrasp.terms import Terms
 
 SMALLEST_EXTENT = 1e-6
 """Least diagonal of an outline's bounding box, in the file's unit."""
@@ -44,7 +44,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         If the document has faults, found here or before; all of them are told.
     """
     file = checked.file
-    units = Units(**file.units.model_dump())
+    units = Units(**file.units.model_dump(), frame=frame_of(file))
     said = well_said(checked, units)
     check_force_sets(checked, units)
     check_tolerances(checked, units)
@@ -77,12 +77,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         spacing=units.metres(file.spacing),
         environment=environment,
         criterion=criterion_of(checked, units, swarm.outline, environment),
-        terms=Terms(
-            units.length,
-            {"tonne-force": "tf"}.get(units.force, units.force),
-            units.angle,
-            {"knot": "kn"}.get(units.speed, units.speed),
-        ),
+        terms=terms_of(file, units),
     )
     return _with_simulation(scenario, checked, units)
 
@@ -137,11 +132,12 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
         labels = [name or f"edge {i}" for i, name in enumerate(names)]
         origin = None if section.origin == "centroid" else section.origin
         outline = Outline(section.vertices, origin, labels)
-        # a clockwise file counts its edges the other way than Outline: name them all
-        kept = names if outline.edge_names[0] == labels[0] else labels
+        # what runs clockwise counts its edges the other way than Outline: name them all
+        is_kept = (outline.edge_names[0] == labels[0]) != units.frame.mirrored
+        kept = names if is_kept else labels
         si = Outline(
-            [[units.metres(x), units.metres(y)] for x, y in section.vertices],
-            [units.metres(float(v)) for v in outline.origin],
+            list(map(units.point, section.vertices)),
+            units.point(outline.origin.tolist()),
             kept,
             units.metres(plain.precision),
         )
@@ -192,9 +188,8 @@ def _robot(
 ) -> Robot:
     """Return a robot."""
     units = locator.units
-    x, y = (units.metres(v) for v in place.point)
     return Robot(
-        (x, y),
+        units.point(place.point),
         direction,
         name=name,
         mounted=section.mounted,
@@ -224,7 +219,7 @@ def _direction(
     if wanted is None and section.friction is not None:
         wanted = "inward"
     if not isinstance(wanted, str):
-        return locator.units.radians(wanted or 0.0)  # of what steers any way
+        return locator.units.direction(wanted or 0.0)  # of what steers any way
     if section.mounted or place is None:
         return None  # noted already
     if place.inward is None:
@@ -235,7 +230,8 @@ def _direction(
         locator.checked.fault((*path, "direction"), said, got=got)
         return None
     turn = 0.0 if wanted == "inward" else math.pi
-    return math.remainder(place.inward + turn, 2.0 * math.pi)
+    inward = locator.units.frame.direction_from_file(place.inward)
+    return math.remainder(inward + turn, 2.0 * math.pi)
 
 
 def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
@@ -282,7 +278,7 @@ def _zones(locator: Locator, said: frozenset[Path]) -> tuple[Zone, ...]:
 def _zone(section: ZoneSection, path: Path, locator: Locator) -> Zone | None:
     """Return a zone, or None after noting a fault."""
     units, directions = locator.units, section.directions
-    range_ = (units.radians(directions[0]), units.radians(directions[1])) if directions else None
+    range_ = units.span(directions) if directions else None
     if section.area is not None:
         return _area(section, (*path, "area"), range_, locator)
     stretch = _zone_stretch(section, path, locator)
@@ -299,7 +295,7 @@ def _area(
     inside = [locator.inside(corner, (*path, k)) for k, corner in enumerate(corners)]
     if None in inside:
         return None
-    area = tuple((units.metres(x), units.metres(y)) for x, y in corners)
+    area = tuple(map(units.point, corners))
     try:
         return Zone(directions=directions, area=area, name=section.name)
     except ZoneInvalid as error:  # corners that are not in order around it

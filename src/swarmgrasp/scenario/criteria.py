@@ -70,7 +70,7 @@ def _load(
 ) -> tuple[float, float, float]:
     """Return the steady load [N, N, N m]."""
     if isinstance(section.load, list):
-        return _wrench(section.load, units)
+        return units.wrench(section.load)
     if section.load is None or environment is None:
         return 0.0, 0.0, 0.0
     surge, sway, yaw = environment.load(outline).tolist()
@@ -84,16 +84,10 @@ def _failures(section: CriterionSection) -> tuple[tuple[str, ...], ...]:
 
 
 def _task(section: TaskSection, units: Units) -> Polytope | Ellipsoid:
-    """Return a task in SI units."""
+    """Return a task in SI units and our frame."""
     if section.polytope is not None:
-        return Polytope([_wrench(vertex, units) for vertex in section.polytope])
-    return Ellipsoid([_wrench(axis, units) for axis in section.ellipsoid or []])
-
-
-def _wrench(given: list[float], units: Units) -> tuple[float, float, float]:
-    """Return a wrench [N, N, N m]."""
-    surge, sway, yaw = map(units.newtons, given)
-    return surge, sway, units.metres(yaw)
+        return Polytope([units.wrench(vertex) for vertex in section.polytope])
+    return Ellipsoid([units.wrench(axis) for axis in section.ellipsoid or []])
 
 
 def _check_worst_case(checked: Checked) -> None:

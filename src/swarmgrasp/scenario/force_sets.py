@@ -73,7 +73,8 @@ def own_forces_of(section: RobotSection, units: Units) -> OwnForces:
     if isinstance(section.limit, list):
         found["least"] = units.newtons(section.limit[0])
     if section.envelope is not None:
-        corners = tuple((units.newtons(x), units.newtons(y)) for x, y in section.envelope)
+        side = -1.0 if units.frame.mirrored else 1.0
+        corners = tuple((units.newtons(x), side * units.newtons(y)) for x, y in section.envelope)
         found["envelope"] = corners
     if section.sectors is not None:
         found["sectors"] = _sectors(section.sectors, units)
@@ -92,7 +93,7 @@ def _steers(section: RobotSection, units: Units) -> float:
 
 def _sectors(written: list[list[float]], units: Units) -> Sectors:
     """Return sectors [rad]."""
-    return tuple((units.radians(start), units.radians(end)) for start, end in written)
+    return tuple(map(units.span, written))
 
 
 def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Units) -> None:

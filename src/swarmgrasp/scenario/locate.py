@@ -165,13 +165,10 @@ class Locator:
             self._is_arc_length(start, (*path, "from")),
             self._is_arc_length(end, (*path, "to")),
         ]
-        first, last = self.metres(start), self.metres(end)
+        first, last = self._ours(start, end)
         if not all(inside) or self._is_empty(first, last, path, no_length):
             return None
-        # the first vertex is both 0 and the perimeter: 0 as a start, the perimeter as an end
-        first = 0.0 if first == self.si.perimeter else first
-        last = self.si.perimeter if last == 0.0 else last
-        return Stretch(first, last, section.name)
+        return self._stretch(first, last, section.name)
 
     def _edge_stretch(
         self, edge: int | str, section: StretchSection, path: Path, no_length: str
@@ -184,10 +181,21 @@ class Locator:
         ends = {"from": section.start or 0.0, "to": length if section.end is None else section.end}
         inside = [self._is_on_edge(ends[key], index, (*path, key)) for key in ends]
         base = float(self.outline.corner_arc_lengths[index])
-        first, last = (self.metres(base + distance) for distance in ends.values())
+        first, last = self._ours(*(base + distance for distance in ends.values()))
         if not all(inside) or self._is_empty(first, last, path, no_length):
             return None
-        return Stretch(first, last, section.name or self.outline.edge_label(index))
+        return self._stretch(first, last, section.name or self.outline.edge_label(index))
+
+    def _ours(self, start: float, end: float) -> tuple[float, float]:
+        """Return the ends of a stretch [file units] as counter-clockwise arc lengths [m]."""
+        first, last = self.metres(start), self.metres(end)
+        return (last, first) if self.units.frame.mirrored else (first, last)
+
+    def _stretch(self, first: float, last: float, name: str) -> Stretch:
+        """Return a stretch between arc lengths [m]."""
+        # the first vertex is both 0 and the perimeter: 0 as a start, the perimeter as an end
+        first = 0.0 if first == self.si.perimeter else first
+        return Stretch(first, self.si.perimeter if last == 0.0 else last, name)
 
     def _is_empty(self, start: float, end: float, path: Path, said: str) -> bool:
         """Note a fault if a stretch [m, m] has no length."""
@@ -249,8 +257,10 @@ class Locator:
         return sound and (written is None or len(written) == len(self.labels))
 
     def metres(self, arc_length: float) -> float:
-        """Convert an arc length to metres; one at a corner lands on it exactly."""
+        """Convert an arc length to ours, in metres; one at a corner lands on it exactly."""
         arc = self.units.metres(arc_length)
+        if self.units.frame.mirrored:
+            arc = self.si.perimeter - arc if arc else 0.0  # the first vertex stays at 0
         corners = self.si.corner_arc_lengths
         exact = float(corners[np.argmin(np.abs(corners - arc))])
         return exact if abs(exact - arc) <= self.si.tolerance else min(arc, self.si.perimeter)

@@ -12,7 +12,7 @@ from swarmgrasp.ranges import is_number
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.measures import AXES, AXIS, BEARING, HEADING, Measure, Row
-from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.units import NAMED, Units
 from swarmgrasp.units import BEAUFORT, bearing, in_unit, is_quantity, quantity, unit_name
 
 
@@ -93,8 +93,9 @@ def _units_in(data: Any) -> Units:
     """Return the units that a document is written in: SI for those that have faults."""
     written = data.get("units")
     given = written if isinstance(written, dict) else {}
-    names = {of: unit_name(given[of], of) for of in vars(Units()) if isinstance(given.get(of), str)}
-    return Units(**{of: name for of, name in names.items() if name is not None})
+    names = {of: unit_name(given[of], of) for of in NAMED if isinstance(given.get(of), str)}
+    found: dict[str, Any] = {of: name for of, name in names.items() if name is not None}
+    return Units(**found)
 
 
 @dataclass

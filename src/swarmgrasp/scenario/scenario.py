@@ -44,6 +44,7 @@ class Scenario(Frozen):
         What becomes of all this in time.
     terms : Terms
         The units and the frame of its file, and its word for robots; all else is in SI and ours.
+        Equal scenarios ask the same, whatever their terms.
     answer : dict or None
         The answer file that asks all this, as plain data, if it was read from one.
     """
@@ -58,7 +59,7 @@ class Scenario(Frozen):
     environment: Environment | None = None
     criterion: Criterion = NOMINAL
     simulation: "Simulation | None" = None
-    terms: Terms = SI
+    terms: Terms = field(default=SI, compare=False)
     answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
 
     def problem(self, criterion: Criterion | None = None) -> Problem:

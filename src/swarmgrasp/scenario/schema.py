@@ -31,7 +31,7 @@ from swarmgrasp.scenario.force_schema import (
     SectorRanges,
     Steers,
 )
-from swarmgrasp.scenario.measures import Unit
+from swarmgrasp.scenario.measures import AXIS, HEADING, Measure, Unit
 from swarmgrasp.scenario.simulation_schema import SimulationSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
@@ -52,6 +52,7 @@ Direction = Annotated[
 Origin = Annotated[
     Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], _ByKind
 ]
+Word = Annotated[Label, Field(min_length=1)]
 Edge = Annotated[
     Annotated[Label, Tag("word")]
     | Annotated[int, Field(strict=True, ge=0, le=10**6), Tag("value")],
@@ -93,6 +94,16 @@ class UnitsSection(Section):
     speed: Annotated[str, Unit("speed")] = Field(
         "m/s", description=_one_of("speed") + " Or Bft, the strongest wind of a Beaufort number."
     )
+
+
+class WordsSection(Section):
+    """What things are called in answers."""
+
+    robot: Word = Field(description="One robot.", examples=["tug"])
+
+
+Words = Annotated[Annotated[Word, Tag("word")] | Annotated[WordsSection, Tag("value")], _ByKind]
+"""What robots are called, or a mapping that says so."""
 
 
 class OutlineSection(Section):
@@ -314,6 +325,26 @@ class ScenarioFile(Section):
     name: Label = Field("", description="A title.", examples=["Barge in the lock"])
     description: str = Field("", description="Free text.")
     units: UnitsSection = Field(UnitsSection(), description="Units of every number in the file.")
+    frame: Literal["ENU", "NED"] = Field(
+        "ENU",
+        description="How coordinates and angles run. ENU: x forward, y to port, angles "
+        "counter-clockwise. NED: x forward, y to starboard, and all that turns turns clockwise.",
+    )
+    bow: Annotated[Angle, Measure(AXIS)] = Field(
+        0.0,
+        description="Direction of the bow in the coordinates of this file, from +x in its sense of "
+        "turning [units.angle]; or an axis, such as +y.",
+        examples=["+y", 90],
+    )
+    heading: Annotated[Angle, Measure(HEADING)] | None = Field(
+        None,
+        description="True bearing of the bow, clockwise from north [units.angle], or a point of "
+        "the compass; wind and current may then come from true bearings too.",
+        examples=[45, "NE"],
+    )
+    words: Words | None = Field(
+        None, description="What robots are called in answers.", examples=["tug", {"robot": "tug"}]
+    )
     outline: OutlineSection = Field(description="The object.")
     metric: MetricSection = Field(MetricSection(), description="How wrenches are compared.")
     robots: list[RobotSection] = Field(description="Robots already in contact; may be empty.")

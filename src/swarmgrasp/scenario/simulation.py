@@ -273,7 +273,10 @@ def _hull(section: HullSection, outline: Outline, environment: Environment, unit
     told = section.model_dump(exclude_none=True, exclude={"draught", "block"})
     for key in ("centre", "added_at"):
         if key in told:
-            told[key] = tuple(map(units.metres, told[key]))
+            told[key] = units.point(told[key])
+    if "damping" in told:
+        rows = units.frame.wrench_from_file(told["damping"])
+        told["damping"] = units.frame.wrench_from_file(rows.T).T.tolist()
     if {"mass", "inertia", "centre", "added", "added_at"} <= set(told):
         return Hull(**told)
     draught = None if section.draught is None else units.metres(section.draught)
@@ -323,7 +326,7 @@ def _control(section: ControlSection, units: Units) -> Control:
 
 def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
     """Return what happens at an instant."""
-    at, metres = section.at, units.metres
+    at = section.at
     if section.lose is not None:
         return Lose(at, section.lose, section.noticed)
     if section.leave is not None:
@@ -332,9 +335,9 @@ def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
         return _send(section, newcomer, units)
     if section.move is not None:
         x, y, heading = (*section.move, 0.0)[:3]
-        return Move(at, metres(x), metres(y), units.radians(heading))
+        return Move(at, *units.point((x, y)), units.turned(heading))
     if section.follow is not None:
-        path = tuple((metres(x), metres(y)) for x, y in section.follow)
+        path = tuple(map(units.point, section.follow))
         return Follow(at, path, units.metres_per_second(section.speed or 0.0))
     return Change(
         at, **_stream("wind", section.wind, units), **_stream("current", section.current, units)

@@ -58,7 +58,7 @@ def tolerance_of(
     if given is None:
         return None
     is_robot = isinstance(section, RobotSection)
-    first, last = (0.0, 0.0) if section.mounted else _ends(given.contact)
+    first, last = (0.0, 0.0) if section.mounted else units.either_way(_ends(given.contact))
     least = given.least_limit
     found = Tolerance(
         contact=(units.metres(first), units.metres(last)),
@@ -90,7 +90,7 @@ def _ends(given: float | list[float] | None) -> tuple[float, float]:
 
 def _radians(given: float | list[float] | None, units: Units) -> tuple[float, float]:
     """Return the two offsets of a direction [rad]."""
-    first, last = map(units.radians, _ends(given))
+    first, last = map(units.radians, units.either_way(_ends(given)))
     return max(first, -math.pi), min(last, math.pi)  # half a turn, rounding aside
 
 

@@ -1,8 +1,6 @@
 """Write a scenario as a file that people can edit, and that is read back to the last bit."""
 
-import json
 import math
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -17,19 +15,16 @@ from swarmgrasp.plain import plain
 from swarmgrasp.quality import Criterion, Polytope
 from swarmgrasp.scenario.reading import parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
-from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.units import NAMED, Units
+from swarmgrasp.scenario.yaml_lines import lines
 from swarmgrasp.swarm import Newcomer, Robot, Tolerance, Zone
+from swarmgrasp.terms import SI
 from swarmgrasp.units import ANGLES, FORCES
 
 DIGITS = 15
 """Of a number in a unit of its own: more would not be what anybody wrote."""
 STRONG = 1000.0
 """Largest limit [N] from which on forces are in kilonewtons."""
-_BARE = re.compile(r"[A-Za-z]([\w.()/+-]| (?=[\w.()/+-]))*", re.ASCII)
-"""Text that needs no quotes."""
-_WORDS = frozenset(("null", "true", "false", "yes", "no", "on", "off"))
-"""Text that needs them all the same, for readers of other YAML versions."""
-_UNSEEN = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff]")
 
 
 def write(asked: Problem | Scenario, path: str | Path, **named: Any) -> None:
@@ -97,9 +92,9 @@ def scenario_text(
     file = _File(Units(force="kN" if max(limits) >= STRONG else "N", angle="deg"))
     document = file.document(scenario)
     if file.lost:
-        file = _File(replace(file.units, **dict(file.lost)))
+        file = _File(replace(file.units, **file.lost))
         document = file.document(scenario)
-    text = "\n".join(_lines(document)) + "\n"
+    text = "\n".join(lines(document)) + "\n"
     again = parse_scenario(text, "as written")
     faults = [*_differences(_told(scenario), _told(again), ())]
     if faults:
@@ -153,7 +148,7 @@ class _File:
     """The content of a file in some units, and which of those lose something."""
 
     units: Units
-    lost: dict[str, str] = field(default_factory=dict)
+    lost: dict[str, Any] = field(default_factory=dict)
     """SI units to be taken instead, by kind."""
 
     def angle(self, value: float) -> float:
@@ -172,13 +167,14 @@ class _File:
 
     def document(self, scenario: Scenario) -> dict[str, Any]:
         """Return everything by the keys of a file; what is left out has no value."""
-        swarm, units = scenario.swarm, self.units
-        outline = swarm.outline
+        swarm, outline = scenario.swarm, scenario.swarm.outline
+        heading, word = scenario.terms.frame.heading, scenario.terms.robot
         is_usual = swarm.characteristic_length == outline.radius
         return _given(
             name=scenario.name,
             description=scenario.description,
-            units=vars(units),
+            units={of: getattr(self.units, of) for of in NAMED},
+            words=None if word == SI.robot else word,
             outline=_outline(outline),
             metric=_given(
                 force_weights=None if swarm.force_weights == (1, 1) else list(swarm.force_weights),
@@ -191,7 +187,10 @@ class _File:
             criterion=self.criterion(scenario.criterion),
             environment=scenario.environment and self.environment(scenario.environment),
             simulation=self.simulation(scenario),
-        ) | {"robots": list(map(self.robot, swarm.robots))}
+        ) | {
+            **({} if heading is None else {"heading": self.angle(heading)}),
+            "robots": list(map(self.robot, swarm.robots)),
+        }
 
     def robot(self, robot: Robot) -> dict[str, Any]:
         """Return a robot."""
@@ -344,53 +343,3 @@ def _ends(ends: tuple[float, float], told: Callable[[float], float]) -> Any:
     """Return two offsets, or one for both ways."""
     first, last = ends
     return told(last) if -first == last else [told(first), told(last)]
-
-
-# -- YAML ---------------------------------------------------------------------------------
-
-
-def _lines(document: dict[str, Any]) -> Iterator[str]:
-    """Yield the lines of a file: short mappings and the items of lists in a line each."""
-    order = ("name", "description", "units", "outline", "metric", "robots")
-    for key in (*(k for k in order if k in document), *(k for k in document if k not in order)):
-        value = document[key]
-        if key in ("outline", "simulation"):
-            yield f"{key}:"
-            for part, told in value.items():
-                yield from _entry(part, told, "  ")
-        else:
-            yield from _entry(key, value, "")
-
-
-def _entry(key: str, value: Any, indent: str) -> Iterator[str]:
-    """Yield the lines of one key: an item a line for lists of more than numbers."""
-    if isinstance(value, list) and value and not isinstance(value[0], float):
-        yield f"{indent}{key}:"
-        yield from (f"{indent}  - {_flow(item)}" for item in value)
-    else:
-        yield f"{indent}{key}: {_flow(value)}"
-
-
-def _flow(value: Any) -> str:
-    """Return a value on one line."""
-    if isinstance(value, dict):
-        return f"{{{', '.join(f'{key}: {_flow(item)}' for key, item in value.items())}}}"
-    if isinstance(value, list):
-        return f"[{', '.join(map(_flow, value))}]"
-    if isinstance(value, str):
-        return _text(value)
-    return str(value).lower() if isinstance(value, bool) else repr(value).removesuffix(".0")
-
-
-def _text(text: str) -> str:
-    """Return text, in quotes where they are needed.
-
-    Examples
-    --------
-    >>> [_text(each) for each in ("port pads", "edge 2", "tanker, loaded", "no", "")]
-    ['port pads', 'edge 2', '"tanker, loaded"', '"no"', '""']
-    """
-    if _BARE.fullmatch(text) and text.lower() not in _WORDS:
-        return text
-    quoted = json.dumps(text, ensure_ascii=False)
-    return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", quoted)
