@@ -15,11 +15,14 @@ from swarmgrasp import (
     Robot,
     Swarm,
     Tolerance,
+    Waves,
     Wind,
     WindCoefficients,
     WrenchSet,
     capability,
+    capability_numbers,
 )
+from swarmgrasp.environment import STEPS
 from swarmgrasp.errors import CriterionInvalid, EnvironmentInvalid, SwarmInvalid
 from swarmgrasp.scenario import load_example
 
@@ -107,13 +110,13 @@ def test_a_current_that_is_not_held_leaves_no_wind():
     weather = Environment(Wind(150.0, 500.0, FLAT), astern)
     found = capability(swarm, weather, [0.0, math.pi])
     assert found.intact.tolist() == [0.0, 0.0]
-    assert found.holds_current.tolist() == [False, False]
+    assert found.holds_calm.tolist() == [False, False]
     ahead = replace(weather, current=replace(astern, bearing=0.0))
     held = capability(swarm, ahead, [0.0, math.pi / 4])
     assert held.intact[0] > 0.0
-    assert held.holds_current.tolist() == [True, True]  # though no wind from the bow quarter
+    assert held.holds_calm.tolist() == [True, True]  # though no wind from the bow quarter
     assert held.intact[1] == 0.0
-    assert not held.holds_current_after_loss.any()
+    assert not held.holds_calm_after_loss.any()
 
 
 def test_a_hull_alike_on_both_sides_holds_alike():
@@ -143,7 +146,7 @@ def test_nobody_holds_nothing():
     """No robots: no wind, but still water is held."""
     found = capability(Swarm(BARGE, []), Environment(Wind(150.0, 500.0, FLAT)), [0.0, 1.0])
     assert found.intact.tolist() == [0.0, 0.0]
-    assert found.holds_current.tolist() == [True, True]
+    assert found.holds_calm.tolist() == [True, True]
     assert found.worst_losses == ((), ())
 
 
@@ -176,3 +179,71 @@ def test_a_group_of_azimuths_is_lost_as_one():
     assert set(found.worst_losses[0]) <= {"bus A", "bus B"}
     ahead = (found.after_loss[0] / found.intact[0]) ** 2
     assert ahead == pytest.approx(3.0 / 5.0)
+
+
+SEAWORTHY = replace(load_example("supply-vessel").environment, waves=Waves())
+
+
+def times_by_programs(swarm, load, losing):
+    """Compute by how many times a load could grow, from the generators alone."""
+    rows, least = swarm.scaled_generators, -swarm.reverse_limits / swarm.limits
+    return largest_wind(rows, np.zeros(3), load * swarm.scale, losing, least)
+
+
+def test_the_largest_wind_in_its_sea_is_the_end_of_those_held():
+    """By linear programs: everything up to it is held, and a little more is not."""
+    swarm = load_example("supply-vessel").swarm
+    found = capability(swarm, SEAWORTHY, [0.3, 1.6, 4.0])
+    assert found.most_told == 32.6
+    for i, bearing in enumerate(found.bearings):
+        for losing, speed in ((0, found.intact[i]), (1, found.after_loss[i])):
+            for share in (0.2, 0.5, 0.8, 1.0 - 1e-6, 1.0 + 1e-6):
+                if share * speed > 32.6:
+                    continue
+                load = SEAWORTHY.load_in(swarm.outline, bearing, share * speed)
+                assert bool(times_by_programs(swarm, load, losing) >= 1.0) is (share < 1.0)
+
+
+def test_a_given_sea_is_one_more_steady_load():
+    """Whatever the wind: the formula in the square of the speed holds, and not held is told."""
+    swarm = load_example("supply-vessel").swarm
+    swell = replace(SEAWORTHY, waves=Waves(3.0, 9.0, bearing=1.0))
+    found = capability(swarm, swell, COMPASS[::2])
+    calm = swell.load_in(swarm.outline, COMPASS[::2], 0.0) * swarm.scale
+    winds = swell.wind_load(swarm.outline, COMPASS[::2], 1.0) * swarm.scale
+    rows, least = swarm.scaled_generators, -swarm.reverse_limits / swarm.limits
+    for losing, speeds in ((0, found.intact), (1, found.after_loss)):
+        expected = [
+            math.sqrt(largest_wind(rows, load, wind, losing, least))
+            for load, wind in zip(calm, winds, strict=True)
+        ]
+        np.testing.assert_allclose(speeds, expected, rtol=1e-6)
+    high = capability(swarm, replace(swell, waves=Waves(12.0, 9.0, bearing=1.5)), [0.0])
+    assert not high.holds_calm.any()
+
+
+def test_numbers_are_what_linear_programs_say():
+    """A step is held and the next is not, at bearings all round, intact and after any loss."""
+    scenario = load_example("supply-vessel")
+    swarm, around = scenario.swarm, scenario.environment
+    found = capability_numbers(swarm, around, COMPASS)
+    assert set(found.intact) > {8, 11}
+    for i, bearing in enumerate(COMPASS):
+        for lost, number in ((0, found.intact[i]), (1, found.after_loss[i])):
+            for wind, height, period, speed in STEPS[number : number + 2]:
+                water = around.current.load(swarm.outline, bearing, speed)
+                load = around.wind.load(swarm.outline, bearing, wind) + water
+                load += Waves().load(swarm.outline, bearing, height, period)
+                held = times_by_programs(swarm, 1.25 * load, lost) >= 1.0
+                assert bool(held) is (wind == STEPS[number].wind)
+
+
+def test_numbers_need_a_current_and_end_with_the_table():
+    """A swarm of no limits to speak of holds step 11; without a current nothing is asked."""
+    ways = {(-40, 0): 0.0, (40, 0): math.pi, (-9, -10): 1.57, (9, -10): 1.57}
+    ways |= {(-9, 10): -1.57, (9, 10): -1.57}
+    strong = Swarm(BARGE, [Robot(contact, way, 60e6) for contact, way in ways.items()])
+    around = Environment(Wind(150.0, 500.0, FLAT), Current(60.0, 240.0))
+    assert capability_numbers(strong, around, [0.0, 1.0]).intact.tolist() == [11, 11]
+    with pytest.raises(EnvironmentInvalid, match="has no current, and every step has one"):
+        capability_numbers(strong, Environment(Wind(150.0, 500.0, FLAT)))

@@ -24,6 +24,7 @@ from swarmgrasp import (
     Summary,
     Swarm,
     Tolerance,
+    Waves,
     Wind,
     WindCoefficients,
 )
@@ -50,9 +51,10 @@ currents = st.builds(
     Current, areas, areas, shares, st.none() | numbers,
     st.builds(CurrentCoefficients, shares, shares),
 )  # fmt: skip
+seas = st.builds(Waves, shares, shares, st.none() | numbers, st.none() | shares, st.none() | shares)
 parts = (
     tolerances
-    | st.builds(Environment, winds, st.none() | currents, st.floats(1.0, 2.0))
+    | st.builds(Environment, winds, st.none() | currents, st.floats(1.0, 2.0), st.none() | seas)
     | st.builds(
         Criterion, st.integers(0, 9), st.booleans(), st.tuples(numbers, numbers, numbers),
         st.none() | st.builds(Polytope, wrenches) | st.builds(Ellipsoid, wrenches),

@@ -1,12 +1,18 @@
 """Where the next robot should attach to a large object, and which way it should push."""
 
 from swarmgrasp.answer_file import read_answer, write_answer
-from swarmgrasp.capability import Capability, capability
+from swarmgrasp.capability import (
+    Capability,
+    CapabilityNumbers,
+    capability,
+    capability_numbers,
+)
 from swarmgrasp.environment import (
     BLENDERMANN,
     Current,
     CurrentCoefficients,
     Environment,
+    Waves,
     Wind,
     WindCoefficients,
 )
@@ -51,6 +57,7 @@ from swarmgrasp.wrench_set import WrenchSet
 __all__ = [
     "BLENDERMANN",
     "Capability",
+    "CapabilityNumbers",
     "Contact",
     "Criterion",
     "Current",
@@ -80,12 +87,14 @@ __all__ = [
     "Together",
     "Tolerance",
     "Verdict",
+    "Waves",
     "Wind",
     "WindCoefficients",
     "WrenchSet",
     "Zone",
     "best_move",
     "capability",
+    "capability_numbers",
     "cell_qualities",
     "forces",
     "forces_along",

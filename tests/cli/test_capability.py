@@ -75,8 +75,8 @@ def test_json_holds_every_bearing(run, windy, tmp_path):
     assert found["bearings"] == [math.radians(45 * k) for k in range(8)]
     assert (found["losing"], found["environment"]["current"]["bearing"]) == (1, 3.0)
     assert all(lost in (["C"], ["D"], ["E"]) for lost in found["worst_losses"])  # each as bad
-    assert all(found["holds_current"])
-    assert not any(found["holds_current_after_loss"])
+    assert all(found["holds_calm"])
+    assert not any(found["holds_calm_after_loss"])
     assert "Without one robot  no wind from any bearing, not even the current alone" in said
     assert re.search("losing [CDE] is enough", said)
 

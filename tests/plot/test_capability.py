@@ -81,7 +81,7 @@ def test_small_print_tells_what_was_taken_into_account(vessel):
         "280 m² ahead, 700 m² abeam",
         "Current 1.5 kn (0.772 m/s) with the wind",
         "loads times 1.25",
-        "no waves",
+        "No waves.",
     ):
         assert part in said
 
@@ -120,7 +120,7 @@ def test_nothing_held_is_said():
     )
     said = texts(capability_diagram(capability(Swarm(outline, []), weather, BEARINGS)))
     assert "no wind held\nall robots" in said
-    assert "Current 1.94 kn (1 m/s) from 57.3°; steady loads; no waves." in said
+    assert "Current 1.94 kn (1 m/s) from 57.3°; steady loads." in said
 
 
 def test_labels_keep_off_each_other(vessel):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from swarmgrasp.environment import BLENDERMANN, KNOT, CurrentCoefficients, WindCoefficients
+from swarmgrasp.environment import BLENDERMANN, KNOT, CurrentCoefficients, Waves, WindCoefficients
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.scenario import parse_scenario
 
@@ -55,7 +55,32 @@ def test_coefficients_may_be_given() -> None:
     assert found.current.coefficients == CurrentCoefficients(0.3, 0.6)
 
 
+def test_waves_are_given_or_go_with_the_wind() -> None:
+    """Feet and degrees in the file; what is left out is of the outline."""
+    told = "{height: 10, period: 8, from: -30, bow_angle: 30, aft_fullness: 0.9}"
+    units = "units: {length: ft, angle: deg}\n"
+    sea = environment(f"{{wind: {{{WIND}}}, waves: {told}}}", units).waves
+    assert (sea.height, sea.period, sea.bearing) == pytest.approx((3.048, 8.0, -math.pi / 6))
+    assert (sea.bow_angle, sea.aft_fullness) == (pytest.approx(math.pi / 6), 0.9)
+    assert environment(f"{{wind: {{{WIND}}}, waves: {{with_wind: true}}}}").waves == Waves()
+    assert environment(f"{{wind: {{{WIND}}}}}").waves is None
+
+
 FAULTS = {
+    f"{{wind: {{{WIND}}}, waves: {{}}}}": (
+        "3:79: environment.waves: should say the sea, by height and period, or by `with_wind: "
+        "true`, the sea that goes with the wind"
+    ),
+    f"{{wind: {{{WIND}}}, waves: {{height: 1}}}}": (
+        "3:88: environment.waves.height: waves also need their period (got 1)"
+    ),
+    f"{{wind: {{{WIND}}}, waves: {{height: 1, with_wind: true}}}}": (
+        "3:79: environment.waves: with_wind and height each say the sea; keep one"
+    ),
+    f"{{wind: {{{WIND}, speed: 40, from: 0}}, waves: {{with_wind: true}}}}": (
+        "3:14: environment: the wind's speed is 40.0; the sea that goes with it is told of "
+        "0 <= speed <= 32.6 [m/s]: give the waves a height and a period"
+    ),
     "{}": "3:14: environment.wind: is missing; give what the object shows to the wind",
     "{wind: {frontal_area: 1, lateral_area: 2}}": (
         "3:21: environment.wind: should say its drag, by vessel, a type such as 'offshore supply "

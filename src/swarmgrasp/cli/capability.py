@@ -40,8 +40,8 @@ def capability(
     """Tell the largest wind the robots hold from every bearing, intact and after a loss.
 
     Needs the scenario's environment: what the object shows to wind and current. The current
-    comes from where the wind comes, unless the scenario says otherwise. Loads are steady, and
-    there are no waves.
+    comes from where the wind comes, unless the scenario says otherwise; so do the waves, if it
+    has any. Loads are steady.
 
     Example: swarmgrasp capability supply-vessel --plot capability.png
 

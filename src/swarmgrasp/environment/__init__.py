@@ -1,4 +1,4 @@
-"""Wind and current: the loads they exert on the object."""
+"""Wind, current and waves: the loads they exert on the object."""
 
 from swarmgrasp.environment.coefficients import (
     BLENDERMANN,
@@ -6,19 +6,27 @@ from swarmgrasp.environment.coefficients import (
     WindCoefficients,
     vessel_type,
 )
-from swarmgrasp.environment.loads import AIR, WATER, Current, Environment, Wind
+from swarmgrasp.environment.environment import Environment
+from swarmgrasp.environment.loads import AIR, WATER, Current, Wind
+from swarmgrasp.environment.sea import STEPS, STRONGEST_SEA, Step, sea_of
+from swarmgrasp.environment.waves import Waves
 from swarmgrasp.units import KNOT, beaufort
 
 __all__ = [
     "AIR",
     "BLENDERMANN",
     "KNOT",
+    "STEPS",
+    "STRONGEST_SEA",
     "WATER",
     "Current",
     "CurrentCoefficients",
     "Environment",
+    "Step",
+    "Waves",
     "Wind",
     "WindCoefficients",
     "beaufort",
+    "sea_of",
     "vessel_type",
 ]

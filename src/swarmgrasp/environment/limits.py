@@ -44,3 +44,7 @@ COEFFICIENT = Range(1e-6, 10.0, "1")
 """A flat plate across the stream has about 2."""
 CROSS_FORCE = Range(0.0, 1.0, "1")
 DYNAMIC_FACTOR = Range(1.0, 10.0, "1")
+HEIGHT = Range(0.0, 100.0, "m")
+PERIOD = Range(1e-3, 1e3, "s")
+BOW_ANGLE = Range(1e-3, 1.6, "rad")
+FULLNESS = Range(0.0, 2.0, "1")

@@ -11,20 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.environment.coefficients import SHIP, CurrentCoefficients, WindCoefficients
-from swarmgrasp.environment.limits import (
-    AREA,
-    BEARING,
-    DENSITY,
-    DYNAMIC_FACTOR,
-    OFFSET,
-    SPEED,
-    Range,
-)
+from swarmgrasp.environment.geometry import folded_of, keep_floats, length_of, numbers_in, wrench_of
+from swarmgrasp.environment.limits import AREA, BEARING, DENSITY, OFFSET, SPEED
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.outline import Outline
 from swarmgrasp.outline.outline import check_outline
 from swarmgrasp.plain import Plain
-from swarmgrasp.ranges import array_of, is_number, kind_faults, shown
+from swarmgrasp.ranges import shown
 
 AIR, WATER = 1.226, 1026.0
 """Densities [kg/m^3] of air and sea water, those of DNV-ST-0111."""
@@ -87,7 +80,7 @@ class Wind(Plain):
             faults.append("the speed and the bearing of a wind go together; give both or neither")
         if faults:
             raise EnvironmentInvalid(f"wind: {fault}" for fault in faults)
-        _keep_floats(self)
+        keep_floats(self)
 
     def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
         """Compute the wrench that a wind exerts on the object, by Blendermann's formulas.
@@ -112,16 +105,16 @@ class Wind(Plain):
         (..., 3) [N, N, N m]
         """
         check_outline(outline)
-        bearing, folded = _folded(bearings)
+        bearing, folded = folded_of(bearings)
         c = self.coefficients
         along = np.where(folded <= 0.5 * math.pi, c.bow, c.stern)
         share = along * self.frontal_area / (self.lateral_area * c.transverse)  # CD_l / CD_t
         excess = 1.0 - 0.5 * c.cross_force * (1.0 - share) * np.sin(2.0 * folded) ** 2
         surge = -self.frontal_area * along * np.cos(folded) / excess
         sway = self.lateral_area * c.transverse * np.sin(bearing) / excess
-        arm = self.lateral_centroid - 0.18 * (folded - 0.5 * math.pi) * _length(outline)
-        pressure = 0.5 * self.density * _numbers(speeds, "speeds", SPEED) ** 2
-        return _wrench(outline, pressure * surge, pressure * sway, arm)
+        arm = self.lateral_centroid - 0.18 * (folded - 0.5 * math.pi) * length_of(outline)
+        pressure = 0.5 * self.density * numbers_in(speeds, "speeds", SPEED) ** 2
+        return wrench_of(outline, pressure * surge, pressure * sway, arm)
 
 
 @dataclass(frozen=True)
@@ -170,7 +163,7 @@ class Current(Plain):
             faults.append("the speed is None; it should be a number [m/s], 0 for still water")
         if faults:
             raise EnvironmentInvalid(f"current: {fault}" for fault in faults)
-        _keep_floats(self)
+        keep_floats(self)
 
     def load(self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike) -> NDArray[np.float64]:
         """Compute the wrench that a current exerts on the object, as DNV-ST-0111 does for ships.
@@ -194,146 +187,13 @@ class Current(Plain):
         (..., 3) [N, N, N m]
         """
         check_outline(outline)
-        bearing, folded = _folded(bearings)
+        bearing, folded = folded_of(bearings)
         surge = -self.frontal_area * self.coefficients.surge * np.cos(folded)
         sway = self.lateral_area * self.coefficients.sway * np.sin(bearing)
         shift = np.clip(0.4 * (1.0 - 2.0 * folded / math.pi), -0.2, 0.25)
-        arm = self.lateral_centroid + shift * _length(outline)
-        pressure = 0.5 * self.density * _numbers(speeds, "speeds", SPEED) ** 2
-        return _wrench(outline, pressure * surge, pressure * sway, arm)
-
-
-@dataclass(frozen=True)
-class Environment(Plain):
-    """Wind and current around an object.
-
-    Attributes
-    ----------
-    wind : Wind
-    current : Current, optional
-        Still water when left out.
-    dynamic_factor : float
-        Multiplies both loads, an allowance for gusts and for what station keeping itself
-        needs: 1.25 in DNV-ST-0111. At least 1, the default: no allowance.
-
-    Raises
-    ------
-    EnvironmentInvalid
-        If a part is not what it should be; all faults at once.
-
-    Examples
-    --------
-    >>> from math import radians
-    >>> barge = Outline([(-40, -10), (40, -10), (40, 10), (-40, 10)])
-    >>> box = WindCoefficients(transverse=0.9, bow=0.7, stern=0.7)
-    >>> weather = Environment(
-    ...     Wind(150.0, 500.0, box, speed=15.0, bearing=0.0), Current(60.0, 240.0, speed=1.0)
-    ... )
-    >>> weather.load(barge).round(1).tolist()  # both from ahead
-    [-16636.7, 0.0, 0.0]
-    """
-
-    wind: Wind
-    current: Current | None = None
-    dynamic_factor: float = 1.0
-
-    def __post_init__(self) -> None:
-        """Check the values."""
-        faults = DYNAMIC_FACTOR.faults("dynamic factor", self.dynamic_factor)
-        faults += kind_faults(self.wind, Wind, "Wind(...)")
-        if self.current is not None:
-            faults += kind_faults(self.current, Current, "Current(...)")
-        if faults:
-            raise EnvironmentInvalid(faults)
-        vars(self)["dynamic_factor"] = float(self.dynamic_factor)
-
-    @property
-    def is_steady(self) -> bool:
-        """Whether a steady wind is given, so that there is a steady load."""
-        return self.wind.speed is not None
-
-    def wind_load(
-        self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike
-    ) -> NDArray[np.float64]:
-        """Compute the wrench of winds on the object.
-
-        Parameters
-        ----------
-        outline : Outline
-        bearings : (...) [rad]
-            Where the wind comes from, clockwise from the bow.
-        speeds : (...) [m/s]
-
-        Returns
-        -------
-        (..., 3) [N, N, N m]
-        """
-        return self.dynamic_factor * self.wind.load(outline, bearings, speeds)
-
-    def current_load(self, outline: Outline, bearings: ArrayLike) -> NDArray[np.float64]:
-        """Compute the wrench of the current on the object.
-
-        Parameters
-        ----------
-        outline : Outline
-        bearings : (...) [rad]
-            Where the wind comes from, clockwise from the bow: the current comes from there
-            too, unless it has a bearing of its own.
-
-        Returns
-        -------
-        (..., 3) [N, N, N m]
-        """
-        check_outline(outline)
-        wind = _numbers(bearings, "bearings", BEARING)
-        current = self.current
-        if current is None:
-            return np.zeros((*wind.shape, 3))
-        own = wind if current.bearing is None else np.full_like(wind, current.bearing)
-        return self.dynamic_factor * current.load(outline, own, current.speed)
-
-    def load(self, outline: Outline) -> NDArray[np.float64]:
-        """Compute the steady load: the wrench of the wind that is given, and of the current.
-
-        It is the `load` of `quality` and `place`.
-
-        Parameters
-        ----------
-        outline : Outline
-
-        Returns
-        -------
-        (3,) [N, N, N m]
-
-        Raises
-        ------
-        EnvironmentInvalid
-            If the wind has no speed and bearing.
-        """
-        if self.wind.speed is None or self.wind.bearing is None:
-            raise EnvironmentInvalid("the wind has no speed and bearing; a steady load needs both")
-        wind = self.wind_load(outline, self.wind.bearing, self.wind.speed)
-        return wind + self.current_load(outline, self.wind.bearing)
-
-
-# -- parts --------------------------------------------------------------------------------
-
-
-def _keep_floats(part: Wind | Current) -> None:
-    """Keep the numbers of a part, which are known to be right, as floats."""
-    numbers = {name: value for name, value in vars(part).items() if is_number(value)}
-    vars(part).update({name: float(value) for name, value in numbers.items()})
-
-
-def _numbers(values: ArrayLike, name: str, known: Range) -> NDArray[np.float64]:
-    """Return numbers in a range as an array."""
-    found = array_of(values)
-    if found is None or not ((found >= known.low) & (found <= known.high)).all():
-        raise EnvironmentInvalid(
-            f"the {name} are {shown(values)}; they should be {known.low:g} <= number <= "
-            f"{known.high:g} [{known.unit}]"
-        )
-    return found
+        arm = self.lateral_centroid + shift * length_of(outline)
+        pressure = 0.5 * self.density * numbers_in(speeds, "speeds", SPEED) ** 2
+        return wrench_of(outline, pressure * surge, pressure * sway, arm)
 
 
 def _hull_faults(part: Wind | Current) -> list[str]:
@@ -349,27 +209,3 @@ def _hull_faults(part: Wind | Current) -> list[str]:
     if part.bearing is not None:
         faults += BEARING.faults("bearing", part.bearing)
     return faults
-
-
-def _folded(bearings: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return bearings within [-pi, pi], and how far each is from ahead, either side."""
-    wanted = _numbers(bearings, "bearings", BEARING)
-    turned = wanted - 2.0 * math.pi * np.round(wanted / (2.0 * math.pi))
-    return turned, np.abs(turned)
-
-
-def _length(outline: Outline) -> float:
-    """Return the outline's length over all [m]."""
-    return float(np.ptp(outline.vertices[:, 0]))
-
-
-def _wrench(
-    outline: Outline,
-    surge: NDArray[np.float64],
-    sway: NDArray[np.float64],
-    arm: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """Return forces whose line is `arm` [m] forward of midship as wrenches about the origin."""
-    midship = 0.5 * (outline.vertices.min(axis=0) + outline.vertices.max(axis=0))
-    x, y = midship - outline.origin
-    return np.stack([surge, sway, (x + arm) * sway - y * surge], axis=-1)

@@ -33,7 +33,7 @@ LONGEST_NAME: Final = 20
 HULL: Final = 0.56
 """Length of the hull's silhouette over the outer ring's radius."""
 
-BELOW: Final = 1.06
+BELOW: Final = 1.21
 """Height of the caption [in]."""
 
 INTACT: Final[dict[str, Any]] = {"color": style.BLUE, "linewidth": 1.8, "linestyle": "-"}
@@ -227,5 +227,20 @@ def _small_print(found: Capability) -> list[str]:
     poses = "; worst poses" if found.worst_case else ""
     return [
         f"Wind drag: {drag}; {areas}.",
-        f"{water}; {allowance}; no waves{poses}.",
+        f"{water}; {allowance}{poses}.",
+        _sea_words(found),
     ]
+
+
+def _sea_words(found: Capability) -> str:
+    """Say what of waves was taken into account."""
+    waves = found.environment.waves
+    if waves is None:
+        return "No waves."
+    way = "with the wind"
+    if waves.bearing is not None:
+        way = f"from {math.degrees(waves.bearing) % 360.0:.4g}°"
+    if waves.height is None or waves.period is None:
+        return f"Mean drift of the sea that goes with the wind (steps of DNV-ST-0111), {way}."
+    sea = f"{style.number(waves.height)} m, {style.number(waves.period)} s"
+    return f"Mean drift of a given sea, {sea}, {way}."

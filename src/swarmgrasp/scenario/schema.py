@@ -372,7 +372,7 @@ class ScenarioFile(Section):
     )
     environment: EnvironmentSection | None = Field(
         None,
-        description="Wind and current, for `swarmgrasp capability` and for `load: environment`.",
+        description="Wind, current and waves, for `swarmgrasp capability` and as a load.",
     )
     simulation: SimulationSection | None = Field(
         None, description="A run in this environment, for `swarmgrasp simulate`."

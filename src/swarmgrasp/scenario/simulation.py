@@ -137,6 +137,9 @@ def _check_surroundings(section: SimulationSection, checked: Checked) -> None:
             said = "needs the environment: what the object shows to the wind, and its speed"
             checked.fault(_HERE, said, got=False)
         return
+    if checked.has("environment", "waves"):
+        said = "a simulation has no waves: leave them out of a file that has one"
+        checked.fault(("environment", "waves"), said, got=False)
     wind: Path = ("environment", "wind")
     if not checked.is_sound(*wind) or section.weather.series is not None:
         return

@@ -5,6 +5,7 @@ from swarmgrasp.environment import (
     Current,
     CurrentCoefficients,
     Environment,
+    Waves,
     Wind,
     WindCoefficients,
 )
@@ -12,16 +13,23 @@ from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.scenario.weather_schema import CurrentSection, WindSection
+from swarmgrasp.scenario.weather_schema import CurrentSection, WavesSection, WindSection
 
 _WIND: Path = ("environment", "wind")
+_WAVES: Path = ("environment", "waves")
 
 
 def check_weather(checked: Checked) -> None:
-    """Note what is wrong with how a document says its wind."""
-    section = checked.file.environment
-    if section is None or not checked.is_known(*_WIND):
-        return
+    """Note what is wrong with how a document says its wind and its waves."""
+    if checked.file.environment is not None:
+        if checked.is_known(*_WIND):
+            _check_wind(checked.file.environment.wind, checked)
+        if checked.has(*_WAVES) and checked.is_known(*_WAVES):
+            _check_waves(checked)
+
+
+def _check_wind(section: WindSection, checked: Checked) -> None:
+    """Note a wind with no drag, with two, or without speed or bearing."""
     given = [key for key in ("vessel", "coefficients") if checked.has(*_WIND, key)]
     if not given:
         said = (
@@ -31,7 +39,7 @@ def check_weather(checked: Checked) -> None:
         checked.fault(_WIND, said, got=False)
     elif len(given) > 1:
         checked.fault(_WIND, "vessel and coefficients each say the drag; keep one", got=False)
-    vessel = section.wind.vessel
+    vessel = section.vessel
     if vessel is not None and vessel not in BLENDERMANN:
         checked.fault((*_WIND, "vessel"), f"there is no such type of vessel; {_types(vessel)}")
     for key, other, said in (
@@ -40,6 +48,24 @@ def check_weather(checked: Checked) -> None:
     ):
         if checked.has(*_WIND, key) and not checked.has(*_WIND, other):
             checked.fault((*_WIND, key), said)
+
+
+def _check_waves(checked: Checked) -> None:
+    """Note a sea told in no way, in two, or in half of one."""
+    told = [key for key in ("height", "period") if checked.has(*_WAVES, key)]
+    with_wind = checked.has(*_WAVES, "with_wind")
+    if with_wind and told:
+        said = f"with_wind and {' and '.join(told)} each say the sea; keep one"
+        checked.fault(_WAVES, said, got=False)
+    elif len(told) == 1:
+        other = "period" if told == ["height"] else "height"
+        checked.fault((*_WAVES, told[0]), f"waves also need their {other}")
+    elif not told and not with_wind:
+        said = (
+            "should say the sea, by height and period, or by `with_wind: true`, the sea that goes "
+            "with the wind"
+        )
+        checked.fault(_WAVES, said, got=False)
 
 
 def _types(vessel: str) -> str:
@@ -69,8 +95,9 @@ def environment_of(checked: Checked, units: Units) -> Environment | None:
         return None
     try:
         current = None if section.current is None else _current(section.current, units)
-        return Environment(_wind(section.wind, units), current, section.dynamic_factor)
-    except EnvironmentInvalid as error:  # numbers next to zero only
+        waves = None if section.waves is None else _waves(section.waves, units)
+        return Environment(_wind(section.wind, units), current, section.dynamic_factor, waves)
+    except EnvironmentInvalid as error:  # numbers next to zero, a wind beyond those with a sea
         checked.fault(("environment",), "; ".join(error.faults), got=False)
         raise checked.faults.error() from error
 
@@ -101,5 +128,17 @@ def _current(section: CurrentSection, units: Units) -> Current:
         bearing=None if section.bearing is None else units.radians(section.bearing),
         coefficients=CurrentCoefficients(**section.coefficients.model_dump()),
         lateral_centroid=units.metres(section.lateral_centroid),
+        density=section.density,
+    )
+
+
+def _waves(section: WavesSection, units: Units) -> Waves:
+    """Return the sea in SI units."""
+    return Waves(
+        height=None if section.height is None else units.metres(section.height),
+        period=section.period,
+        bearing=None if section.bearing is None else units.radians(section.bearing),
+        bow_angle=None if section.bow_angle is None else units.radians(section.bow_angle),
+        aft_fullness=section.aft_fullness,
         density=section.density,
     )

@@ -1,6 +1,6 @@
-"""The keys of a scenario file that tell wind and current."""
+"""The keys of a scenario file that tell wind, current and waves."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import ConfigDict, Field
 
@@ -112,16 +112,64 @@ class CurrentSection(Section):
     )
 
 
+class WavesSection(Section):
+    """The sea, whose mean drift pushes the object.
+
+    Exactly one of `height`, with `period`, and `with_wind` tells it. The outline is the waterline.
+    """
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "oneOf": [{"required": ["height", "period"]}, {"required": ["with_wind"]}],
+        }
+    )
+
+    height: Annotated[Number, Field(ge=0, le=1e3), Measure("length")] | None = Field(
+        None,
+        description="Significant height [units.length]; goes with `period`.",
+        examples=[0.5],
+    )
+    period: Annotated[Number, Field(ge=1e-3, le=1e3), Measure("time")] | None = Field(
+        None, description="Peak period [s], whatever the units; goes with `height`.", examples=[3]
+    )
+    with_wind: Literal[True] | None = Field(
+        None,
+        description="The sea that goes with the wind, by the steps of DNV-ST-0111 and straight "
+        "lines between, instead of `height` and `period`.",
+    )
+    bearing: Bearing | None = Field(
+        None,
+        alias="from",
+        description=f"Where the sea {COMES_FROM} From where the wind comes when left out.",
+    )
+    bow_angle: Annotated[Number, Field(gt=0, le=91), Measure("angle")] | None = Field(
+        None,
+        description="Between the centre line and the line from the stem to the waterline a quarter "
+        "of the beam off it [units.angle]; of the outline when left out.",
+    )
+    aft_fullness: Annotated[Number, Field(ge=0, le=2)] | None = Field(
+        None,
+        description="The part of half the length times the beam that the waterplane aft of midship "
+        "fills; of the outline when left out.",
+    )
+    density: Density = Field(
+        WATER, description="Density of the water [kg/m^3], whatever the units."
+    )
+
+
 class EnvironmentSection(Section):
-    """Wind and current around the object."""
+    """Wind, current and waves around the object."""
 
     wind: WindSection = Field(description="The wind, and what the object shows to it.")
     current: CurrentSection | None = Field(
         None, description="The current, and what the object shows to it; still water if left out."
     )
+    waves: WavesSection | None = Field(
+        None, description="The sea; flat, without drift, if left out."
+    )
     dynamic_factor: Annotated[Number, Field(ge=1, le=10)] = Field(
         1.0,
-        description="Multiplies both loads, an allowance for gusts and motions: 1.25 in "
+        description="Multiplies all loads, an allowance for gusts and motions: 1.25 in "
         "DNV-ST-0111, 1 is none.",
         examples=[1.25],
     )

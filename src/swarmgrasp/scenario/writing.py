@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from swarmgrasp.environment import Current, Environment, Wind, vessel_type
+from swarmgrasp.environment import Current, Environment, Waves, Wind, vessel_type
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.files import write_whole
 from swarmgrasp.outline import Outline, Stretch
@@ -280,7 +280,7 @@ class _File:
         )
 
     def environment(self, around: Environment) -> dict[str, Any]:
-        """Return wind and current."""
+        """Return wind, current and waves."""
         told = unusual(around)
         told["wind"] = self.weather(around.wind)
         vessel = vessel_type(around.wind.coefficients)
@@ -289,6 +289,12 @@ class _File:
             del told["wind"]["coefficients"]
         if around.current:
             told["current"] = self.weather(around.current)
+        if around.waves:
+            told["waves"] = self.weather(around.waves)
+            if around.waves.goes_with_wind:
+                told["waves"]["with_wind"] = True
+            if around.waves.bow_angle is not None:
+                told["waves"]["bow_angle"] = self.angle(around.waves.bow_angle)
         return told
 
     def simulation(self, scenario: Scenario) -> dict[str, Any] | None:
@@ -299,8 +305,8 @@ class _File:
 
         return simulation_keys(scenario.simulation, self.angle)
 
-    def weather(self, part: Wind | Current) -> dict[str, Any]:
-        """Return what wind or current meets, and how fast it comes from where."""
+    def weather(self, part: Wind | Current | Waves) -> dict[str, Any]:
+        """Return what wind, current or waves meet, and how they come from where."""
         told = unusual(part)
         if part.bearing is not None:
             told["from"] = self.angle(told.pop("bearing"))

@@ -127,12 +127,19 @@ class Plant(Frozen):
     def _environment_faults(self) -> list[str]:
         """Return what is missing of the environment."""
         faults = kind_faults(self.environment, Environment, "Environment(wind, current)")
-        if faults or self.environment.current is not None:
+        if faults:
             return faults
-        return [
-            "the environment has no current, and so nothing tells the drag of the water; give it "
-            "Current(frontal_area, lateral_area), beam and length times draught: the speed may be 0"
-        ]
+        if self.environment.current is None:
+            faults.append(
+                "the environment has no current, and so nothing tells the drag of the water; give "
+                "it Current(frontal_area, lateral_area), beam and length times draught: the speed "
+                "may be 0"
+            )
+        if self.environment.waves is not None:
+            faults.append(
+                "the environment has waves, and a run in time has none; leave them out of it"
+            )
+        return faults
 
     def __len__(self) -> int:
         """Return the number of robots."""

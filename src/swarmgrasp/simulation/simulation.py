@@ -155,6 +155,10 @@ class Simulation(Frozen, Plain):
                 "the environment has no current, and so nothing tells the drag of the water; give "
                 "it Current(frontal_area, lateral_area): its speed may be 0"
             )
+        if self.environment.waves is not None:
+            faults.append(
+                "the environment has waves, and a run in time has none; leave them out of it"
+            )
         if series is None and not self.environment.is_steady:
             faults.append(
                 "the wind has no speed and bearing, and there is no series of winds; give the "
