@@ -43,7 +43,7 @@ def test_tells_the_least_wind_and_the_worst_loss(run):
     assert "Without one robot  least from 55 deg: 58.9 kn (30.3 m/s, Beaufort 11)" in lines
     assert "                   the worst loss there: port propeller" in lines
     assert "Current            1.50 kn (0.77 m/s), from where the wind comes" in lines
-    assert "Allowance          both loads times 1.25" in lines
+    assert "Allowance          all loads times 1.25" in lines
     rows = [row.split() for row in lines if row.strip()[:1].isdigit()]
     assert [row[0] for row in rows] == [
         "0", "30", "55", "60", "70", "90", "120", "150", "180", "210", "240", "270", "300", "330"

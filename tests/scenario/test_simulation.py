@@ -227,6 +227,11 @@ def test_faults_of_a_simulation_are_told_at_once() -> None:
             "5:60: simulation.events.0.current: there is no current in the environment; say what "
             "the object shows it",
         ),
+        (
+            f"environment: {{{WIND}, waves: {{with_wind: true}}}}\n",
+            "4:98: environment.waves: a simulation has no waves: leave them out of a file that has "
+            "one",
+        ),
     ],
 )
 def test_what_a_simulation_needs_of_its_file(around: str, fault: str) -> None:

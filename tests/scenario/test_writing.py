@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 from strategies import problems
 from swarmgrasp import (
+    BLENDERMANN,
     Criterion,
     Ellipsoid,
+    Environment,
     Newcomer,
     Outline,
     Polytope,
@@ -19,6 +21,8 @@ from swarmgrasp import (
     Stretch,
     Swarm,
     Tolerance,
+    Waves,
+    Wind,
     Zone,
 )
 from swarmgrasp.errors import ScenarioInvalid
@@ -140,6 +144,18 @@ def test_everything_that_can_be_said_is():
         problem = Problem(swarm, Newcomer(2.0), zones, (Stretch(3.0, 3.5, "!"),), 0.1, criterion)
         again = parse_scenario(scenario_text(problem))
         assert again.problem() == problem
+
+
+@pytest.mark.parametrize(
+    "waves", [Waves(), Waves(bearing=0.3), Waves(2.0, 7.5, -1.0, math.radians(30.0), 0.9, 1000.0)]
+)
+def test_waves_come_back(waves):
+    """The sea of the wind, and a given one with all that can be said of it."""
+    around = Environment(Wind(1.0, 2.0, BLENDERMANN["ferry"]), waves=waves)
+    assert (
+        parse_scenario(scenario_text(Problem(SWARM, Newcomer()), environment=around)).environment
+        == around
+    )
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,11 @@ def show(name: str, found: Capability, terms: Terms) -> None:
     """Write a capability for people."""
     report, tell = Report(), telling_of(terms, found.swarm, [])
     worst, after = float(found.intact.min()), float(found.after_loss.min())
-    held = f"holds {_wind(found, worst, tell)} from any bearing" if worst else "does not hold every wind"
+    held = (
+        f"holds {_wind(found, worst, tell)} from any bearing"
+        if worst
+        else "does not hold every wind"
+    )
     report.headline(f"{name}: {held}", "good" if after else "caution" if worst else "bad")
     report.blank()
     report.facts(_facts(found, tell))
