@@ -179,10 +179,13 @@ def test_no_table_is_refused(run, pontoon, table, text, complaint):
     [
         ((), "--wrench is missing"),
         (("--wrench", "1", "2"), "requires 3"),
-        (("--wrench", "1", "nan", "2"), "--wrench is 1.0 nan 2.0; they should be finite"),
-        (("--wrench", "1", "0", "0", "--load", "1e200", "0", "0"), "--load is 1e+200 0.0 0.0"),
+        (("--wrench", "1", "nan", "2"), "--wrench is 1 nan 2; 'nan' is no force"),
+        (
+            ("--wrench", "1", "0", "0", "--load", "1e200", "0", "0"),
+            "--load is 1e200 0 0; they should be",
+        ),
         (("--wrench", "1", "0", "0", "--wrenches", "a.csv"), "do not go together"),
-        (("--wrench", "1", "0", "0", "--csv", "a.csv"), "--csv goes with --wrenches"),
+        (("--wrench", "1", "0", "0", "--csv", "a.txt"), "should end in .csv"),
         (("--wrenches", "a.csv", "--csv", "-", "--json", "-"), "cannot both be printed"),
         (("--wrenches", "none.csv"), "none.csv: there is no such file"),
     ],
@@ -230,3 +233,93 @@ def test_robots_that_steer_are_told_which_way(run, tmp_path):
     found = json.loads(printed)
     assert found["is_least_squares"] is True
     assert found["vectors"][0] == pytest.approx([89_216.1, 154_526.7], rel=1e-5)
+
+
+AUV = """\
+name: AUV
+outline: {vertices: [[-0.3, -0.25], [0.3, -0.25], [0.3, 0.25], [-0.3, 0.25]], origin: [0, 0]}
+units: {length: m, force: N, angle: deg}
+metric: {characteristic_length: 0.3}
+robots:
+  - {name: fr, contact: [0.25, -0.2], direction: 45, limit: 40, mounted: true, two_way: true}
+  - {name: fl, contact: [0.25, 0.2], direction: -45, limit: 40, mounted: true, two_way: true}
+  - {name: rr, contact: [-0.25, -0.2], direction: -45, limit: 40, mounted: true, two_way: true}
+  - {name: rl, contact: [-0.25, 0.2], direction: 45, limit: 40, mounted: true, two_way: true}
+"""
+AIRSHIP = """\
+name: Airship
+outline: {vertices: [[-2, -0.6], [2, -0.6], [2, 0.6], [-2, 0.6]], origin: [0, 0]}
+units: {length: m, force: N, angle: deg}
+metric: {characteristic_length: 1}
+robots:
+  - {name: left, contact: [0, 0.5], direction: 0, limit: 10, mounted: true}
+  - {name: right, contact: [0, -0.5], direction: 0, limit: 10, mounted: true}
+  - {name: tail, contact: [-1.8, 0], direction: 90, limit: 2, mounted: true, two_way: true}
+"""
+
+
+@pytest.fixture
+def asked(run, tmp_path):
+    """Ask for forces in a file of some text; return the answer."""
+
+    def asked(text, *options):
+        path = tmp_path / "asked.yaml"
+        path.write_text(text)
+        status, said, complaints = run("forces", path, *options)
+        assert (status, complaints) == (0, "")
+        return said
+
+    return asked
+
+
+def test_the_direction_is_kept_if_that_is_wanted(asked):
+    """0.282843 = 0.2 sqrt(2) times 200, 200, 60, beside the nearest wrench."""
+    said = asked(AUV, "--wrench", "200", "200", "60", "--keep-direction")
+    assert said.startswith("AUV: out of reach; the robots make 0.282843 times as much the same way")
+    assert "Made           56.569 N along x, 56.569 N along y, 16.971 N m of torque" in said
+    assert "Nearest        56.57 N along x, 56.57 N along y, 25.456 N m of torque" in said
+    said = asked(AUV, "--wrench", "20", "20", "6", "--keep-direction")
+    assert "AUV: the robots make it, with shares up to" in said
+
+
+def test_a_part_that_does_not_matter(asked):
+    """The tail turns by 2 N at 1.8 m if the force across is free, and by nothing if not."""
+    said = asked(AIRSHIP, "--wrench", "0", "any", "3.6")
+    assert said.startswith("Airship: the robots make it, with shares up to 100 %")
+    assert "Wanted         -2.0000 N along y, 3.6000 N m of torque" in said
+    assert "the force to port or starboard may be anything" in said
+    assert asked(AIRSHIP, "--wrench", "0", "0", "3.6").startswith("Airship: out of reach by")
+    said = asked(AIRSHIP, "--wrench", "0", "any", "4", "--losing", "left,right")
+    assert said.startswith("Airship: out of reach by 0.4")
+
+
+def test_units_and_the_frame_of_the_file_on_the_command_line(asked, run):
+    """A file with y to starboard: its own axes are asked in, and answered in."""
+    said = run("forces", "deck-barge", "--wrench", "30tf", "-1 kN", "0")[1]
+    assert "Wanted         30.000 tf along x, -0.102 tf along y" in said
+    marine = f"frame: NED\n{AUV}"
+    said = asked(marine, "--wrench", "0", "20", "0")
+    assert "Wanted         20.000 N along y: moving to starboard" in said
+
+
+def test_a_load_is_held_without_being_asked(asked):
+    """Its first line says so, and who is busiest."""
+    said = asked(AUV + "criterion: {load: [0, 16, 0]}\n")
+    assert said.startswith("AUV: held against the load: busiest ")
+    assert "times this load" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "fault"),
+    [
+        (("--wrench", "any", "any", "any"), "one of the three should be a number"),
+        (("--wrench", "1", "2", "3 kn"), "--wrench is 1 2 3 kn; 'kn' is"),
+        (("--load", "any", "0", "0"), "a load is what it is"),
+        (("--losing", "Zeus", "--wrench", "1", "0", "0"), "--losing takes 'Zeus', which is no"),
+    ],
+)
+def test_what_cannot_be_asked_is_told(run, options, fault):
+    """Each with its remedy."""
+    status, said, complaints = run("forces", "deck-barge", *options)
+    assert (status, said) == (2, "")
+    assert fault in complaints

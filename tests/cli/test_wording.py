@@ -1,5 +1,6 @@
 """Answers come in the terms of the file, or in SI units; directions as bearings on request."""
 
+import csv
 from dataclasses import replace
 
 import pytest
@@ -65,3 +66,21 @@ def test_one_unit_for_all_forces_of_an_answer(run, pontoon):
     assert "kN" in said
     assert " N " not in said
     assert "[N" not in said
+
+
+def test_tables_as_csv(run, tmp_path):
+    """Each in a file of its own, with its units in the first line; or the first one printed."""
+    path = tmp_path / "losses.csv"
+    status, said, _ = run("quality", "deck-barge", "--losing", "1", "--csv", path)
+    assert status == 0
+    assert said.endswith(f"wrote {path}\nwrote {tmp_path / 'losses-robots.csv'}\n")
+    rows = list(csv.DictReader(path.read_text().splitlines()))
+    assert rows[3]["without"] == "Boreas"
+    assert float(rows[3]["quality [tf]"]) == pytest.approx(3.6661)
+    assert float(rows[3]["left [%]"]) == pytest.approx(15.7)
+    status, said, complaints = run("place", "deck-barge", "--csv", "-")
+    assert (status, complaints) == (0, "")
+    assert said.startswith("place,x [ft],y [ft],")
+    status, _, complaints = run("quality", "deck-barge", "--csv", "-", "--json", "-")
+    assert status == 2
+    assert "cannot both be printed" in complaints

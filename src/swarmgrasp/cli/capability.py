@@ -71,7 +71,7 @@ def capability(
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units and radians.
     """
-    faults = _number_faults(losing, step, current) + json_faults(json)
+    faults = _number_faults(losing, step, current) + json_faults(json) + wording.faults(json)
     scenario = read_scenario(file, faults + output_faults(plot, PICTURES))
     environment = _environment(scenario, file, current)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
@@ -99,7 +99,7 @@ def capability(
         return [save(capability_diagram(found, scenario.name), plot)]
 
     document, terms = document_of(found, scenario.name), wording.terms(scenario)
-    deliver(json, document, lambda: show(scenario.name, found, terms), draw)
+    deliver(json, document, lambda: show(scenario.name, found, terms), draw, csv=wording.csv)
 
 
 def _number_faults(losing: str | None, step: float | None, current: float | None) -> list[str]:

@@ -66,7 +66,12 @@ def count(
         Also write the answer to this .json file; "-" prints it and nothing else. SI units
         and radians.
     """
-    faults = _number_faults(quality, most, effort) + losing_faults(losing) + json_faults(json)
+    faults = (
+        _number_faults(quality, most, effort)
+        + losing_faults(losing)
+        + json_faults(json)
+        + wording.faults(json)
+    )
     scenario = read_scenario(file, faults)
     check_newcomer(scenario, file, "count")
     before = asked_before(scenario, "count")
@@ -88,6 +93,7 @@ def count(
         json,
         document_of(found, scenario.name),
         lambda: show(scenario.name, found, wording.terms(scenario)),
+        csv=wording.csv,
     )
 
 

@@ -21,8 +21,10 @@ def losing_faults(losing: str | None) -> list[str]:
     return whole_faults("--losing", losing, 0, 999_999)
 
 
-def failures_of(scenario: "Scenario", given: Sequence[str]) -> tuple[tuple[str, ...], ...]:
-    """Return the failures that options name: each a robot or a group, or several with commas.
+def failures_of(
+    scenario: "Scenario", given: Sequence[str], option: str = "--failures"
+) -> tuple[tuple[str, ...], ...]:
+    """Return the failures that an option names: each a robot or a group, or several with commas.
 
     Raises
     ------
@@ -40,7 +42,7 @@ def failures_of(scenario: "Scenario", given: Sequence[str]) -> tuple[tuple[str, 
         *([f"{len(known) - MOST_NAMED} more"] * (len(known) > MOST_NAMED)),
     ]
     faults = [
-        f"--failures takes {shown(name)}, which is no robot and no group"
+        f"{option} takes {shown(name)}, which is no robot and no group"
         + (f"; there are {list_words(there)}" if there else "; there are none")
         for names in found
         for name in names

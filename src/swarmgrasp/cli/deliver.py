@@ -6,7 +6,7 @@ from typing import Any
 
 from swarmgrasp.cli.dash import DASH
 from swarmgrasp.cli.inputs import print_json
-from swarmgrasp.cli.show.report import told_written
+from swarmgrasp.cli.show.report import tables_of, told_written
 
 
 def deliver(
@@ -15,9 +15,9 @@ def deliver(
     show: Callable[[], None],
     draw: Callable[[], Iterable[str | Path]] = tuple,
     *,
-    aside: bool = False,
+    csv: str | None = None,
 ) -> None:
-    """Write an answer where it is wanted, and tell it unless its JSON is printed.
+    """Write an answer where it is wanted, and tell it unless its JSON or a table is printed.
 
     Files come first: whoever reads the report may leave before its end.
 
@@ -30,8 +30,8 @@ def deliver(
         Tells the answer.
     draw : callable
         Writes other files; returns their paths.
-    aside : bool
-        Whether standard output is for something else than words.
+    csv : str or None
+        Where the tables of the answer go; "-" prints the first and nothing else.
     """
     from swarmgrasp.answer_file import document_text
     from swarmgrasp.files import write_whole
@@ -42,7 +42,43 @@ def deliver(
         written.append(str(json))
     written += draw()
     if json == DASH:
+        written += write_tables(csv, show)
         print_json(text)
+        told_written(written, aside=True)
+    else:
+        tell(show, written, csv=csv)
+
+
+def tell(show: Callable[[], None], written: Iterable[str | Path], *, csv: str | None) -> None:
+    """Tell an answer, or print its first table, and then which files were written.
+
+    Parameters
+    ----------
+    show : callable
+    written : iterable of str or Path
+        Those written before.
+    csv : str or None
+        As for `deliver`.
+    """
+    written = [*written, *write_tables(csv, show)]
+    if csv == DASH:
+        for table in tables_of(show)[:1]:
+            print_json(table.csv_text())
     else:
         show()
-    told_written(written, aside=aside or json == DASH)
+    told_written(written, aside=csv == DASH)
+
+
+def write_tables(csv: str | None, show: Callable[[], None]) -> list[Path]:
+    """Write the tables of an answer, if they go to files: the first, and others named beside it."""
+    from swarmgrasp.files import write_whole
+
+    if csv in (None, DASH):
+        return []
+    path, written = Path(str(csv)), dict[Path, str]()
+    for table in tables_of(show):
+        beside = path.with_name(f"{path.stem}-{table.name.replace(' ', '-')}{path.suffix}")
+        written[beside if written else path] = table.csv_text()
+    for each, text in written.items():
+        write_whole(str(each), text.encode())
+    return list(written)

@@ -2,39 +2,46 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.criteria import failures_of
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
     UsageFault,
     json_faults,
+    noting,
     output_faults,
     print_json,
     read_scenario,
 )
 from swarmgrasp.cli.question import asked_before, tell_omitted
 from swarmgrasp.cli.wording import FILE, Wording
-from swarmgrasp.cli.wrenches import Triple, number_faults, read_wrenches
-from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.cli.wrenches import COLUMNS, Triple, parse_wrench, read_wrenches
 
 if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
 
-ThreeNumbers = Annotated[Triple | None, Parameter(metavar="FX FY TZ", negative="")]
+STRAIGHT = 1e-9
+"""Difference of a component from 1 that counts as none."""
+Three = Annotated[
+    tuple[str, str, str] | None,
+    Parameter(metavar="FX FY TZ", negative="", allow_leading_hyphen=True),
+]
 
 
 def forces(
     file: Dashed,
     /,
     *,
-    wrench: ThreeNumbers = None,
+    wrench: Three = None,
     wrenches: Path | None = None,
-    load: ThreeNumbers = None,
-    csv: Dashed | None = None,
+    load: Three = None,
+    keep_direction: Annotated[bool, Parameter(negative="")] = False,
+    losing: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     plot: Path | None = None,
     json: Dashed | None = None,
     wording: Wording = FILE,
@@ -55,46 +62,89 @@ def forces(
         unless given anew.
     wrench
         What the object is to receive: force along x and along y [N], and torque [N m] about
-        the outline's origin.
+        the outline's origin, in the file's frame; with units, such as 300kN, if you like. A part
+        that does not matter is "any": --wrench 0 any 3.6. Left out where there is a load: to
+        hold it.
     wrenches
-        Instead of one wrench those of a .csv file, one per line. Its first line names the
-        columns, among them fx, fy and tz.
+        Instead of one wrench those of a .csv file, one per line, in the frame of answer files. Its
+        first line names the columns, among them fx, fy and tz.
     load
         The wrench that the environment exerts on the object, such as wind and current, in the
-        same units; the robots exert the rest. By default the scenario's load.
-    csv
-        Write the forces for all wrenches to this .csv file; "-" prints them and nothing else.
+        same units and frame; the robots exert the rest. By default the scenario's load.
+    keep_direction
+        If the wrench is out of reach, make the largest multiple of it that is not, instead of the
+        nearest one.
+    losing
+        Without these robots or groups, by name, several with commas.
     plot
         Draw the forces for the wrench from above; .png, .svg or .pdf.
     json
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units.
     """
-    faults = _option_faults(wrench, wrenches, load, plot, csv, json)
-    faults += json_faults(json) + output_faults(csv, (".csv",)) + output_faults(plot, PICTURES)
+    faults = _option_faults(wrench, wrenches, keep_direction, plot)
+    faults += json_faults(json) + wording.faults(json) + output_faults(plot, PICTURES)
+    asked, free, wrong = parse_wrench("--wrench", wrench or ("0", "0", "0"))
+    held, loose, more = parse_wrench("--load", load or ("0", "0", "0"))
+    faults += wrong + more
+    faults += ["--load has a part that is any; a load is what it is"] * bool(loose)
     table: tuple[Sequence[int], Sequence[Triple]] | None = None
     if wrenches is not None:
-        try:
+        with noting(faults):
             table = read_wrenches(wrenches)
-        except SwarmGraspError as error:
-            faults += error.faults
     scenario = read_scenario(file, faults)
-    if wrench is None and table is None:
-        wrench = asked_before(scenario, "forces").get("wanted")
+    if losing:
+        scenario = _without(scenario, losing)
+    told = wrench is not None
+    if not told and table is None:
+        before = asked_before(scenario, "forces").get("wanted")
+        told, asked = before is not None, asked if before is None else before
         rows = asked_before(scenario, "forces along").get("wanted")
         table = None if rows is None else (range(2, 2 + len(rows)), rows)
+    elif told:
+        asked = _ours(scenario, asked)
     tell_omitted(scenario, file, "forces", load=load)
-    load = scenario.criterion.load if load is None else load
+    beside = scenario.criterion.load if load is None else _ours(scenario, held)
     if table is not None:
-        _tell_many(scenario, *table, load, csv, json, wording)
+        _tell_many(scenario, *table, beside, json, wording)
         return
-    if wrench is None:
+    if not told and not any(beside):
         raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
+    _tell_one(scenario, _Asked(asked, beside, _free(scenario, free), keep_direction),
+              plot, json, wording)  # fmt: skip
+
+
+class _Asked(NamedTuple):
+    """What is asked: a wrench, a load beside it, the wrench's parts that do not matter, and how."""
+
+    wrench: Triple
+    load: Triple
+    free: list[str]
+    keeps_direction: bool
+
+
+def _tell_one(
+    scenario: "Scenario", asked: _Asked, plot: Path | None, json: str | None,
+    wording: Wording,
+) -> None:  # fmt: skip
+    """Find and tell the forces for one wrench."""
+    import numpy as np
+
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.forces import show
     from swarmgrasp.forces import forces as forces_of
+    from swarmgrasp.forces import largest_multiple, with_free_parts
 
-    found = forces_of(scenario.swarm, wrench, load=load)
+    swarm, wrench, load = scenario.swarm, asked.wrench, asked.load
+    if asked.free:
+        x, y, turn = with_free_parts(swarm, wrench, asked.free, load=load).tolist()
+        wrench = (x, y, turn)
+    found, nearest = forces_of(swarm, wrench, load=load), None
+    times = 1.0
+    if asked.keeps_direction and found.is_degraded:
+        nearest, times = found, largest_multiple(swarm, wrench, load=load)
+        found = forces_of(swarm, times * np.array(wrench), load=load)
+    terms = wording.terms(scenario)
 
     def draw() -> list[Path]:
         """Draw the forces if that is wanted."""
@@ -104,13 +154,53 @@ def forces(
 
         return [save(forces_plan(found), plot)]
 
-    document = document_of(found, scenario.name)
-    deliver(json, document, lambda: show(scenario.name, found, wording.terms(scenario)), draw)
+    def tell() -> None:
+        """Tell the forces."""
+        show(scenario, found, terms, free=asked.free, times=times, nearest=nearest)
+
+    deliver(json, document_of(found, scenario.name), tell, draw, csv=wording.csv)
+
+
+def _ours(scenario: "Scenario", wrench: Triple) -> Triple:
+    """Return a wrench of the file's frame in ours."""
+    x, y, turn = scenario.terms.frame.wrench_from_file(wrench).tolist()
+    return x, y, turn
+
+
+def _free(scenario: "Scenario", free: list[str]) -> list[str]:
+    """Return the parts of a wrench in our frame that are free in the file's.
+
+    Raises
+    ------
+    UsageFault
+        If the file's axes lie askew to ours, so that no part of ours is free.
+    """
+    found = []
+    for part in free:
+        axis = scenario.terms.frame.wrench_from_file([float(part == each) for each in COLUMNS])
+        at = int(abs(axis).argmax())
+        if abs(abs(axis[at]) - 1.0) > STRAIGHT:
+            raise UsageFault(
+                f"--wrench has any for {part}, and x of the file lies askew to the bow; give "
+                "numbers, or turn the file's coordinates"
+            )
+        found.append(COLUMNS[at])
+    return found
+
+
+def _without(scenario: "Scenario", losing: Sequence[str]) -> "Scenario":
+    """Return a scenario without robots and groups that an option names."""
+    from dataclasses import replace
+
+    swarm = scenario.swarm
+    names = {name for failure in failures_of(scenario, losing, "--losing") for name in failure}
+    gone = [i for i, robot in enumerate(swarm) if {robot.name, robot.group} & names]
+    return replace(scenario, swarm=swarm.without_rows(gone))
 
 
 def _tell_many(
     scenario: "Scenario", lines: Sequence[int], rows: Sequence[Triple], load: Triple,
-    csv: str | None, json: str | None, wording: Wording,
+    json: str | None, wording: Wording,
 ) -> None:  # fmt: skip
     """Find and tell the forces for the wrenches of a table, each with its line there."""
     from swarmgrasp.answer_file import document_of
@@ -118,7 +208,7 @@ def _tell_many(
     from swarmgrasp.files import write_whole
     from swarmgrasp.forces import forces_along
 
-    found = forces_along(scenario.swarm, rows, load=load)
+    found, csv = forces_along(scenario.swarm, rows, load=load), wording.csv
 
     def write() -> list[str]:
         """Write the table if it goes to a file."""
@@ -128,36 +218,27 @@ def _tell_many(
         return [str(csv)]
 
     def tell() -> None:
-        """Print the table if it is to be printed, else the report."""
+        """Tell the forces, or print all of them."""
         if csv == DASH:
             print_json(table_text(found))
         else:
             show(scenario.name, found, lines, wording.terms(scenario))
 
-    deliver(json, document_of(found, scenario.name), tell, write, aside=csv == DASH)
+    deliver(json, document_of(found, scenario.name), tell, write)
 
 
 def _option_faults(
-    wrench: Triple | None,
+    wrench: Sequence[str] | None,
     wrenches: Path | None,
-    load: Triple | None,
+    keep_direction: bool,
     plot: Path | None,
-    csv: str | None,
-    json: str | None,
 ) -> list[str]:
-    """Return what is wrong with the numbers, and with options that do not go together."""
+    """Return what is wrong with options that do not go together."""
     faults = []
     if wrench is not None and wrenches is not None:
         faults.append("--wrench and --wrenches do not go together; give one of them")
-    if wrench is not None and csv is not None:
-        faults.append("--csv goes with --wrenches; one wrench is written by --json")
+    if wrenches is not None and keep_direction:
+        faults.append("--keep-direction goes with --wrench; it is of one wrench")
     if wrenches is not None and plot is not None:
         faults.append("--plot goes with --wrench; it draws the forces for one")
-    if csv == DASH and json == DASH:
-        faults.append("--csv and --json cannot both be printed; give one of them a file")
-    return faults + [
-        f"--{name} is {' '.join(map(str, given))}; {fault}"
-        for name, given in (("wrench", wrench), ("load", load))
-        if given is not None
-        for fault in number_faults(given)
-    ]
+    return faults

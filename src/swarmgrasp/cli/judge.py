@@ -7,6 +7,7 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import tell
 from swarmgrasp.cli.inputs import blaming, output_faults, read_scenario
 from swarmgrasp.cli.question import missing, tell_omitted
 from swarmgrasp.cli.wording import FILE, Wording
@@ -66,7 +67,7 @@ def judge(
     from swarmgrasp.simulation.hull import MASS
 
     check_installed("mujoco", extra="mujoco", purpose="`swarmgrasp judge`")
-    faults = losing_faults(losing) + output_faults(mjcf, (".xml",))
+    faults = losing_faults(losing) + output_faults(mjcf, (".xml",)) + wording.faults()
     faults += [] if mass is None else [f"--mass: {fault}" for fault in MASS.faults("mass", mass)]
     scenario = read_scenario(file, faults)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
@@ -76,15 +77,14 @@ def judge(
         losing=losing, failures=failures, worst_case=worst_case, load=None, task=None,
     )  # fmt: skip
     from swarmgrasp.cli.show.judge import show
-    from swarmgrasp.cli.show.report import told_written
     from swarmgrasp.quality import quality as quality_of
     from swarmgrasp.simulation.mujoco import judge as judge_of
 
     with blaming(file):
         found = judge_of(quality_of(scenario.swarm, **criterion.terms), hull)
     written = [] if mjcf is None else [_written(scenario, hull, mjcf)]
-    show(scenario.name, scenario.swarm, found, wording.terms(scenario))
-    told_written(written)
+    terms = wording.terms(scenario)
+    tell(lambda: show(scenario.name, scenario.swarm, found, terms), written, csv=wording.csv)
     return 0 if found else REFUSED
 
 

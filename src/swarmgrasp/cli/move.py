@@ -47,7 +47,7 @@ def move(
         Also write the moves to this .json file; "-" prints them and nothing else. SI
         units and radians.
     """
-    scenario = read_scenario(file, losing_faults(losing) + json_faults(json))
+    scenario = read_scenario(file, losing_faults(losing) + json_faults(json) + wording.faults(json))
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     tell_omitted(
         scenario, file, "move",
@@ -65,4 +65,5 @@ def move(
         json,
         document_of(found, scenario.name),
         lambda: show(scenario.name, found, wording.terms(scenario)),
+        csv=wording.csv,
     )

@@ -95,7 +95,12 @@ def place(
     """
     faults = _number_faults(robots, gap, runners_up)
     faults += _together_faults(robots, together, effort, runners_up)
-    faults += losing_faults(losing) + json_faults(json) + output_faults(plot, PICTURES)
+    faults += (
+        losing_faults(losing)
+        + json_faults(json)
+        + wording.faults(json)
+        + output_faults(plot, PICTURES)
+    )
     scenario = read_scenario(file, faults)
     check_newcomer(scenario, file, "place")
     before = asked_before(scenario, "placements", "together")
@@ -127,6 +132,7 @@ def _tell_sequence(
         document_of(answers, scenario.name),
         lambda: show(scenario.name, answers, wording.terms(scenario)),
         lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
+        csv=wording.csv,
     )
 
 
@@ -151,6 +157,7 @@ def _tell_together(
         document_of(found, scenario.name),
         lambda: show(scenario.name, found, wording.terms(scenario)),
         lambda: pictures_together(_beside(plot), found) if plot else [],
+        csv=wording.csv,
     )
 
 

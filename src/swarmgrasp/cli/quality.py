@@ -59,7 +59,7 @@ def quality(
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units.
     """
-    faults = json_faults(json) + losing_faults(losing)
+    faults = json_faults(json) + wording.faults(json) + losing_faults(losing)
     if worst_case and sensitivities:
         faults.append("--sensitivities are of known poses: leave out --worst-case")
     scenario = read_scenario(file, faults)
@@ -93,6 +93,7 @@ def quality(
         json,
         sealed(found.kind, told, scenario.name),
         lambda: show(scenario, found, lost, slopes, wording.terms(scenario), alone),
+        csv=wording.csv,
     )
 
 

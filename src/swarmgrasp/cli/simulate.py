@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
+from swarmgrasp.cli.deliver import tell
 from swarmgrasp.cli.inputs import (
     PICTURES,
     blaming,
@@ -18,7 +19,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
-from swarmgrasp.cli.show.report import complain, told_written
+from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_SEED
 
@@ -107,6 +108,7 @@ def simulate(
         simulated steady wind, and in gusts; --plot draws the three curves. Events play no part.
     """
     faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed, 0, MOST_SEED)
+    faults += wording.faults()
     faults += _text_faults(losing or [], wind)
     for path, suffixes in (
         (log, (".parquet",)), (plot, PICTURES), (gif, (".gif",)), (mcap, (".mcap",)),
@@ -129,14 +131,16 @@ def simulate(
     far = usual_within(scenario.swarm.outline) if within is None else within
     limit = USUAL_TURN if turn is None else math.radians(turn)
     if capability:
-        return _capability(scenario.name, asked, far, limit, plot, wording.terms(scenario))
+        return _capability(
+            scenario.name, asked, far, limit, plot, wording.terms(scenario), wording.csv
+        )
     run = _run(asked)
     from swarmgrasp.cli.show.simulate import show
 
     verdict = verdict_of(run, far, limit)
     written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
-    show(scenario.name, run, verdict, wording.terms(scenario))
-    told_written(written)
+    words = wording.terms(scenario)
+    tell(lambda: show(scenario.name, run, verdict, words), written, csv=wording.csv)
     if not run.is_whole:
         return INTERRUPTED
     return 0 if verdict.held.all() else NOT_HELD
@@ -274,6 +278,7 @@ def _capability(
     turn: float,
     plot: Path | None,
     terms: "Terms",
+    csv: str | None,
 ) -> int:
     """Find, draw and tell the largest winds held."""
     from swarmgrasp.cli.show.limits import show
@@ -288,8 +293,7 @@ def _capability(
         from swarmgrasp.plot.limits import limits_diagram
 
         written.append(save(limits_diagram(found, name), plot))
-    show(name, found, terms)
-    told_written(written)
+    tell(lambda: show(name, found, terms), written, csv=csv)
     return 0
 
 

@@ -5,6 +5,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.dash import DASH, Dashed
+from swarmgrasp.cli.inputs import output_faults
+
 if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
     from swarmgrasp.terms import Terms
@@ -20,6 +23,16 @@ class Wording:
     bearings: Annotated[bool, Parameter(negative="")] = False
     """Tell directions as bearings, degrees clockwise from the bow, or from north where the file
     gives the heading."""
+    csv: Dashed | None = None
+    """Also write the tables to this .csv file, each further one beside it; "-" prints the first and
+    nothing else. Units are those of the answer."""
+
+    def faults(self, json: str | None = None) -> list[str]:
+        """Return what is wrong with where to write, together with where JSON goes."""
+        faults = output_faults(self.csv, (".csv",))
+        if self.csv == DASH and json == DASH:
+            faults.append("--csv and --json cannot both be printed; give one of them a file")
+        return faults
 
     def terms(self, scenario: "Scenario") -> "Terms":
         """Return the terms in which to tell an answer to the question of a file."""

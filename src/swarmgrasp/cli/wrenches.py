@@ -29,6 +29,45 @@ def number_faults(triple: Triple) -> list[str]:
     ]
 
 
+ANY = "any"
+"""Said of a part of a wrench that may be anything."""
+OF = ("force", "force", "torque")
+
+
+def parse_wrench(option: str, given: Sequence[str]) -> tuple[Triple, list[str], list[str]]:
+    """Read the three parts of a wrench, each a number, one with a unit, or "any".
+
+    Returns
+    -------
+    wrench : tuple of float [N, N, N m]
+        0 for a part that may be anything.
+    free : list of {"fx", "fy", "tz"}
+        The parts that may be anything.
+    faults : list of str
+
+    Examples
+    --------
+    >>> parse_wrench("--wrench", ("300kN", "any", "-5"))
+    ((300000.0, 0.0, -5.0), ['fy'], [])
+    """
+    from swarmgrasp.errors import QuantityInvalid
+    from swarmgrasp.units import quantity
+
+    free = [part for part, text in zip(COLUMNS, given, strict=True) if text == ANY]
+    values, faults = [], []
+    for text, of in zip(given, OF, strict=True):
+        try:
+            values.append(0.0 if text == ANY else quantity(text, of))
+        except QuantityInvalid as error:
+            faults += [f"{option} is {' '.join(given)}; {fault}" for fault in error.faults]
+            values.append(0.0)
+    x, y, turn = values
+    if len(free) == len(COLUMNS):
+        faults.append(f"{option} is {' '.join(given)}; one of the three should be a number")
+    faults += [f"{option} is {' '.join(given)}; {fault}" for fault in number_faults((x, y, turn))]
+    return (x, y, turn), free, faults
+
+
 def read_wrenches(path: Path) -> tuple[list[int], list[Triple]]:
     """Read the wrenches of a table and the line of each.
 

@@ -161,6 +161,23 @@ def rows_in_step(swarm: Swarm, wrenches: Array, starts: Array) -> Rows:
     return _rows(swarm, wrenches * swarm.scale, CALM, starts)
 
 
+def rows_for(swarm: Swarm, scale: Array, wrenches: Array, load: Triple) -> Rows:
+    """Return what the kernels find for wrenches (m, 3) where a scale takes the metric's place.
+
+    Parameters
+    ----------
+    swarm : Swarm
+        No robot of which has sectors with gaps between.
+    scale : (3,)
+        0 for parts of a wrench that are not seen.
+    wrenches, load
+        So scaled.
+    """
+    if not swarm.has_rays_only:
+        return set_rows(swarm, wrenches, load, scale)
+    return _of_rays(swarm, swarm.generators * scale, wrenches, load, None)
+
+
 def _rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None = None) -> Rows:
     """Return what the kernels find for wrenches (m, 3), all in the metric's coordinates.
 
@@ -171,22 +188,26 @@ def _rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None = No
     ForcesNotProven
         If rounding decides, so that forces can be found but not proven.
     """
-    m, n = len(wrenches), len(swarm)
     if swarm.has_rays_only:
-        table = _ray_rows(swarm, wrenches, load, starts)
-        shares, rest = table[:, :n], table[:, n:]
-        vectors = shares[..., None] * swarm.generators[:, :2]
-        normals, is_least = rest[:, 2:11].reshape(m, 3, 3), np.ones(m, dtype=bool)
-        return Rows(read_only(vectors), shares, rest[:, 0], rest[:, 1], read_only(is_least),
-                     normals, rest[:, 11:14])  # fmt: skip
+        return _of_rays(swarm, swarm.scaled_generators, wrenches, load, starts)
     if swarm.rare.gaps:
         return gap_rows(swarm, wrenches, load)
     return set_rows(swarm, wrenches, load)
 
 
-def _ray_rows(swarm: Swarm, wrenches: Array, load: Triple, starts: Array | None) -> Array:
+def _of_rays(swarm: Swarm, B: Array, wrenches: Array, load: Triple, starts: Array | None) -> Rows:
+    """Return what the kernel finds for robots that push along rays, of scaled wrenches B (n, 3)."""
+    m, n = len(wrenches), len(swarm)
+    table = _ray_rows(swarm, B, wrenches, load, starts)
+    shares, rest = table[:, :n], table[:, n:]
+    vectors = shares[..., None] * swarm.generators[:, :2]
+    normals, is_least = rest[:, 2:11].reshape(m, 3, 3), np.ones(m, dtype=bool)
+    return Rows(read_only(vectors), shares, rest[:, 0], rest[:, 1], read_only(is_least),
+                 normals, rest[:, 11:14])  # fmt: skip
+
+
+def _ray_rows(swarm: Swarm, B: Array, wrenches: Array, load: Triple, starts: Array | None) -> Array:
     """Return the kernel's rows for robots that push along rays, all confirmed by its check."""
-    B = swarm.scaled_generators
     given = () if starts is None else (starts,)
     rows = np.frombuffer(kernel.least_shares(B, wrenches, load, *given)).reshape(
         len(wrenches), len(swarm) + 15

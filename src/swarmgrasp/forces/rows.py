@@ -45,8 +45,10 @@ class Rows(NamedTuple):
         return cls(*below)._replace(sectors=sectors)
 
 
-def set_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
+def set_rows(swarm: Swarm, wrenches: Array, load: Triple, scale: Array | None = None) -> Rows:
     """Return what the kernel finds for wrenches (m, 3), all in the metric's coordinates.
+
+    A scale (3,) takes the place of the metric's.
 
     Raises
     ------
@@ -54,7 +56,7 @@ def set_rows(swarm: Swarm, wrenches: Array, load: Triple) -> Rows:
         If rounding decides, so that forces can be found but not proven.
     """
     m, n = len(wrenches), len(swarm)
-    table = push_table(swarm, wrenches, load)
+    table = push_table(swarm, wrenches, load, scale)
     rest = table[:, 3 * n :]
     if not rest[:, -1].all():
         refuse_unproven(swarm, wrenches[np.argmin(rest[:, -1])])

@@ -10,14 +10,18 @@ Array = NDArray[np.float64]
 
 
 def push_table(
-    swarm: Swarm, wrenches: Array, load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    swarm: Swarm,
+    wrenches: Array,
+    load: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    scale: Array | None = None,
 ) -> Array:
     """Return the kernel's rows for wrenches (m, 3), all in the metric's coordinates: (m, 3n + 13).
 
     Forces in turn (n, 2) and shares (n,) [N], then what is needed, the shortfall, the certificate,
-    and whether all of it is proven.
+    and whether all of it is proven. A scale (3,) takes the place of the metric's: where it is 0 the
+    part of a wrench is not seen.
     """
-    x, y, z = swarm.scale.tolist()
+    x, y, z = (swarm.scale if scale is None else scale).tolist()
     elements, counts = swarm.force_sets
     arms = np.ascontiguousarray(swarm.contacts - swarm.outline.origin)
     wanted = np.ascontiguousarray(wrenches)

@@ -162,7 +162,7 @@ def _show_bearings(report: Report, found: Capability, tell: Telling) -> None:
         ]
         for i in _shown(found)
     ]  # fmt: skip
-    report.table(columns, rows)
+    report.table(columns, rows, "bearings")
     if len(rows) < len(found.bearings):
         step = math.degrees(found.bearings[1] - found.bearings[0])
         report.note(f"Computed every {step:.4g} degrees; --json has them all.")

@@ -1,21 +1,23 @@
 """How `swarmgrasp forces` tells what the robots do for a wrench."""
 
 import math
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Collection, Sequence
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.change import telling_of, xy_columns
-from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.cli.show.held import drift_words, weather_words
+from swarmgrasp.cli.show.report import Column, Mood, Report
 from swarmgrasp.forces import Forces
+from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.swarm.force_words import heading
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import percent, wrench_words
+from swarmgrasp.words import digits, list_words, percent, wrench_words
 
 IDLE = 1e-7
 """Share that is told as none."""
@@ -23,30 +25,72 @@ FULL = 2e-6
 """Difference of two shares that counts as none: twice what the least squares may take."""
 NONE = 1e-9
 """Size of a wrench, relative to one beside it, that is told as none."""
+FREE: Final = {
+    "fx": "the force ahead or aft",
+    "fy": "the force to port or starboard",
+    "tz": "the torque",
+}
+"""What the parts of a wrench are called."""
 MANY = 1000.0
 """Reserve beyond which nobody counts."""
 AT_END = 1e-6
 """Difference of two angles [rad] that counts as none."""
 
 
-def show(name: str, found: Forces, terms: Terms) -> None:
-    """Write the forces for one wrench for people."""
+def show(
+    scenario: Scenario,
+    found: Forces,
+    terms: Terms,
+    *,
+    free: Collection[str] = (),
+    times: float = 1.0,
+    nearest: Forces | None = None,
+) -> None:
+    """Write the forces for one wrench for people.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    found : Forces
+    terms : Terms
+    free : collection of {"fx", "fy", "tz"}
+        The parts of the wrench that do not matter.
+    times : float
+        The multiple of the wanted wrench that they are for.
+    nearest : Forces, optional
+        For the wanted wrench itself, which is then out of reach.
+    """
     report, swarm = Report(), found.swarm
     told = (found.wanted, found.wrench, found.load, found.wanted - found.load)
     tell = telling_of(terms, swarm, [size_of(swarm, wrench) for wrench in told])
-    if found.is_degraded:
-        report.headline(f"{name}: out of reach by {tell.force.text(found.shortfall)}", "caution")
-    elif not found.shares.any():
-        report.headline(f"{name}: no force is needed", "good")
-    else:
-        report.headline(
-            f"{name}: the {terms.several} make it, with shares up to {share(found.largest_share)}",
-            "good",
-        )
+    said, mood = _headline(scenario, found, tell, times)
+    report.headline(f"{scenario.name}: {said}", mood)
     report.blank()
-    report.facts(_missed(found, tell) if found.is_degraded else _made(found, tell))
+    facts = _missed(found, tell, free) if found.is_degraded else _made(found, tell, free, times)
+    report.facts([*facts, *(_nearer(nearest, tell) if nearest is not None else [])])
     _show_robots(report, found, tell)
     report.small_print(swarm, tell, share_words(swarm, terms))
+
+
+def _headline(scenario: Scenario, found: Forces, tell: Telling, times: float) -> tuple[str, Mood]:
+    """Answer what was asked: what is made, or whether the load is held."""
+    robots, top = tell.terms.several, share(found.largest_share)
+    short = tell.force.text(found.shortfall)
+    if found.load.any() and not found.wanted.any():
+        weather = weather_words(scenario, found.load, tell)
+        if found.is_degraded:
+            return f"not held {weather}: out of reach by {short}, {drift_words(found)}", "bad"
+        return f"held {weather}: busiest {_hardest(found)}, {top}", "good"
+    if times < 1.0:
+        if times == 0.0:
+            return f"out of reach, and no part of it the same way: the {robots} push none", "bad"
+        many = f"{digits(times, times, 6)} times as much the same way"
+        return f"out of reach; the {robots} make {many}", "caution"
+    if found.is_degraded:
+        return f"out of reach by {short}", "caution"
+    if not found.shares.any():
+        return "no force is needed", "good"
+    return f"the {robots} make it, with shares up to {top}", "good"
 
 
 def share_words(swarm: Swarm, terms: Terms) -> str:
@@ -62,9 +106,11 @@ def _has_rests(swarm: Swarm) -> bool:
     return bool(swarm.leasts.any() or swarm.rare.envelopes)
 
 
-def _made(found: Forces, tell: Telling) -> list[tuple[str, str]]:
+def _made(
+    found: Forces, tell: Telling, free: Collection[str], times: float
+) -> list[tuple[str, str]]:
     """Tell a wrench that is made, who pushes hardest, and how much larger it might be."""
-    facts = _asked(found, tell)
+    facts = _asked(found, tell, free, times)
     if not found.shares.any():
         return facts
     facts.append(("Largest share", f"{share(found.largest_share)}: {_hardest(found)}"))
@@ -74,15 +120,19 @@ def _made(found: Forces, tell: Telling) -> list[tuple[str, str]]:
         facts.append(("", f"no forces of these {robots} make the wrench with a smaller one"))
     else:
         facts.append(("", "in the best choice of sectors found: there are too many to try all"))
-    if found.needed < 1.0 - FULL and not _has_rests(found.swarm):
+    if found.needed < 1.0 - FULL and times == 1.0 and not _has_rests(found.swarm):
         more = 1.0 / found.needed
-        times = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
-        what = "this" if not found.load.any() else "what they make"
-        facts.append(("Reserve", f"the {robots} could make {times} times {what}"))
+        many = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
+        said = "could make {} times what they make"
+        if not found.load.any():
+            said = "could make {} times this"
+        elif not found.wanted.any():
+            said = "could hold {} times this load"
+        facts.append(("Reserve", f"the {robots} {said.format(many)}"))
     return facts
 
 
-def _missed(found: Forces, tell: Telling) -> list[tuple[str, str]]:
+def _missed(found: Forces, tell: Telling, free: Collection[str]) -> list[tuple[str, str]]:
     """Tell a wrench that is out of reach: what is made instead, and what would be needed."""
     swarm, robots = found.swarm, tell.terms.several
     wanted = size_of(swarm, found.wanted - found.load)
@@ -100,7 +150,7 @@ def _missed(found: Forces, tell: Telling) -> list[tuple[str, str]]:
         )
         needed += ", counted from the least forces" if _has_rests(swarm) else ""
     return [
-        *_asked(found, tell),
+        *_asked(found, tell, free),
         ("Made instead", wrench_text(swarm, found.wrench, tell, wanted)),
         ("Missing", wrench_text(swarm, found.missing, tell)),
         ("Short by", f"{short} in the metric, {left}; {_nearest(found)}"),
@@ -119,10 +169,25 @@ def _nearest(found: Forces) -> str:
     return "nothing is nearer" if is_known else "nothing nearer was found"
 
 
-def _asked(found: Forces, tell: Telling) -> list[tuple[str, str]]:
-    """Tell the wrench wanted, and the environment's part of it."""
+def _nearer(nearest: Forces, tell: Telling) -> list[tuple[str, str]]:
+    """Tell the wrench wanted when only a multiple of it is made, and the one nearest to it."""
+    swarm = nearest.swarm
+    made = wrench_text(swarm, nearest.wrench, tell, size_of(swarm, nearest.wanted - nearest.load))
+    return [
+        ("Wanted", wrench_text(swarm, nearest.wanted, tell)),
+        ("Nearest", f"{made}; short by {tell.force.text(nearest.shortfall)}"),
+    ]
+
+
+def _asked(
+    found: Forces, tell: Telling, free: Collection[str], times: float = 1.0
+) -> list[tuple[str, str]]:
+    """Tell the wrench wanted, or a multiple of it, and the environment's part of it."""
     swarm = found.swarm
-    facts = [("Wanted", wrench_text(swarm, found.wanted, tell))]
+    label = "Wanted" if times == 1.0 else "Made"
+    facts = [(label, wrench_text(swarm, found.wanted, tell))]
+    if free:
+        facts.append(("", f"{list_words([FREE[part] for part in free])} may be anything"))
     if found.load.any():
         facts.append(("Load", f"{wrench_text(swarm, found.load, tell)}, by the environment"))
         rest = found.wanted - found.load
@@ -231,4 +296,4 @@ def _show_robots(report: Report, found: Forces, tell: Telling) -> None:
             *([] if swarm.has_rays_only else [said]), where,
         ])  # fmt: skip
     report.blank()
-    report.table(columns, rows)
+    report.table(columns, rows, tell.terms.several)

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from swarmgrasp.cli.show.change import unit_of
 from swarmgrasp.environment import Environment
 from swarmgrasp.forces import Forces, forces
 from swarmgrasp.outline import Outline
-from swarmgrasp.quality import Criterion, Loss, Quality
+from swarmgrasp.quality import Loss, Quality
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.telling import Telling
@@ -83,7 +84,7 @@ def _against(swarm: Swarm, load: tuple[float, float, float]) -> Forces:
 def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     """Say in a line whether the load is held, and after whose loss it is not."""
     found, criterion, robots = held.found, held.found.criterion, tell.terms.several
-    said = f"held {weather_words(scenario, criterion, tell)}"
+    said = f"held {weather_words(scenario, criterion.load, tell)}"
     if words := replace(criterion, load=(0.0, 0.0, 0.0)).words(scenario.swarm, tell.terms.robot):
         said += f" {words}"
     if held.is_missed:
@@ -107,10 +108,10 @@ def drift_words(answer: Forces) -> str:
     return f"which leaves the object {wrench_words(-answer.missing * answer.swarm.scale)}"
 
 
-def weather_words(scenario: Scenario, criterion: Criterion, tell: Telling) -> str:
+def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:
     """Say in which weather a load acts: the file's wind and current, if the load is theirs."""
     environment = scenario.environment
-    if environment is None or not _is_of(criterion, environment, scenario.swarm.outline):
+    if environment is None or not _is_of(load, environment, scenario.swarm.outline):
         return "against the load"
     wind, current = environment.wind, environment.current
     speed, bearing = wind.speed or 0.0, wind.bearing or 0.0
@@ -122,9 +123,8 @@ def weather_words(scenario: Scenario, criterion: Criterion, tell: Telling) -> st
     return f"in {' and '.join(said)}{more}" if said else "against the load"
 
 
-def _is_of(criterion: Criterion, environment: Environment, outline: Outline) -> bool:
-    """Tell whether a criterion's load is that of an environment."""
+def _is_of(load: ArrayLike, environment: Environment, outline: Outline) -> bool:
+    """Tell whether a load is that of an environment."""
     if not environment.is_steady:
         return False
-    load = environment.load(outline)
-    return bool(np.allclose(load, criterion.load, rtol=SAME, atol=0.0))
+    return bool(np.allclose(environment.load(outline), load, rtol=SAME, atol=0.0))

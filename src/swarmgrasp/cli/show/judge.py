@@ -45,7 +45,7 @@ def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
             f"{math.degrees(trial.turn):.2g}",
         ]
         for trial in found.trials
-    ])  # fmt: skip
+    ], "disturbances")  # fmt: skip
     report.blank()
     report.note("Left over: force and torque that act on the object at the start, in the metric.")
     for note in (metric_note(swarm, tell), *tell.notes()):

@@ -37,7 +37,7 @@ def show(name: str, found: Limits, terms: Terms) -> None:
         factor = f"{(speeds[0] / speeds[2]) ** 2:.2f}" if speeds[2] else ""
         bearing = f"{round(math.degrees(found.bearings[i]) % 360.0, 1):g}"
         rows.append([bearing, *(f"{v / scale:.4g}" for v in speeds), *shares, factor])
-    report.table(columns, rows)
+    report.table(columns, rows, "bearings")
     report.blank()
     duration = found.simulation.duration
     weather = found.simulation.weather.gusts

@@ -70,4 +70,4 @@ def _table(report: Report, found: Move, unit: Unit, tell: Telling) -> None:
         rows.append([each.name, each.place, *figures, *numbers, off])
     report.blank()
     report.headline(f"The best move of each {tell.terms.robot}")
-    report.table(columns, rows)
+    report.table(columns, rows, "moves")

@@ -111,7 +111,7 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], tell
         rows.append(
             [answer.robot.name, answer.place, *figures, unit.number(answer.quality), gain, off]
         )
-    report.table(columns, rows)
+    report.table(columns, rows, tell.terms.several)
     report.blank()
     worst = max(answers, key=lambda a: a.gap if a.quality else 0.0)
     report.facts([
@@ -149,7 +149,7 @@ def _show_runners_up(report: Report, answers: Sequence[Placement], tell: Telling
     report.blank()
     best = "best found" if any(answer.is_open for answer in told) else "best"
     report.headline(f"Next best: the {best} {tell.terms.robot} on each other edge, side or zone")
-    report.table(columns, rows)
+    report.table(columns, rows, "next best")
     if more:
         report.note(f"... and {more} more; --json has them all.")
 

@@ -236,7 +236,7 @@ def _show_losses(
     ]
     report.blank()
     report.headline(f"What the loss of each {tell.machines(1, bool(swarm.rare.groups))} leaves")
-    report.table(columns, rows)
+    report.table(columns, rows, "losses")
 
 
 def _parts(swarm: Swarm, wrench: Sequence[float], tell: Telling) -> str:
@@ -292,4 +292,4 @@ def _show_robots(report: Report, swarm: Swarm, title: str, tell: Telling) -> Non
     report.blank()
     if title:
         report.headline(title)
-    report.table(columns, rows)
+    report.table(columns, rows, title.removeprefix("The ") or tell.terms.several)

@@ -1,7 +1,10 @@
 """Text for people: colour and tables on a terminal, plain aligned columns in a pipe."""
 
+import csv
+import io
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -20,6 +23,7 @@ STYLES: dict[Mood, str] = {
     "bad": "bold red",
 }
 GAP = "  "
+PERCENT = " %"
 ALONG = "Along the outline: counter-clockwise from its first vertex."
 
 
@@ -61,36 +65,94 @@ class Column:
     is_spare: bool = False
 
 
+@dataclass(frozen=True)
+class Table:
+    """A table as it was told.
+
+    Attributes
+    ----------
+    name : str
+        What its rows are.
+    columns : sequence of Column
+    rows : sequence of sequence of str
+    """
+
+    name: str
+    columns: Sequence[Column]
+    rows: Sequence[Sequence[str]]
+
+    def csv_text(self) -> str:
+        r"""Return it with commas between; shares as plain numbers of percent.
+
+        Examples
+        --------
+        >>> Table("tugs", [Column("tug"), Column("share")], [["Ajax", "12.3 %"]]).csv_text()
+        'tug,share [%]\nAjax,12.3\n'
+        """
+        names, cells = [column.name for column in self.columns], [list(row) for row in self.rows]
+        for k, name in enumerate(names):
+            if cells and all(row[k].endswith(PERCENT) or not row[k] for row in cells):
+                names[k] = f"{name} [%]"
+                for row in cells:
+                    row[k] = row[k].removesuffix(PERCENT)
+        out = io.StringIO(newline="")
+        csv.writer(out, lineterminator="\n").writerows([names, *cells])
+        return out.getvalue()
+
+
+_TABLES: ContextVar[list[Table] | None] = ContextVar("tables", default=None)
+"""Where the tables of a report go that is not written."""
+
+
+def tables_of(show: Callable[[], None]) -> list[Table]:
+    """Return the tables of what is told, and tell nothing.
+
+    Examples
+    --------
+    >>> found = tables_of(lambda: Report().table([Column("tug")], [["Ajax"]], "tugs"))
+    >>> found[0].name, found[0].rows
+    ('tugs', [['Ajax']])
+    """
+    tables: list[Table] = []
+    token = _TABLES.set(tables)
+    try:
+        show()
+    finally:
+        _TABLES.reset(token)
+    return tables
+
+
 class Report:
     """Writes to standard output, for a terminal or for a pipe."""
 
     def __init__(self) -> None:
         self._console: Console | None = None
-        if sys.stdout.isatty():
+        self._tables = _TABLES.get()
+        if self._tables is None and sys.stdout.isatty():
             from rich import console
 
             self._console = console.Console(highlight=False, markup=False, emoji=False)
 
     def headline(self, text: str, mood: Mood = "") -> None:
         """Write what matters most."""
-        if self._console is None:
-            print(clean(text))
-        else:
-            self._console.print(clean(text), style=STYLES[mood])
+        self._line(text, STYLES[mood])
 
     def sentence(self, text: str) -> None:
         """Write a sentence."""
-        if self._console is None:
-            print(clean(text))
-        else:
-            self._console.print(clean(text))
+        self._line(text)
 
     def note(self, text: str) -> None:
         """Write small print."""
+        self._line(text, "dim")
+
+    def _line(self, text: str, style: str = "") -> None:
+        """Write a line."""
+        if self._tables is not None:
+            return
         if self._console is None:
             print(clean(text))
         else:
-            self._console.print(clean(text), style="dim")
+            self._console.print(clean(text), style=style)
 
     def blank(self) -> None:
         """Write an empty line."""
@@ -104,6 +166,8 @@ class Report:
 
     def facts(self, rows: Sequence[tuple[str, str]]) -> None:
         """Write labelled facts; an empty label continues the one above."""
+        if self._tables is not None:
+            return
         if self._console is None:
             self._write_columns([[label, fact] for label, fact in rows], [False, False])
             return
@@ -116,16 +180,21 @@ class Report:
             grid.add_row(clean(label), clean(fact))
         self._console.print(grid)
 
-    def table(self, columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> None:
-        """Write a table."""
+    def table(
+        self, columns: Sequence[Column], rows: Sequence[Sequence[str]], name: str = "rows"
+    ) -> None:
+        """Write a table, whose rows are called by a name."""
+        if self._tables is not None:
+            self._tables.append(Table(name, columns, rows))
+            return
         if self._console is None:
             cells = [[column.name for column in columns], *map(list, rows)]
             self._write_columns(cells, [column.is_number for column in columns])
             return
-        from rich.table import Table
+        from rich.table import Table as Grid
 
         kept = self._fitting(self._console.width, columns, rows)
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="cyan")
+        table = Grid(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="cyan")
         for index in kept:
             is_number = columns[index].is_number
             table.add_column(

@@ -44,7 +44,7 @@ def show_sensitivities(report: Report, found: Sensitivities, tell: Telling) -> N
     report.blank()
     per = f"{length.name}, degree or {limits.name} of one {tell.terms.robot}"
     report.headline(f"What the quality gains per {per}")
-    report.table(columns, list(zip(*cells, strict=True)))
+    report.table(columns, list(zip(*cells, strict=True)), "sensitivities")
     if found.is_ridge:
         report.sentence(
             f"{len(found.weakest)} directions are equally weak: it may fall whichever way "

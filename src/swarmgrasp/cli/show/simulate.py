@@ -171,7 +171,7 @@ def _show_happenings(report: Report, run: Run, verdict: Verdict, tell: Telling) 
                 *_leaving(run, verdict, i),
             ]
         )
-    report.table(columns, rows)
+    report.table(columns, rows, "happenings")
 
 
 def _circle(circle: Circle, tell: Telling) -> list[str]:

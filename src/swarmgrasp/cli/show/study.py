@@ -17,7 +17,7 @@ def show(folder: Path, found: Gathered) -> None:
     report.headline(f"{plan.name}: {findings.headline}")
     report.blank()
     columns, rows = cells(findings)
-    report.table(columns, rows)
+    report.table(columns, rows, "findings")
     report.blank()
     report.facts(
         [

@@ -118,7 +118,7 @@ def _show_robots(report: Report, found: ForcesAlong, lines: Sequence[int], tell:
             "" if is_idle else str(lines[hardest]), share(float(shares.mean())),
         ])  # fmt: skip
     report.blank()
-    report.table(columns, rows)
+    report.table(columns, rows, tell.terms.several)
 
 
 def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], tell: Telling) -> None:
@@ -142,4 +142,4 @@ def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], tel
     report.blank()
     if len(rows) < len(found):
         report.headline(f"The {len(rows)} hardest wrenches (--csv writes the forces for all)")
-    report.table(columns, rows)
+    report.table(columns, rows, "wrenches")
