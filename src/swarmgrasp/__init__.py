@@ -4,8 +4,10 @@ from swarmgrasp.answer_file import read_answer, write_answer
 from swarmgrasp.capability import (
     Capability,
     CapabilityNumbers,
+    CapabilityPlacement,
     capability,
     capability_numbers,
+    place_for_capability,
 )
 from swarmgrasp.environment import (
     BLENDERMANN,
@@ -58,6 +60,7 @@ __all__ = [
     "BLENDERMANN",
     "Capability",
     "CapabilityNumbers",
+    "CapabilityPlacement",
     "Contact",
     "Criterion",
     "Current",
@@ -101,6 +104,7 @@ __all__ = [
     "how_many",
     "losses",
     "place",
+    "place_for_capability",
     "place_sequence",
     "place_together",
     "qualities",

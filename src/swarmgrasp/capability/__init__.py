@@ -2,6 +2,7 @@
 
 from swarmgrasp.capability.asked import AllRound
 from swarmgrasp.capability.numbers import ALLOWANCE, CapabilityNumbers, capability_numbers
+from swarmgrasp.capability.place import CapabilityPlacement, place_for_capability
 from swarmgrasp.capability.winds import Capability, capability
 
 __all__ = [
@@ -9,6 +10,8 @@ __all__ = [
     "AllRound",
     "Capability",
     "CapabilityNumbers",
+    "CapabilityPlacement",
     "capability",
     "capability_numbers",
+    "place_for_capability",
 ]

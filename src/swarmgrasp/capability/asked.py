@@ -150,10 +150,13 @@ def asked_of(
 
 
 def times_held(swarm: Swarm, load: Array, asked: Criterion) -> Quality | None:
-    """Find by how many times a load (3,) could grow and be held; None of no load at all."""
+    """Find by how many times a load (3,), or each of several (m, 3), could grow and be held.
+
+    None of no load at all.
+    """
     if np.abs(load).max() <= WEAKEST:
         return None
-    return quality(swarm, **replace(asked, task=Polytope([-load])).terms)
+    return quality(swarm, **replace(asked, task=Polytope(-np.atleast_2d(load))).terms)
 
 
 def is_held(found: Quality | None) -> bool:

@@ -122,16 +122,9 @@ def capability(
     ([30.53, 14.75], [0.0, 0.0])
     """
     asked = asked_of(swarm, environment, bearings, losing, worst_case, failures)
-    waves = environment.waves
-    if waves is not None and waves.goes_with_wind:
-        held, left = (
-            [_largest_in_its_sea(swarm, environment, b, one) for b in asked.bearings.tolist()]
-            for one in (asked.whole, asked.less)
-        )
-    else:
-        calm = environment.load_in(swarm.outline, asked.bearings, 0.0)
-        winds = environment.wind_load(swarm.outline, asked.bearings, 1.0)
-        held, left = (_largest(swarm, calm, winds, one) for one in (asked.whole, asked.less))
+    held, left = (
+        _held_from(swarm, environment, asked.bearings, one) for one in (asked.whole, asked.less)
+    )
     return Capability(
         swarm=swarm,
         environment=environment,
@@ -148,6 +141,31 @@ def capability(
     )
 
 
+def least_wind(
+    swarm: Swarm, environment: Environment, bearings: Array, asked: Criterion
+) -> tuple[float, float]:
+    """Return the least of the largest winds [m/s] held, and the bearing [rad] it comes from.
+
+    Parameters
+    ----------
+    swarm : Swarm
+    environment : Environment
+    bearings : (m,) [rad]
+    asked : Criterion
+        After what losses and failures, and in which poses; without load and task.
+    """
+    if not _sea_grows(environment):
+        held = np.array([at.speed for at in _held_from(swarm, environment, bearings, asked)])
+        return float(held.min()), float(bearings[held.argmin()])
+    least = _largest_in_its_sea(swarm, environment, bearings, asked).speed
+    found = [
+        times_held(swarm, load, asked)
+        for load in environment.load_in(swarm.outline, bearings, least)
+    ]
+    times = np.array([math.inf if each is None else each.value for each in found])
+    return least, float(bearings[times.argmin()])
+
+
 # -- parts --------------------------------------------------------------------------------
 
 
@@ -158,6 +176,22 @@ class _Held(NamedTuple):
     holds_calm: bool
     direction: Array
     lost: tuple[str, ...]
+
+
+def _held_from(
+    swarm: Swarm, environment: Environment, bearings: Array, asked: Criterion
+) -> list[_Held]:
+    """Find the largest winds held from bearings (m,)."""
+    if _sea_grows(environment):
+        each = bearings[:, None]
+        return [_largest_in_its_sea(swarm, environment, bearing, asked) for bearing in each]
+    calm = environment.load_in(swarm.outline, bearings, 0.0)
+    return _largest(swarm, calm, environment.wind_load(swarm.outline, bearings, 1.0), asked)
+
+
+def _sea_grows(environment: Environment) -> bool:
+    """Tell whether the sea goes with the wind."""
+    return environment.waves is not None and environment.waves.goes_with_wind
 
 
 def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> list[_Held]:
@@ -174,20 +208,21 @@ def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> list[
 
 
 def _largest_in_its_sea(
-    swarm: Swarm, environment: Environment, bearing: float, asked: Criterion
+    swarm: Swarm, environment: Environment, bearings: Array, asked: Criterion
 ) -> _Held:
-    """Find the largest wind held from a bearing with the sea that goes with it."""
+    """Find the largest wind held from all of some bearings (m,) with the sea that goes with it."""
 
     def tried(speed: float) -> Quality | None:
         """Find by how many times everything could grow in a wind [m/s]."""
-        return times_held(swarm, environment.load_in(swarm.outline, bearing, speed), asked)
+        return times_held(swarm, environment.load_in(swarm.outline, bearings, speed), asked)
 
     known = [step.wind for step in STEPS]
     rungs = np.arange(LOOKED_AT * (len(known) - 1) + 1) / LOOKED_AT
     ladder = np.interp(rungs, range(len(known)), known)
     low = 0.0
-    for high, load in zip(ladder, environment.load_in(swarm.outline, bearing, ladder), strict=True):
-        found = times_held(swarm, load, asked)
+    ladders = environment.load_in(swarm.outline, bearings, ladder[:, None])
+    for high, loads in zip(ladder, ladders, strict=True):
+        found = times_held(swarm, loads, asked)
         if not is_held(found):
             if high > 0.0:
                 low, found = _end_of_holding(tried, low, float(high))

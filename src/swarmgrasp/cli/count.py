@@ -15,6 +15,7 @@ from swarmgrasp.cli.inputs import (
     whole_faults,
 )
 from swarmgrasp.cli.question import asked_before, check_newcomer
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED, STRONGEST
 
@@ -33,6 +34,7 @@ def count(
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    weather: Weather = CALM,
     wording: Wording = FILE,
 ) -> None:
     """Find the fewest robots like the newcomer that bring a required quality.
@@ -71,8 +73,9 @@ def count(
         + losing_faults(losing)
         + json_faults(json)
         + wording.faults(json)
+        + weather.faults()
     )
-    scenario = read_scenario(file, faults)
+    scenario = weather.on(read_scenario(file, faults), file)
     check_newcomer(scenario, file, "count")
     before = asked_before(scenario, "count")
     if quality is None and not before:

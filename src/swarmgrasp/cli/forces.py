@@ -19,6 +19,7 @@ from swarmgrasp.cli.inputs import (
     read_scenario,
 )
 from swarmgrasp.cli.question import asked_before, tell_omitted
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.cli.wrenches import COLUMNS, Triple, parse_wrench, read_wrenches
 
@@ -44,6 +45,7 @@ def forces(
     losing: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    weather: Weather = CALM,
     wording: Wording = FILE,
 ) -> None:
     """Tell how hard each robot pushes to make a wrench.
@@ -84,6 +86,8 @@ def forces(
     """
     faults = _option_faults(wrench, wrenches, keep_direction, plot)
     faults += json_faults(json) + wording.faults(json) + output_faults(plot, PICTURES)
+    if load is not None and weather.given:
+        faults.append(f"--load and {next(iter(weather.given))} each say the load; keep one")
     asked, free, wrong = parse_wrench("--wrench", wrench or ("0", "0", "0"))
     held, loose, more = parse_wrench("--load", load or ("0", "0", "0"))
     faults += wrong + more
@@ -92,7 +96,7 @@ def forces(
     if wrenches is not None:
         with noting(faults):
             table = read_wrenches(wrenches)
-    scenario = read_scenario(file, faults)
+    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
     if losing:
         scenario = _without(scenario, losing)
     told = wrench is not None
@@ -103,7 +107,7 @@ def forces(
         table = None if rows is None else (range(2, 2 + len(rows)), rows)
     elif told:
         asked = _ours(scenario, asked)
-    tell_omitted(scenario, file, "forces", load=load)
+    tell_omitted(scenario, file, "forces", load=load or weather.given)
     beside = scenario.criterion.load if load is None else _ours(scenario, held)
     if table is not None:
         _tell_many(scenario, *table, beside, json, wording)

@@ -9,6 +9,7 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import blaming, json_faults, read_scenario
 from swarmgrasp.cli.question import tell_omitted
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 
 
@@ -20,6 +21,7 @@ def move(
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    weather: Weather = CALM,
     wording: Wording = FILE,
 ) -> None:
     """Find the one robot that should attach elsewhere, and where.
@@ -47,12 +49,13 @@ def move(
         Also write the moves to this .json file; "-" prints them and nothing else. SI
         units and radians.
     """
-    scenario = read_scenario(file, losing_faults(losing) + json_faults(json) + wording.faults(json))
+    faults = losing_faults(losing) + json_faults(json) + wording.faults(json) + weather.faults()
+    scenario = weather.on(read_scenario(file, faults), file)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     tell_omitted(
         scenario, file, "move",
-        newcomer=None, losing=losing, failures=failures, worst_case=worst_case, load=None,
-        task=None,
+        newcomer=None, losing=losing, failures=failures, worst_case=worst_case,
+        load=weather.given, task=None,
     )  # fmt: skip
     from swarmgrasp.placement import best_move
 

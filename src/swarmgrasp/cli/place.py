@@ -18,6 +18,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import asked_before, check_newcomer
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED
 
@@ -46,6 +47,7 @@ def place(
     runners_up: float | None = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    weather: Weather = CALM,
     wording: Wording = FILE,
 ) -> None:
     """Find where the next robot attaches and which way it pushes.
@@ -101,7 +103,7 @@ def place(
         + wording.faults(json)
         + output_faults(plot, PICTURES)
     )
-    scenario = read_scenario(file, faults)
+    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
     check_newcomer(scenario, file, "place")
     before = asked_before(scenario, "placements", "together")
     together |= robots is None and "robots" in before

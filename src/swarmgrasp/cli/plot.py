@@ -6,9 +6,12 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import PICTURES, blaming, output_faults, read_scenario
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import check_newcomer, tell_omitted
+from swarmgrasp.cli.weather import CALM, Weather
 
 
-def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
+def plot(
+    file: Dashed, picture: Path, /, *, what: Picture = "plan", weather: Weather = CALM
+) -> None:
     """Draw a scenario, its newcomer in the best place.
 
     Example: swarmgrasp plot deck-barge barge.svg --what landscape
@@ -24,12 +27,14 @@ def plot(file: Dashed, picture: Path, /, *, what: Picture = "plan") -> None:
         forces and torques the swarm can exert; landscape shows the quality for every
         contact and direction of the newcomer.
     """
-    scenario = read_scenario(file, output_faults(picture, PICTURES))
+    faults = output_faults(picture, PICTURES) + weather.faults()
+    scenario = weather.on(read_scenario(file, faults), file)
     if what == "landscape":
         check_newcomer(scenario, file, "plot --what landscape")
     tell_omitted(
         scenario, file, "plot",
-        newcomer=None, losing=None, failures=None, worst_case=None, load=None, task=None,
+        newcomer=None, losing=None, failures=None, worst_case=None,
+        load=weather.given, task=None,
     )  # fmt: skip
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.place import solve

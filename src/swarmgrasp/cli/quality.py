@@ -10,6 +10,7 @@ from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import UsageFault, blaming, json_faults, read_scenario, source_of
 from swarmgrasp.cli.question import asked_before, tell_omitted
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ def quality(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     sensitivities: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    weather: Weather = CALM,
     wording: Wording = FILE,
 ) -> None:
     """Tell how well the robots hold the object, and where worst.
@@ -62,7 +64,7 @@ def quality(
     faults = json_faults(json) + wording.faults(json) + losing_faults(losing)
     if worst_case and sensitivities:
         faults.append("--sensitivities are of known poses: leave out --worst-case")
-    scenario = read_scenario(file, faults)
+    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     sensitivities |= asked_before(scenario, "quality").get("sensitivities") is not None
     if sensitivities and criterion.worst_case:
@@ -72,7 +74,8 @@ def quality(
         )
     tell_omitted(
         scenario, file, "quality",
-        losing=losing, failures=failures, worst_case=worst_case, load=None, task=None,
+        losing=losing, failures=failures, worst_case=worst_case,
+        load=weather.given, task=None,
     )  # fmt: skip
     from swarmgrasp.answer_file import sealed
     from swarmgrasp.plain import plain

@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from swarmgrasp.cli.show.change import unit_of
-from swarmgrasp.environment import Environment
+from swarmgrasp.environment import Environment, Waves
 from swarmgrasp.forces import Forces, forces
 from swarmgrasp.outline import Outline
 from swarmgrasp.quality import Loss, Quality
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.telling import Telling
-from swarmgrasp.words import either_words, wrench_words
+from swarmgrasp.words import either_words, list_words, wrench_words
 
 SAME = 1e-9
 """Relative difference of two loads that is none, and share of a load by which it may be missed."""
@@ -119,8 +119,18 @@ def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:
     if current is not None and current.speed:
         from_ = bearing if current.bearing is None else current.bearing
         said.append(f"a current of {tell.speed(current.speed)} {tell.from_words(from_)}")
+    if environment.waves is not None:
+        said.append(_sea_words(environment.waves, bearing, tell))
     more = f", loads times {environment.dynamic_factor:g}" * (environment.dynamic_factor != 1.0)
-    return f"in {' and '.join(said)}{more}" if said else "against the load"
+    return f"in {list_words(said)}{more}" if said else "against the load"
+
+
+def _sea_words(waves: Waves, wind_bearing: float, tell: Telling) -> str:
+    """Say which sea it is."""
+    way = tell.from_words(wind_bearing if waves.bearing is None else waves.bearing)
+    if waves.height is None or waves.period is None:
+        return f"the sea of that wind {way}"
+    return f"a sea of {tell.length.text(waves.height)} and {waves.period:.3g} s {way}"
 
 
 def _is_of(load: ArrayLike, environment: Environment, outline: Outline) -> bool:

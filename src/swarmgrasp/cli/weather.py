@@ -1,0 +1,257 @@
+"""Weather on the command line: options that all commands share which ask what is held in it."""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+
+from swarmgrasp.cli.inputs import UsageFault, blaming, noting, source_of
+from swarmgrasp.cli.question import missing
+from swarmgrasp.cli.show.report import complain
+from swarmgrasp.units import bearing, quantity
+
+if TYPE_CHECKING:
+    from swarmgrasp.environment import Current, Environment, Waves
+    from swarmgrasp.scenario import Scenario
+
+WITH_WIND = "wind"
+"""What --waves says for the sea that goes with the wind."""
+FASTEST = 1e3
+"""That may be asked for [m/s]."""
+Speed = Annotated[str | None, Parameter(metavar="SPEED")]
+Bearing = Annotated[str | None, Parameter(metavar="BEARING")]
+
+
+@Parameter(name="*", group="Weather")
+@dataclass(frozen=True)
+class Water:
+    """The current and the sea, instead of those of the file.
+
+    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
+    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
+    heading.
+    """
+
+    current: Speed = None
+    """Speed of the current, such as 1.5kn; in the file's unit without one."""
+    current_from: Bearing = None
+    """Where the current comes from, such as 90deg; from where the wind comes unless given."""
+    waves: Annotated[str | None, Parameter(metavar="SEA")] = None
+    """The sea: wind for the one that goes with the wind, or its significant height and peak
+    period, such as 2.1m,7.5s."""
+    waves_from: Bearing = None
+    """Where the sea comes from; from where the wind comes unless given."""
+
+    @property
+    def given(self) -> dict[str, str]:
+        """What is given, by option."""
+        return {
+            f"--{name.removeprefix('wind_').replace('_', '-')}": value
+            for name, value in vars(self).items()
+            if value is not None
+        }
+
+    def faults(self) -> list[str]:
+        """Return what is wrong with the options, whatever the file."""
+        faults: list[str] = []
+        for option, text in self.given.items():
+            said: list[str] = []
+            with noting(said):
+                if option.endswith("from"):
+                    bearing(text, "deg", 0.0)
+                elif option != "--waves":
+                    _speed(text, "m/s")
+                elif text != WITH_WIND:
+                    _sea(text, "m")
+            faults += (f"{option} is {text}: {fault}" for fault in said)
+        return faults
+
+    def environment(self, scenario: "Scenario", file: str, needed_by: str) -> "Environment":
+        """Return the surroundings to compute with.
+
+        Parameters
+        ----------
+        scenario : Scenario
+        file : str
+            What messages call it.
+        needed_by : str
+            The command or option that cannot do without.
+
+        Raises
+        ------
+        UsageFault
+            If the scenario has none, or does not say what the object shows to the current, or an
+            option does not fit.
+        """
+        around = scenario.environment
+        if around is None:
+            advice = (
+                "environment: is missing; say what the object shows to the wind, such as "
+                "`environment: {wind: {vessel: offshore supply vessel, frontal_area: 280, "
+                "lateral_area: 700}}`"
+            )
+            raise missing(scenario, file, "environment", needed_by, advice)
+        faults: list[str] = []
+        with noting(faults):
+            around = replace(around, current=self._current(scenario, file, around.current))
+        with noting(faults):
+            around = replace(around, waves=self._waves(scenario, around.waves))
+        if faults:
+            raise UsageFault(faults)
+        return around
+
+    def _current(
+        self, scenario: "Scenario", file: str, current: "Current | None"
+    ) -> "Current | None":
+        """Return the current to compute with."""
+        if self.current is None and self.current_from is None:
+            return current
+        if current is None:
+            option = "--current" if self.current is not None else "--current-from"
+            advice = (
+                f"environment.current: is missing, so {option} has nothing to set; say what the "
+                "object shows to it, such as `current: {frontal_area: 110, lateral_area: 465}`"
+            )
+            raise missing(scenario, file, "current", option, advice)
+        if self.current is not None:
+            current = replace(current, speed=_speed(self.current, scenario.terms.speed))
+        if self.current_from is None:
+            return current
+        return replace(current, bearing=_bearing("--current-from", self.current_from, scenario))
+
+    def _waves(self, scenario: "Scenario", waves: "Waves | None") -> "Waves | None":
+        """Return the sea to compute with."""
+        from swarmgrasp.environment import Waves
+
+        if self.waves is not None:
+            height, period = None, None
+            if self.waves != WITH_WIND:
+                height, period = _sea(self.waves, scenario.terms.length)
+            waves = replace(waves or Waves(), height=height, period=period)
+        if self.waves_from is None:
+            return waves
+        if waves is None:
+            raise UsageFault("--waves-from is of no sea: give --waves, such as --waves wind")
+        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, scenario))
+
+
+@dataclass(frozen=True)
+class _Wind:
+    """The wind, named before the water."""
+
+    wind: Speed = None
+    """Speed of the wind, such as 25kn or 6Bft; in the file's unit without one."""
+    wind_from: Annotated[str | None, Parameter(name="--from", metavar="BEARING")] = None
+    """Where the wind comes from, such as 60deg or NE."""
+
+
+@Parameter(name="*", group="Weather")
+@dataclass(frozen=True)
+class Weather(Water, _Wind):
+    """Wind, current and sea to hold the object in, instead of the load of the file.
+
+    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
+    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
+    heading.
+    """
+
+    def environment(self, scenario: "Scenario", file: str, needed_by: str) -> "Environment":
+        """Return the surroundings to compute with, a steady wind among them.
+
+        Raises
+        ------
+        UsageFault
+            As for `Water`, or if nothing says where the wind comes from, or how fast it is.
+        """
+        around = super().environment(scenario, file, needed_by)
+        speed, from_ = around.wind.speed, around.wind.bearing
+        if self.wind is not None:
+            speed = _speed(self.wind, scenario.terms.speed)
+        if self.wind_from is not None:
+            from_ = _bearing("--from", self.wind_from, scenario)
+        if self.wind is None and self.wind_from is None and speed is None:
+            return _without_wind(around)
+        if from_ is None:
+            raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
+        if speed is None:
+            raise UsageFault("--wind is missing: how fast the wind is, such as --wind 25kn")
+        with blaming("--wind"):
+            return replace(around, wind=replace(around.wind, speed=speed, bearing=from_))
+
+    def on(self, scenario: "Scenario", file: str) -> "Scenario":
+        """Return a scenario whose criterion is to hold the object in this weather, if it is given.
+
+        Raises
+        ------
+        UsageFault
+            If the scenario does not say what the object shows to it, or an option does not fit.
+        """
+        if not self.given:
+            return scenario
+        around = self.environment(scenario, file, next(iter(self.given)))
+        outline, criterion = scenario.swarm.outline, scenario.criterion
+        before = scenario.environment
+        is_weather = before is not None and before.is_steady and criterion.has_load
+        if criterion.has_load and not (
+            is_weather and before is not None and _same(before.load(outline), criterion.load)
+        ):
+            complain([f"{source_of(file)}: the weather given takes the place of the file's load"])
+        surge, sway, yaw = around.load(outline).tolist()
+        return replace(
+            scenario, environment=around, criterion=replace(criterion, load=(surge, sway, yaw))
+        )
+
+
+STILL = Water()
+"""As the file has it."""
+CALM = Weather()
+"""As the file has it."""
+
+
+def _speed(text: str, unit: str) -> float:
+    """Return a speed [m/s]."""
+    found = quantity(text, "speed", unit)
+    if not 0.0 <= found <= FASTEST:
+        raise UsageFault(f"a speed should be from 0 to {FASTEST:g} m/s")
+    return found
+
+
+def _bearing(option: str, text: str, scenario: "Scenario") -> float:
+    """Return a bearing [rad] clockwise from the bow; a number alone is in degrees."""
+    from math import radians
+
+    with blaming(f"{option} is {text}"):
+        return radians(bearing(text, "deg", scenario.terms.frame.heading))
+
+
+def _sea(text: str, unit: str) -> tuple[float, float]:
+    """Return the significant height [m] and the peak period [s] of a sea."""
+    parts = text.split(",")
+    if len(parts) != 2:
+        raise UsageFault(
+            "it should be wind, for the sea that goes with the wind, or a significant height and a "
+            "peak period, such as 2.1m,7.5s"
+        )
+    return quantity(parts[0], "length", unit), quantity(parts[1], "time")
+
+
+def _without_wind(around: "Environment") -> "Environment":
+    """Return surroundings in which no wind blows; what comes with it then comes from nowhere."""
+    lacking = [
+        f"{option} is missing: where the {what} comes from, such as {option} 90deg"
+        for option, what, part in (
+            ("--current-from", "current", around.current),
+            ("--waves-from", "sea", around.waves),
+        )
+        if part is not None and part.bearing is None
+    ]
+    if lacking:
+        raise UsageFault(lacking)
+    return replace(around, wind=replace(around.wind, speed=0.0, bearing=0.0))
+
+
+def _same(load: object, other: object) -> bool:
+    """Tell whether two loads are one."""
+    import numpy as np
+
+    return bool(np.allclose(load, other, rtol=1e-9, atol=0.0))  # type: ignore[arg-type]
