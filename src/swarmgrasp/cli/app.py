@@ -12,6 +12,7 @@ from cyclopts.help import DefaultFormatter, PanelSpec
 from swarmgrasp.cli import agents
 from swarmgrasp.cli.agent import agent
 from swarmgrasp.cli.capability import capability
+from swarmgrasp.cli.convert import convert
 from swarmgrasp.cli.count import count
 from swarmgrasp.cli.dash import hidden, shown
 from swarmgrasp.cli.examples import examples
@@ -33,7 +34,7 @@ WRONG_INPUT = 2
 INTERRUPTED = 130
 COMMANDS = (
     place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, agent,
-    paper, examples, schema,
+    paper, examples, convert, schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""

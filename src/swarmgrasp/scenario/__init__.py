@@ -1,5 +1,6 @@
 """The scenario file: what is asked, in YAML 1.2, with every fault told at once."""
 
+from swarmgrasp.scenario.convert import Converted, convert
 from swarmgrasp.scenario.examples import example_names, example_text, load_example
 from swarmgrasp.scenario.json_schema import scenario_schema
 from swarmgrasp.scenario.reading import load_scenario, parse_scenario
@@ -7,7 +8,9 @@ from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.writing import scenario_text, write
 
 __all__ = [
+    "Converted",
     "Scenario",
+    "convert",
     "example_names",
     "example_text",
     "load_example",

@@ -26,13 +26,12 @@ from ruamel.yaml.reader import ReaderError
 
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.files import MOST_DEPTH
-from swarmgrasp.scenario.faults import Faults, Path
+from swarmgrasp.scenario.faults import Faults, Mark, Path
 
 MOST_NODES = 100_000
 """Largest number of values in a file, every alias counted as what it stands for."""
 
 Scalar = str | int | float | bool | None
-Mark = tuple[int, int]
 
 _INT = re.compile(r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")

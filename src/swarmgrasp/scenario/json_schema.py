@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from swarmgrasp.scenario.imports.keys import with_files
 from swarmgrasp.scenario.schema import ScenarioFile
 
 _EXAMPLE = {
@@ -60,7 +61,7 @@ def scenario_schema() -> dict[str, Any]:
     >>> scenario_schema()["required"]
     ['outline', 'robots']
     """
-    schema: dict[str, Any] = _tidied(ScenarioFile.model_json_schema())
+    schema: dict[str, Any] = _tidied(with_files(ScenarioFile.model_json_schema()))
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         **schema,

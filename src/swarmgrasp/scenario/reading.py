@@ -11,6 +11,7 @@ from swarmgrasp.scenario.asking import answer_in, scenario_of
 from swarmgrasp.scenario.build import build
 from swarmgrasp.scenario.document import read_document
 from swarmgrasp.scenario.faults import Faults
+from swarmgrasp.scenario.imports.expand import expand
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.validate import check
 
@@ -45,10 +46,12 @@ def load_scenario(path: str | Path) -> Scenario:
                 raw += file.read(LARGEST_ANSWER - LARGEST_FILE)
     except OSError as error:
         raise ScenarioInvalid(read_fault(path, error)) from None
-    return parse_scenario(raw, source)
+    return parse_scenario(raw, source, Path(path).parent)
 
 
-def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
+def parse_scenario(
+    text: str | bytes, source: str = "<text>", folder: Path | None = None
+) -> Scenario:
     r"""Read a scenario from text, or the question of an answer.
 
     Parameters
@@ -57,6 +60,9 @@ def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
         YAML 1.2, or an answer in JSON; bytes in UTF-8.
     source : str
         What messages call the text; a file's name, as a rule.
+    folder : Path, optional
+        That paths in it are relative to; a scenario that takes something from a file is refused
+        when left out.
 
     Returns
     -------
@@ -87,7 +93,9 @@ def parse_scenario(text: str | bytes, source: str = "<text>") -> Scenario:
     faults = Faults(source)
     if isinstance(text, bytes):
         text = _decoded(text, faults)
-    return build(check(read_document(text, faults), faults), Path(source).stem)
+    root = read_document(text, faults)
+    taken = expand(root, faults, folder)
+    return build(check(root, faults, taken.stand_ins), Path(source).stem)
 
 
 def _decoded(raw: bytes, faults: Faults) -> str:

@@ -84,20 +84,22 @@ class Checked:
         self.faults.add(node.mark, path, sentence + shown)
 
 
-def check(root: Node, faults: Faults) -> Checked:
+def check(root: Node, faults: Faults, stand_ins: Collection[Path] = ()) -> Checked:
     """Check a document against the schema; note every fault with its place.
 
     Parameters
     ----------
     root : Node
     faults : Faults
+    stand_ins : collection of tuple
+        Paths to what is a stand-in already, its fault noted.
 
     Returns
     -------
     Checked
     """
     data, unread = in_numbers(root, ScenarioFile, faults)
-    bad = {_mend(data, path, "") for path in unread}
+    bad = {*stand_ins, *(_mend(data, path, "") for path in unread)}
     _drop_empty(data, (), root, bad, faults)
     while True:
         try:

@@ -1,0 +1,42 @@
+"""`swarmgrasp convert`: a scenario of other programs' files, and what was assumed of them."""
+
+from pathlib import Path
+
+import pytest
+
+from swarmgrasp.cli.app import main
+from swarmgrasp.scenario import load_scenario
+
+DATA = Path(__file__).parents[1] / "data" / "cases" / "outline-files"
+
+
+def test_a_scenario_is_written_with_what_was_assumed(tmp_path, capsys):
+    """In comments and on the terminal; what is read back holds the robots of the table, too."""
+    tugs, out = tmp_path / "tugs.csv", tmp_path / "dock.yaml"
+    tugs.write_text("name,edge,along,direction,limit [tf]\nAjax,0,3,inward,60\n")
+    assert main(["convert", str(DATA / "geojson.json"), str(out), "--robots", str(tugs)]) == 0
+    told = capsys.readouterr().out
+    assert "taken for metres" in told
+    assert f"wrote {out}" in told
+    assert out.read_text().startswith(
+        "# Made of geojson.json by swarmgrasp convert.\n# Assumed:\n# -"
+    )
+    scenario = load_scenario(out)
+    assert scenario.swarm.outline.area == 1200.0
+    assert scenario.swarm["Ajax"].limit == pytest.approx(588399.0)
+    assert main(["convert", str(out), "-"]) == 0  # a scenario of its own is written anew
+    assert "vertices:" in capsys.readouterr().out
+
+
+def test_nothing_is_written_after_a_fault(tmp_path, capsys):
+    """All faults are told, and an existing file stays without --force."""
+    out = tmp_path / "dock.yaml"
+    (tmp_path / "dock.csv").write_text("0,0\n60,0\n60,x\n")
+    assert main(["convert", str(tmp_path / "dock.csv"), str(out), "--tolerance", "5 kN"]) == 2
+    assert capsys.readouterr().err.count("\n") == 2
+    assert not out.exists()
+    out.write_text("mine")
+    assert main(["convert", str(DATA / "outline.csv"), str(out)]) == 2
+    assert "--force" in capsys.readouterr().err
+    assert out.read_text() == "mine"
+    assert main(["convert", str(DATA / "outline.csv"), str(out), "--force"]) == 0
