@@ -247,3 +247,35 @@ def test_as_things_stand_is_told_in_a_unit_of_its_size(run, tmp_path):
     assert status == 0
     assert "stays 0 kN\n" in said
     assert "As it stands  stays 404.15 kN" in said
+
+
+def test_where_not_is_told_of_every_zone_and_edge(run):
+    """What is left, what takes the rest, what is gained; for one robot only."""
+    said = run("place", "deck-barge", "--where-not")[1]
+    assert "Where Fortuna may attach, and where not" in said
+    lines = {line[:22].strip(): line for line in said.splitlines()}
+    assert lines["stern pads"].endswith(
+        "spacing to Castor (49.00 ft), spacing to Electra (11.00 ft)"
+    )
+    assert "no-go ladder and discharge hose (20.00 ft)" in said
+    assert lines["bow"].endswith("outside the zones")
+    status, _, complaints = run("place", "deck-barge", "--where-not", "--robots", "2")
+    assert (status, complaints) == (
+        2, "--where-not is of one robot: leave out --robots and --together\n"
+    )  # fmt: skip
+
+
+def test_a_bare_object_is_pointed_to_placing_together(run, tmp_path):
+    """With what all at once reach, beside one after the other."""
+    path = tmp_path / "bare.yaml"
+    path.write_text(
+        "outline: {vertices: [[-2, -1], [2, -1], [2, 1], [-2, 1]]}\n"
+        "robots: []\n"
+        "newcomer: {limit: 1000, attachment: push, half_angle: 0.5}\n"
+    )
+    said = run("place", path, "--robots", "4")[1]
+    told = re.search(
+        r"All at once +([\d.]+) kN or more, ([\d.]+) times as much: add --together", said
+    )
+    reached = re.search(r"Quality +0 -> ([\d.]+) kN", said)
+    assert float(told[1]) / float(reached[1]) == pytest.approx(float(told[2]), rel=0.01)

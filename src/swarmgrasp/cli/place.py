@@ -1,5 +1,6 @@
 """`swarmgrasp place`: where the next robot goes."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -24,11 +25,14 @@ from swarmgrasp.ranges import MOST_PLACED
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import Placements
+    from swarmgrasp.placement.grounds import Ground
     from swarmgrasp.quality import Criterion
     from swarmgrasp.scenario import Scenario
 
 FINE, ROUGH = 1e-6, 1e-3
 """Gaps unless told otherwise, of robots one by one and of robots together."""
+MOST_AT_ONCE, STEPS = 8, 100
+"""Robots up to which it is looked at what they reach all at once, and steps for that."""
 SHARE = 0.9
 """Of the best quality, from which on other places are told unless told otherwise."""
 
@@ -45,6 +49,7 @@ def place(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     gap: float | None = None,
     runners_up: float | None = None,
+    where_not: Annotated[bool, Parameter(negative="")] = False,
     plot: Path | None = None,
     json: Dashed | None = None,
     weather: Weather = CALM,
@@ -87,6 +92,9 @@ def place(
     runners_up
         Also list the best place on every other edge or zone that reaches this share of
         the best quality, from 0 (all that help) to 1 (only equals); 0.9 unless given.
+    where_not
+        Also tell of every zone and edge how much of it is left to the newcomer, what takes the
+        rest, and the best quality there.
     plot
         Write pictures of the plan (NAME.png), the wrenches (NAME-wrenches.png) and
         the landscape of all places (NAME-landscape.png); .png, .svg or .pdf.
@@ -97,6 +105,8 @@ def place(
     """
     faults = _number_faults(robots, gap, runners_up)
     faults += _together_faults(robots, together, effort, runners_up)
+    if where_not and (together or (robots or "1").lstrip("0") != "1"):
+        faults.append("--where-not is of one robot: leave out --robots and --together")
     faults += (
         losing_faults(losing)
         + json_faults(json)
@@ -113,12 +123,14 @@ def place(
         steps = None if effort is None else int(effort)
         _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
     else:
-        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording)
+        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
+                       where_not=where_not and count == 1)  # fmt: skip
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
-    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording,
+    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *,
+    where_not: bool,
 ) -> None:  # fmt: skip
     """Find and tell robots placed one after the other; what is None is as in the answer read."""
     from swarmgrasp.answer_file import document_of
@@ -129,10 +141,16 @@ def _tell_sequence(
     near = first.get("asked_gap", FINE) if gap is None else gap
     share = first.get("asked_runners_up", SHARE) if runners_up is None else runners_up
     answers = solve(scenario, file, count, near, share, criterion)
+    survey: Sequence[Ground] = ()
+    if where_not:
+        from swarmgrasp.placement.grounds import grounds
+
+        survey = grounds(solve(scenario, file, 1, near, 0.0, criterion)[0])
+    at_once = _at_once(answers)
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(scenario.name, answers, wording.terms(scenario)),
+        lambda: show(scenario.name, answers, wording.terms(scenario), survey, at_once),
         lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
         csv=wording.csv,
     )
@@ -161,6 +179,23 @@ def _tell_together(
         lambda: pictures_together(_beside(plot), found) if plot else [],
         csv=wording.csv,
     )
+
+
+def _at_once(answers: "Placements") -> float:
+    """Return the quality [N] of robots that nobody helps, placed all at once; 0 if unasked.
+
+    One after the other, the first few stand where they help nothing yet.
+    """
+    from swarmgrasp.errors import ForceSetUnsupported
+    from swarmgrasp.placement import place_together
+
+    problem = answers[0].problem
+    if not 2 <= len(answers) <= MOST_AT_ONCE or answers[0].quality_before > 0.0:
+        return 0.0
+    try:
+        return place_together(problem, len(answers), gap=ROUGH, effort=STEPS).quality
+    except ForceSetUnsupported:
+        return 0.0
 
 
 def solve(

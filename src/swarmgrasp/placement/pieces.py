@@ -123,9 +123,9 @@ def pieces_of(
     pieces: list[Piece] = []
     for zone, label in zip(zones or (None,), zone_labels(zones), strict=True):
         for edge in range(len(outline)):
-            taken = [run for stretch in no_go for run in _runs(outline, edge, stretch)]
+            taken = [run for stretch in no_go for run in runs_on(outline, edge, stretch)]
             if crowd is not None and spacing > 0.0:
-                taken += _crowded(outline, edge, crowd, spacing)
+                taken += crowded_on(outline, edge, crowd, spacing)
             for start, end in _allowed(outline, edge, zone, taken):
                 pieces += _on_stretch(outline, newcomer, zone, label, edge, start, end)
     return _checked(outline, pieces)
@@ -245,18 +245,18 @@ def _allowed(
     sliver = SLIVER * outline.extent
     wanted = [(0.0, float(outline.lengths[edge]))]
     if zone is not None and zone.stretch is not None:
-        wanted = _on_edge(outline, edge, zone.stretch)
+        wanted = parts_on(outline, edge, zone.stretch)
     for start, end in wanted:
         if start == end:
             if not any(a + sliver < start < b - sliver for a, b in taken):
                 yield start, end
             continue
-        for a, b in _minus((start, end), taken):
+        for a, b in left_of((start, end), taken):
             if b - a > sliver:
                 yield a, b
 
 
-def _runs(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
+def runs_on(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     """Return a stretch as distances along an edge, on every lap that may touch it."""
     lap = outline.perimeter
     start = stretch.start - float(outline.corner_arc_lengths[edge])
@@ -264,7 +264,7 @@ def _runs(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     return [(start + turn, start + turn + length) for turn in (-lap, 0.0, lap)]
 
 
-def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
+def parts_on(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     """Return the parts of an edge that a stretch covers, as distances along the edge.
 
     A point on a corner belongs to both edges; a longer stretch that only touches an
@@ -272,7 +272,7 @@ def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     """
     length, near = float(outline.lengths[edge]), outline.tolerance
     parts = []
-    for a, b in _runs(outline, edge, stretch):
+    for a, b in runs_on(outline, edge, stretch):
         lo, hi = max(a, 0.0), min(b, length)
         if stretch.is_point and -near <= a <= length + near:
             parts.append((min(lo, length),) * 2)
@@ -281,7 +281,7 @@ def _on_edge(outline: Outline, edge: int, stretch: Stretch) -> list[Interval]:
     return parts
 
 
-def _crowded(
+def crowded_on(
     outline: Outline, edge: int, crowd: NDArray[np.float64], spacing: float
 ) -> list[Interval]:
     """Return the parts of an edge that are too near a robot already there."""
@@ -291,7 +291,7 @@ def _crowded(
     return list(zip(first.tolist(), last.tolist(), strict=True))
 
 
-def _minus(whole: Interval, taken: list[Interval]) -> Iterator[Interval]:
+def left_of(whole: Interval, taken: list[Interval]) -> Iterator[Interval]:
     """Yield what open intervals leave of a closed one."""
     start, end = whole
     for a, b in sorted(taken):

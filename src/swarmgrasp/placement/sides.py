@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from swarmgrasp.outline import Outline
 from swarmgrasp.placement.areas import Areas, Decks
 from swarmgrasp.placement.pieces import SLIVER, Pieces
 
@@ -77,13 +78,45 @@ def parts_of(pieces: Pieces | Areas | Decks) -> Parts:
     return parts
 
 
-def _goes_on(pieces: Pieces, plain: Mapping[int, Sequence[int]]) -> dict[int, bool]:
-    """Tell of nameless edges whether the allowed contacts go on smoothly on the next edge."""
-    outline = pieces.outline
+def smooth_sides(outline: Outline) -> list[list[int]]:
+    """Return the edges of each side: a named edge alone, nameless ones as far as they go smoothly.
+
+    Examples
+    --------
+    >>> ring = [(math.cos(k), math.sin(k)) for k in np.linspace(0, 6.2, 40)]
+    >>> len(smooth_sides(Outline(ring))), smooth_sides(Outline([(0, 0), (1, 0), (0, 1)]))
+    (1, [[0], [1], [2]])
+    """
+    count, turns = len(outline), _turns(outline)
+    goes_on = [
+        turns[edge] <= SMOOTH and not outline.edge_names[edge]
+        and not outline.edge_names[(edge + 1) % count]
+        for edge in range(count)
+    ]  # fmt: skip
+    start = next((edge for edge in range(count) if not goes_on[edge - 1]), 0)
+    sides: list[list[int]] = []
+    for k in range(count):
+        edge = (start + k) % count
+        if k and goes_on[edge - 1]:
+            sides[-1].append(edge)
+        else:
+            sides.append([edge])
+    return sorted(sides)
+
+
+def _turns(outline: Outline) -> list[float]:
+    """Return by how much the boundary turns at the end of each edge [rad]."""
     along = np.roll(outline.vertices, -1, axis=0) - outline.vertices
     after = np.roll(along, -1, axis=0)
     crosses = along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0]
-    turns = np.abs(np.arctan2(crosses, (along * after).sum(axis=1))).tolist()
+    turns: list[float] = np.abs(np.arctan2(crosses, (along * after).sum(axis=1))).tolist()
+    return turns
+
+
+def _goes_on(pieces: Pieces, plain: Mapping[int, Sequence[int]]) -> dict[int, bool]:
+    """Tell of nameless edges whether the allowed contacts go on smoothly on the next edge."""
+    outline = pieces.outline
+    turns = _turns(outline)
     sliver = SLIVER * outline.extent
     first = {edge: min(pieces.each[k].start for k in members) for edge, members in plain.items()}
     last = {edge: max(pieces.each[k].end for k in members) for edge, members in plain.items()}

@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 
 from swarmgrasp.cli.show.change import spot, spot_columns, telling_of, unit_of
+from swarmgrasp.cli.show.grounds import show_grounds
 from swarmgrasp.cli.show.report import ALONG, Column, Report
 from swarmgrasp.placement import Placement
+from swarmgrasp.placement.grounds import Ground
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.force_words import force_words
@@ -17,11 +19,19 @@ FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
 FINE = 1e-6
 """Relative gap, 0.0001 %, below which it is not told to the digit unless asked for."""
+WORTH = 1.001
+"""Times a quality from which on a better one is worth a word."""
 MOST_TOLD = 12
 """Runners-up of one newcomer that are told."""
 
 
-def show(name: str, answers: Sequence[Placement], terms: Terms) -> None:
+def show(
+    name: str,
+    answers: Sequence[Placement],
+    terms: Terms,
+    survey: Sequence[Ground] = (),
+    at_once: float = 0.0,
+) -> None:
     """Write the answer for people.
 
     Parameters
@@ -32,14 +42,20 @@ def show(name: str, answers: Sequence[Placement], terms: Terms) -> None:
         One newcomer, or several placed one after the other.
     terms : Terms
         In which to tell it.
+    survey : sequence of Ground
+        Where the newcomer may attach and where not, if that is asked.
+    at_once : float [N]
+        What several reach that are placed all at once; 0 if that is not known.
     """
     report, problem = Report(), answers[0].problem
     tell = telling_of(terms, problem.swarm, [answers[-1].upper_bound], problem.newcomer)
     if len(answers) == 1:
         _show_one(report, name, answers[0], tell)
     else:
-        _show_sequence(report, name, answers, tell)
+        _show_sequence(report, name, answers, tell, at_once)
     _show_runners_up(report, answers, tell)
+    if survey:
+        show_grounds(report, answers[0], survey, tell)
     report.small_print(problem.swarm, tell, ALONG)
 
 
@@ -85,7 +101,9 @@ def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> No
     )  # fmt: skip
 
 
-def _show_sequence(report: Report, name: str, answers: Sequence[Placement], tell: Telling) -> None:
+def _show_sequence(
+    report: Report, name: str, answers: Sequence[Placement], tell: Telling, at_once: float
+) -> None:
     """Tell where several newcomers go, one row each."""
     first, last = answers[0], answers[-1]
     unit = unit_of(first.problem.criterion, tell)
@@ -120,8 +138,17 @@ def _show_sequence(report: Report, name: str, answers: Sequence[Placement], tell
         ("Proven", f"for each {tell.terms.robot} given those before it: "
                    f"{_sure(worst, unit, bound=False)}; other places for all of them together may "
                    "be better still"),
+        *_together(last.quality, at_once, unit),
         ("Limit now" if last.improves else "Why no more", last.reason_in(tell.terms)),
     ])  # fmt: skip
+
+
+def _together(quality: float, at_once: float, unit: Unit) -> list[tuple[str, str]]:
+    """Say by how much placing them all at once is better, if it is."""
+    if at_once <= quality * WORTH:
+        return []
+    times = f", {at_once / quality:.3g} times as much" if quality else ""
+    return [("All at once", f"{unit.text(at_once)} or more{times}: add --together")]
 
 
 def _show_runners_up(report: Report, answers: Sequence[Placement], tell: Telling) -> None:
