@@ -146,6 +146,18 @@ class PackageMissing(SwarmGraspError):
     """An optional package that is needed here is not installed."""
 
 
+class SwarmGraspWarning(UserWarning):
+    """Base of every warning that this package gives: what is said is allowed, and hardly meant."""
+
+
+class DirectionWarning(SwarmGraspWarning):
+    """A direction is several turns, as degrees are that are taken for radians."""
+
+
+class ScenarioWarning(SwarmGraspWarning):
+    """A scenario file says what is probably a slip."""
+
+
 def refuse(*kinds: tuple[type[SwarmGraspError], Sequence[str]]) -> None:
     """Raise the first kind of error that has faults, with the faults of all of them.
 

@@ -77,7 +77,7 @@ def test_an_interrupt_says_how_to_go_on(run, pontoon, tmp_path, monkeypatch):
 
 SIMULATION = """
 environment:
-  wind: {vessel: tender, frontal_area: 1, lateral_area: 2, speed: 3, from: 20}
+  wind: {vessel: tender, frontal_area: 1, lateral_area: 2, speed: 3, from: 20 deg}
   current: {frontal_area: 1, lateral_area: 2}
 simulation: {duration: 5, hull: {draught: 0.5}, weather: {gusts: npd}}
 """

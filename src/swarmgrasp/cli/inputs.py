@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
+from warnings import catch_warnings, simplefilter
 
 from swarmgrasp.cli.dash import DASH
 from swarmgrasp.errors import SwarmGraspError
@@ -39,13 +40,19 @@ def read_scenario(file: str, faults: Iterable[str] = ()) -> "Scenario":
     UsageFault
         If there is any fault.
     """
+    from swarmgrasp.cli.show.report import complain
+    from swarmgrasp.errors import ScenarioWarning
+
     found = list(faults)
     try:
-        scenario = _scenario(file)
+        with catch_warnings():
+            simplefilter("ignore", ScenarioWarning)  # they are told below
+            scenario = _scenario(file)
     except SwarmGraspError as error:
         found += error.faults
     if found:
         raise UsageFault(found)
+    complain(f"warning: {warning}" for warning in scenario.warnings)
     return scenario
 
 

@@ -12,6 +12,7 @@ from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forc
 from swarmgrasp.scenario.locate import Locator, Place
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
+from swarmgrasp.scenario.slips import slips_of
 from swarmgrasp.scenario.speech import frame_of, terms_of
 from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
 from swarmgrasp.scenario.units import Units
@@ -79,6 +80,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         criterion=criterion_of(checked, units, swarm.outline, environment),
         terms=terms_of(file, units),
     )
+    scenario = replace(scenario, warnings=slips_of(checked, units, scenario))
     return _with_simulation(scenario, checked, units)
 
 

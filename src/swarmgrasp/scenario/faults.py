@@ -69,9 +69,13 @@ class Faults:
         """Tell whether there is any fault."""
         return bool(self._found)
 
+    def told(self) -> tuple[str, ...]:
+        """Return the faults in the order of the file, each with its place."""
+        return tuple(fault.told(self.source) for fault in sorted(self._found))
+
     def error(self) -> ScenarioInvalid:
         """Return the error that tells the faults, in the order of the file."""
-        told = [fault.told(self.source) for fault in sorted(self._found)]
+        told = list(self.told())
         more = len(told) - MOST_FAULTS_SHOWN
         if more > 0:
             told[MOST_FAULTS_SHOWN:] = [f"{self.source}: ... and {more} more"]

@@ -1,5 +1,6 @@
 """Turn the quantities of a document, "60 t" or "25 kn", into numbers in the file's units."""
 
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from functools import cache
 from types import UnionType
@@ -28,6 +29,29 @@ class _Shape:
     def at(self, index: int) -> "_Shape | None":
         """Return the shape of an item of a list."""
         return _Shape(self.row[index]) if index < len(self.row) else self.item
+
+
+def measured(
+    root: Node, model: type[BaseModel], kinds: Collection[str]
+) -> Iterator[tuple[Path, Node]]:
+    """Yield every value of a document that measures one of some kinds, with its path."""
+    yield from _within(root, _shape_of(model), kinds, ())
+
+
+def _within(
+    node: Node, shape: _Shape, kinds: Collection[str], path: Path
+) -> Iterator[tuple[Path, Node]]:
+    """Yield the values within a node that measure one of some kinds."""
+    parts: list[tuple[str | int, Node, _Shape | None]] = []
+    if isinstance(node.value, dict):
+        parts = [(key, part, shape.keys.get(key)) for key, part in node.value.items()]
+    elif isinstance(node.value, list):
+        parts = [(i, part, shape.at(i)) for i, part in enumerate(node.value)]
+    elif shape.of in kinds:
+        yield path, node
+    for key, part, told in parts:
+        if told is not None:
+            yield from _within(part, told, kinds, (*path, key))
 
 
 @cache

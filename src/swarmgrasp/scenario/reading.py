@@ -2,9 +2,10 @@
 
 from codecs import BOM_UTF8
 from pathlib import Path
+from warnings import warn
 
 from swarmgrasp.answer_file import LARGEST_FILE as LARGEST_ANSWER
-from swarmgrasp.errors import ScenarioInvalid, refuse
+from swarmgrasp.errors import ScenarioInvalid, ScenarioWarning, refuse
 from swarmgrasp.files import read_fault
 from swarmgrasp.ranges import path_faults
 from swarmgrasp.scenario.asking import answer_in, scenario_of
@@ -36,9 +37,22 @@ def load_scenario(path: str | Path) -> Scenario:
     ScenarioInvalid
         If the file cannot be read or has faults; all of them are told, each with its
         line, column and key.
+
+    Warns
+    -----
+    ScenarioWarning
+        Of each slip in `Scenario.warnings`.
     """
     refuse((ScenarioInvalid, path_faults(path)))
     source = str(path)
+    scenario = parse_scenario(_bytes_of(path), source, Path(path).parent)
+    for warning in scenario.warnings:
+        warn(warning, ScenarioWarning, stacklevel=2)
+    return scenario
+
+
+def _bytes_of(path: str | Path) -> bytes:
+    """Return what a file holds: a little more than may be read, if it is too large."""
     try:
         with Path(path).open("rb") as file:
             raw = file.read(LARGEST_FILE + 1)
@@ -46,7 +60,7 @@ def load_scenario(path: str | Path) -> Scenario:
                 raw += file.read(LARGEST_ANSWER - LARGEST_FILE)
     except OSError as error:
         raise ScenarioInvalid(read_fault(path, error)) from None
-    return parse_scenario(raw, source, Path(path).parent)
+    return raw
 
 
 def parse_scenario(

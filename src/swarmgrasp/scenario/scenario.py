@@ -45,6 +45,8 @@ class Scenario(Frozen):
     terms : Terms
         The units and the frame of its file, and its word for robots; all else is in SI and ours.
         Equal scenarios ask the same, whatever their terms.
+    warnings : tuple of str
+        What its file says that is probably a slip, each with line, column and key.
     answer : dict or None
         The answer file that asks all this, as plain data, if it was read from one.
     """
@@ -60,6 +62,7 @@ class Scenario(Frozen):
     criterion: Criterion = NOMINAL
     simulation: "Simulation | None" = None
     terms: Terms = field(default=SI, compare=False)
+    warnings: tuple[str, ...] = field(default=(), compare=False)
     answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
 
     def problem(self, criterion: Criterion | None = None) -> Problem:

@@ -1,10 +1,13 @@
 """Robots in contact with the object, and the newcomer looking for a place."""
 
 import math
+import sys
 from dataclasses import dataclass
+from types import FrameType
 from typing import Literal, get_args
+from warnings import warn
 
-from swarmgrasp.errors import RobotInvalid, ZoneInvalid
+from swarmgrasp.errors import DirectionWarning, RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_simple
 from swarmgrasp.plain import Plain
@@ -26,6 +29,8 @@ from swarmgrasp.swarm.sectors import SAME_ANGLE, Sectors, joined, middle_of, sec
 from swarmgrasp.swarm.tolerance import Tolerance
 from swarmgrasp.words import list_words
 
+TURNED = 4.0 * math.pi
+"""Largest direction [rad] that code comes to by turning what it has; more looks like degrees."""
 Attachment = Literal["push", "pull", "free"]
 """How a robot may hold on: force into the object, out of it, or in any direction."""
 
@@ -52,7 +57,8 @@ class Robot(Plain):
         Where it holds the object, in the frame of the outline's vertices.
     direction : float [rad]
         Direction of the force it exerts on the object, counter-clockwise from +x. With `sectors` it
-        is the middle of the widest, and may be left out.
+        is the middle of the widest, and may be left out. More than two turns give a
+        `DirectionWarning`: they look like degrees.
     limit : float [N]
         Largest force it can exert.
     name : str
@@ -155,6 +161,12 @@ class Robot(Plain):
         faults += _adrift_faults(self.mounted, self.tolerance)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
+        if abs(self.direction) > TURNED and not _is_ours(sys._getframe(2)):
+            said = (
+                f"{_called(self.name, 'robot')}: the direction {shown(self.direction)} rad is "
+                f"{abs(self.direction) / math.tau:.3g} turns; for degrees, write math.radians(...)"
+            )
+            warn(said, DirectionWarning, stacklevel=3)
         vars(self).update(
             contact=point,
             direction=float(self.direction),
@@ -531,6 +543,11 @@ def _adrift_faults(mounted: object, tolerance: object) -> list[str]:
     if isinstance(tolerance, Tolerance) and tolerance.is_adrift and is_flag(mounted) and mounted:
         return ["a mounted robot stays where it is: its tolerance can have no contact"]
     return []
+
+
+def _is_ours(frame: FrameType) -> bool:
+    """Tell whether a call comes from this package."""
+    return str(frame.f_globals.get("__name__")).startswith("swarmgrasp.")
 
 
 def _called(name: str, otherwise: str) -> str:

@@ -2,6 +2,7 @@
 
 from swarmgrasp.units.beaufort import beaufort, beaufort_speed
 from swarmgrasp.units.compass import COMPASS, bearing, compass_point
+from swarmgrasp.units.geographic import is_geographic
 from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, unit_size
 from swarmgrasp.units.spellings import (
     ANGLES,
@@ -33,6 +34,7 @@ __all__ = [
     "canonical",
     "compass_point",
     "in_unit",
+    "is_geographic",
     "is_quantity",
     "quantity",
     "size",

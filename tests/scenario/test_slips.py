@@ -1,0 +1,125 @@
+"""What is probably a slip is told, and nothing is told of files that are merely unusual."""
+
+from pathlib import Path
+
+import pytest
+
+from swarmgrasp import Outline, Robot, Swarm, quality
+from swarmgrasp.cli import main
+from swarmgrasp.errors import DirectionWarning, ScenarioWarning
+from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
+
+CASES = Path(__file__).parents[1] / "data" / "cases"
+SLIPS = {
+    "catamaran-degrees-as-radians": "7:55: robots.0.direction: 45 rad is 7.16 turns; for degrees, "
+    "write units: {angle: deg}, or 45 deg here. There are 3 more like it.",
+    "catamaran-radians-as-degrees": "7:55: robots.0.direction: 0.785398 deg is next to nothing, "
+    "and as radians it is a common angle; for radians, write units: {angle: rad}, or 0.785398 rad "
+    "here.",
+    "barge-forgot-degrees": "4:47: robots.0.direction: 90 rad is 14.3 turns; for degrees, write "
+    "units: {angle: deg}, or 90 deg here. There are 4 more like it.",
+    "catamaran-ned": "5:11: outline.edges.0: 'port' and 'starboard' lie on the other side as the "
+    "file is read, with y to port; if y runs to starboard in it, write frame: NED",
+    "hull-bow-along-y": "14:62: environment.wind.lateral_area: is larger than the frontal area, "
+    "and so the object should be longest along its bow; but the outline is 13.16 m along the bow "
+    "and 133 m across it. Say which way the bow points, such as by bow: +y",
+    "basin-longitude-latitude": "4:13: outline.vertices: these look like longitude and latitude, "
+    "and are read as an object 0.00437 m across; give coordinates in m from a point nearby",
+}
+HONEST = ["catamaran", "barge-degrees", "hull-bow-along-x", "rov-toe-out", "dock-one-robot"]
+SQUARE = "outline: {vertices: [[0, 0], [40, 0], [40, 20], [0, 20]]%s}\nrobots:\n"
+
+
+def slips(text: str) -> list[str]:
+    """Return the slips of a text without the file's name."""
+    return [slip.removeprefix("a.yaml:") for slip in parse_scenario(text, "a.yaml").warnings]
+
+
+@pytest.mark.parametrize("name", SLIPS)
+def test_a_slip_in_a_file_is_told_with_its_place(name: str) -> None:
+    """With what is to be written instead; Python warns where the file is read."""
+    path = CASES / f"{name}.yaml"
+    with pytest.warns(ScenarioWarning) as caught:
+        scenario = load_scenario(path)
+    assert scenario.warnings == (f"{path}:{SLIPS[name]}",)
+    assert [str(one.message) for one in caught] == list(scenario.warnings)
+    assert caught[0].filename == __file__
+
+
+def test_what_is_written_instead_has_no_slip() -> None:
+    """The boat with its y to starboard is then the boat with its y to port."""
+    mended = (CASES / "catamaran-ned.yaml").read_text().replace("units:", "frame: NED\nunits:")
+    assert slips(mended) == []
+    assert quality(parse_scenario(mended).swarm).value == pytest.approx(396.9525, rel=1e-6)
+    hull = (CASES / "hull-bow-along-y.yaml").read_text().replace("units:", "bow: +y\nunits:")
+    assert slips(hull) == []
+
+
+@pytest.mark.parametrize("name", HONEST)
+def test_an_honest_file_has_no_slip(name: str) -> None:
+    """Nor does any built-in scenario."""
+    load_scenario(CASES / f"{name}.yaml")
+
+
+def test_no_built_in_scenario_has_a_slip() -> None:
+    """They are what people start from."""
+    assert [slip for name in example_names() for slip in load_example(name).warnings] == []
+
+
+@pytest.mark.parametrize(
+    ("robots", "slip"),
+    [
+        (
+            "  - {name: stern port, at: 5, direction: inward, limit: 5}\n",
+            "4:12: robots.0.name: 'stern port' lies to starboard as the file is read, with y to "
+            "port; if y runs to starboard in it, write frame: NED",
+        ),
+        (
+            "  - {name: bow tug, contact: [0, 10], direction: inward, limit: 5}\n",
+            "4:12: robots.0.name: 'bow tug' lies aft of the middle; say which way the bow points, "
+            "by bow",
+        ),
+        (
+            "  - {name: a, at: 5, direction: inward, limit: 60}\n"
+            "  - {name: b, at: 9, direction: inward, limit: 60000}\n",
+            "4:48: robots.0.limit: 60 kN is 1000 times less than the 60000 kN of b; are both in "
+            "kN?",
+        ),
+        ("  - {name: Port Said, at: 5, direction: inward, limit: 5}\n", None),
+        ("  - {name: a, at: 5, direction: 400 deg, limit: 5}\n", None),
+    ],
+)
+def test_slips_of_robots(robots: str, slip: str | None) -> None:
+    """By their names and their limits; a harbour is no side."""
+    head = "units: {force: kN, angle: deg}\n"
+    assert slips(head + SQUARE % "" + robots) == ([slip] if slip else [])
+
+
+def test_an_edge_drawn_the_other_way_round_is_on_its_side() -> None:
+    """Sides are told of the places of edges, whichever way the vertices run."""
+    edges = ", edges: [starboard, bow, port, stern]"
+    assert slips(SQUARE % edges + "  []\n") == []
+    turned = "frame: NED\n" + SQUARE % edges + "  []\n"
+    assert slips(turned) == [
+        "2:67: outline.edges.0: 'starboard' and 'port' lie on the other side "
+        "as the file is read, with y to starboard; if y runs to port in it, leave out frame: NED"
+    ]
+
+
+def test_the_command_line_tells_slips_apart_from_answers(capsys: pytest.CaptureFixture) -> None:
+    """On standard error, once; the answer is what it is."""
+    path = CASES / "barge-forgot-degrees.yaml"
+    assert main(["quality", str(path)]) == 0
+    out, err = capsys.readouterr()
+    assert err == f"warning: {path}:{SLIPS['barge-forgot-degrees']}\n"
+    assert "warning" not in out
+
+
+def test_a_robot_with_degrees_is_told_of() -> None:
+    """Once, where it is made; not where a swarm takes it up, nor of what code has turned."""
+    outline = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    with pytest.warns(DirectionWarning, match="the direction 90 rad is 14.3 turns") as caught:
+        degrees = Robot((0, -1), 90, name="Ajax")
+    assert [one.filename for one in caught] == [__file__]
+    again = Swarm(outline, [degrees, Robot((0, 1), 9.0, name="Boreas")]).without("Boreas")
+    assert again.robots[0].direction == 90.0
