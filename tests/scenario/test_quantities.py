@@ -125,6 +125,22 @@ def test_a_quantity_in_the_unit_of_the_file_is_the_number_itself() -> None:
     assert one == other
 
 
+@pytest.mark.parametrize(
+    ("vertices", "precision"),
+    [
+        ("[[0, 0], [10.125, 0], [10.125, 5]]", 0.0005),
+        ("[[0, 0], [10.125 m, 0], [10.125, 5 m]]", 0.0005),
+        ("[[0, 0], [10.125 ft, 0], [10.125 ft, 5 ft]]", 0.0005 * 0.3048),
+        ("[[0, 0], [60 ft, 0], [60 ft, 20 ft]]", 0.0),
+        ("[[0, 0], [60 ft, 0], [60 ft, 5.125]]", 0.0),
+    ],
+)
+def test_an_outline_is_known_as_well_as_it_is_written(vertices: str, precision: float) -> None:
+    """By its decimals in the unit that it is written in, not by those that conversion gives it."""
+    outline = parse_scenario(f"outline: {{vertices: {vertices}}}\nrobots: []").swarm.outline
+    assert outline.precision == pytest.approx(precision, rel=1e-12)
+
+
 def test_one_anchor_is_a_force_here_and_a_mass_there() -> None:
     """A t is what is wanted where it stands."""
     text = (

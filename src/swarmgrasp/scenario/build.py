@@ -10,6 +10,7 @@ from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forces_of
 from swarmgrasp.scenario.locate import Locator, Place
+from swarmgrasp.scenario.quantities import precision_of
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
 from swarmgrasp.scenario.slips import slips_of
@@ -123,7 +124,10 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
         return None
     path: Path = ("outline", "vertices")
     try:
-        plain = Outline(section.vertices, precision=section.precision)
+        precision = section.precision
+        if precision is None:
+            precision = precision_of(checked.root.find(path), units)
+        plain = Outline(section.vertices, precision=precision)
         if plain.extent < SMALLEST_EXTENT:
             raise OutlineInvalid(
                 f"the outline is {plain.extent:.3g} {units.length} across; it should be at least "

@@ -6,15 +6,17 @@ from functools import cache
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
 
+import numpy as np
 from pydantic import BaseModel
 
 from swarmgrasp.errors import QuantityInvalid
+from swarmgrasp.outline.precision import written_precision
 from swarmgrasp.ranges import is_number
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.measures import AXES, AXIS, BEARING, HEADING, Measure, Row
 from swarmgrasp.scenario.units import NAMED, Units
-from swarmgrasp.units import BEAUFORT, bearing, in_unit, is_quantity, quantity, unit_name
+from swarmgrasp.units import BEAUFORT, bearing, in_unit, is_quantity, quantity, split, unit_name
 
 
 @dataclass
@@ -111,6 +113,31 @@ def in_numbers(root: Node, model: type[BaseModel], faults: Faults) -> tuple[Any,
     if reading.units.speed == BEAUFORT:
         data["units"]["speed"] = "m/s"
     return data, reading.bad
+
+
+def precision_of(vertices: Node, units: Units) -> float | None:
+    """Return how well corners are known that are written with units of their own.
+
+    Returns
+    -------
+    float or None [the file's unit]
+        By their decimals in the unit that they are all written in; 0 for several units, which a
+        computation mixed. None for plain numbers, of which the outline itself tells.
+    """
+    written: list[Any] = [node.value for row in _items(vertices) for node in _items(row)]
+    if not any(isinstance(value, str) for value in written):
+        return None
+    told = [split(value, "length") for value in written]
+    names = {name or units.length for number, name in told if number}
+    if len(names) != 1:
+        return 0.0
+    numbers = np.reshape([number for number, _ in told], (-1, 2))
+    return written_precision(numbers) * in_unit(f"1 {names.pop()}", "length", units.length)
+
+
+def _items(node: Node) -> list[Node]:
+    """Return the items of a list."""
+    return node.value if isinstance(node.value, list) else []
 
 
 def _units_in(data: Any) -> Units:

@@ -3,7 +3,7 @@
 from swarmgrasp.units.beaufort import beaufort, beaufort_speed
 from swarmgrasp.units.compass import COMPASS, bearing, compass_point
 from swarmgrasp.units.geographic import is_geographic
-from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, unit_size
+from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, split, unit_size
 from swarmgrasp.units.spellings import (
     ANGLES,
     BEAUFORT,
@@ -39,6 +39,7 @@ __all__ = [
     "quantity",
     "size",
     "spellings",
+    "split",
     "unit_fault",
     "unit_name",
     "unit_size",

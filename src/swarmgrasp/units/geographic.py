@@ -28,4 +28,4 @@ def is_geographic(corners: NDArray[np.float64]) -> bool:
     extent = float(np.ptp(corners, axis=0).max())
     is_far = float(np.linalg.norm(corners.mean(axis=0))) > _FAR * extent
     is_fine = np.abs(corners - corners.round(_DECIMALS - 1)) > 10.0 ** -(_DECIMALS + 6)
-    return bool(within.all()) and extent < _WIDEST and is_far and is_fine.mean() > 0.5
+    return bool(within.all() and extent < _WIDEST and is_far and is_fine.mean() > 0.5)

@@ -105,10 +105,9 @@ def quantity(value: str | float, of: str, unit: str = "") -> float:
     Traceback (most recent call last):
     swarmgrasp.errors.QuantityInvalid: 'kN' is a unit of force, not of speed; did you mean 'kn'?
     """
-    kind = KINDS[of]
-    amount, word = (number(value), "") if is_number(value) else _parted(value, kind)
-    word = word or unit or kind.si
-    if of == "speed" and canonical(word, of) == BEAUFORT:
+    amount, word = split(value, of)
+    word = word or unit or KINDS[of].si
+    if word == BEAUFORT and of == "speed":
         return beaufort_speed(amount)
     found = amount * unit_size(word, of)
     if not math.isfinite(found):
@@ -137,12 +136,27 @@ def in_unit(value: str | float, of: str, unit: str) -> float:
     (588.399, 12.1)
     """
     unit = unit or KINDS[of].si
-    amount, word = (number(value), "") if is_number(value) else _parted(value, KINDS[of])
-    if math.isfinite(amount) and (
-        word in ("", unit) or (of in PLAIN and canonical(word, of) == unit)
-    ):
+    amount, word = split(value, of)
+    if math.isfinite(amount) and word in ("", unit):
         return amount
     return quantity(value, of) / unit_size(unit, of)
+
+
+def split(value: str | float, of: str) -> tuple[float, str]:
+    """Return the number of a quantity, and its unit as it is called here; "" if it has none.
+
+    Raises
+    ------
+    QuantityInvalid
+        As of `quantity`.
+
+    Examples
+    --------
+    >>> split("60 tonnes", "force"), split(60, "force")
+    ((60.0, 'tf'), (60.0, ''))
+    """
+    amount, word = (number(value), "") if is_number(value) else _parted(value, KINDS[of])
+    return amount, (of in PLAIN and canonical(word, of)) or word
 
 
 def unit_size(word: str, of: str) -> float:
