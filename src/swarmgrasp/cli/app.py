@@ -18,6 +18,7 @@ from swarmgrasp.cli.dash import hidden, shown
 from swarmgrasp.cli.examples import examples
 from swarmgrasp.cli.forces import forces
 from swarmgrasp.cli.judge import judge
+from swarmgrasp.cli.lasting import INTERRUPTED
 from swarmgrasp.cli.move import move
 from swarmgrasp.cli.paper import paper
 from swarmgrasp.cli.place import place
@@ -31,7 +32,6 @@ from swarmgrasp.cli.verify import verify
 from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
-INTERRUPTED = 130
 COMMANDS = (
     place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, agent,
     paper, examples, convert, schema,
@@ -82,6 +82,7 @@ def build() -> App:
         usage = "Usage: swarmgrasp examples [OPTIONS] [NAME]" if command is examples else None
         app.command(command, help_epilogue="", usage=usage)
     app.command(agents.build())
+    app.register_install_completion_command()
     return app
 
 

@@ -36,11 +36,11 @@ def count(
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
-) -> None:
+) -> int:
     """Find the fewest robots like the newcomer that bring a required quality.
 
     They are placed together. Prints where they go, and whether fewer are proven not to be
-    enough.
+    enough. Ctrl-C ends the search with what is known so far.
 
     Example: swarmgrasp count deck-barge --quality 600e3
 
@@ -82,22 +82,35 @@ def count(
         raise UsageFault("--quality is missing; give the quality required, such as 600e3")
     tried = before.get("most", MOST) if most is None else int(most)
     criterion = criterion_of(scenario, file, losing, worst_case, failures, tried)
+    from swarmgrasp.cli.lasting import INTERRUPTED, stoppable
+    from swarmgrasp.cli.progress import shown_search
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 
     required = before["required"] if quality is None else quality
     steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
-    with blaming(file):
-        found = how_many(scenario.problem(criterion), required, most=tried, effort=steps)
+    terms = wording.terms(scenario)
+    with blaming(file), stoppable() as is_stopped, shown_search("counting") as tell:
+
+        def progress(count: int, enough: int) -> bool:
+            """Tell how far the search is, and end it on Ctrl-C."""
+            known = f"{enough} are enough" if enough <= tried else f"at most {tried}"
+            tell(f"trying {terms.robots(count)}, {known}")
+            return is_stopped()
+
+        problem = scenario.problem(criterion)
+        found = how_many(problem, required, most=tried, effort=steps, progress=progress)
+        stopped = is_stopped() and not found.is_proven
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.count import show
 
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, wording.terms(scenario)),
+        lambda: show(scenario.name, found, terms, is_stopped=stopped),
         csv=wording.csv,
     )
+    return INTERRUPTED if stopped else 0
 
 
 def _number_faults(quality: float | None, most: str | None, effort: str | None) -> list[str]:

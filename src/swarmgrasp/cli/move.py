@@ -57,10 +57,12 @@ def move(
         newcomer=None, losing=losing, failures=failures, worst_case=worst_case,
         load=weather.given, task=None,
     )  # fmt: skip
+    from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import best_move
 
-    with blaming(file):
-        found = best_move(scenario.problem(criterion))
+    total = len(scenario.swarm)
+    with blaming(file), shown_progress(total, f"moving {scenario.terms.several}") as progress:
+        found = best_move(scenario.problem(criterion), progress=progress)
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.move import show
 

@@ -54,7 +54,7 @@ def place(
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
-) -> None:
+) -> int:
     """Find where the next robot attaches and which way it pushes.
 
     Prints the contact, the direction, what the robot adds, how far the answer can be from
@@ -72,7 +72,7 @@ def place(
         is best given those before it; 1 unless given.
     together
         Place them all at once instead, which is often better; the bound is then for all of
-        them. Takes --robots 2 or more.
+        them. Takes --robots 2 or more. Ctrl-C ends the search with the best so far.
     effort
         Steps of the search for robots placed together, 5000 unless given: about 2 ms each
         for a dozen robots. The same steps give the same answer on every machine.
@@ -121,10 +121,10 @@ def place(
     criterion = criterion_of(scenario, file, losing, worst_case, failures, count)
     if together:
         steps = None if effort is None else int(effort)
-        _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
-    else:
-        _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
-                       where_not=where_not and count == 1)  # fmt: skip
+        return _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
+    _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
+                   where_not=where_not and count == 1)  # fmt: skip
+    return 0
 
 
 def _tell_sequence(
@@ -159,26 +159,40 @@ def _tell_sequence(
 def _tell_together(
     scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
     criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording,
-) -> None:  # fmt: skip
-    """Find and tell robots placed all at once; what is None is as in the answer read."""
+) -> int:  # fmt: skip
+    """Find and tell robots placed all at once; what is None is as in the answer read.
+
+    Ctrl-C ends the search with the best so far. Returns the exit status.
+    """
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.lasting import INTERRUPTED, stoppable
     from swarmgrasp.cli.pictures import pictures_together
-    from swarmgrasp.cli.show.together import show
+    from swarmgrasp.cli.progress import shown_search
+    from swarmgrasp.cli.show.together import show, so_far
     from swarmgrasp.placement import place_together
     from swarmgrasp.placement.together.effort import EFFORT
 
     before = asked_before(scenario, "together")
     steps = before.get("asked_effort", EFFORT) if effort is None else effort
     near = before.get("asked_gap", ROUGH) if gap is None else gap
-    with blaming(file):
-        found = place_together(scenario.problem(criterion), count, gap=near, effort=steps)
+    problem, terms = scenario.problem(criterion), wording.terms(scenario)
+    with blaming(file), stoppable() as is_stopped, shown_search("placing together") as tell:
+
+        def progress(quality: float, bound: float) -> bool:
+            """Tell how far the search is, and end it on Ctrl-C."""
+            tell(so_far(problem, quality, bound, terms))
+            return is_stopped()
+
+        found = place_together(problem, count, gap=near, effort=steps, progress=progress)
+        stopped = is_stopped() and found.stopped_early
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, wording.terms(scenario)),
+        lambda: show(scenario.name, found, terms, is_stopped=stopped),
         lambda: pictures_together(_beside(plot), found) if plot else [],
         csv=wording.csv,
     )
+    return INTERRUPTED if stopped else 0
 
 
 def _at_once(answers: "Placements") -> float:

@@ -29,6 +29,21 @@ def shown_progress(
         yield lambda done: bar.update(task, completed=done)
 
 
+@contextmanager
+def shown_search(what: str) -> Iterator[Callable[[str], None]]:
+    """Yield what shows how far a search has come, on standard error if that is a terminal.
+
+    The line vanishes at the end.
+    """
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(what) as status:
+        yield lambda words: status.update(f"{what}: {words} (Ctrl-C ends it with the best so far)")
+
+
 LINES = 10
 """Lines that a long command writes into a pipe."""
 

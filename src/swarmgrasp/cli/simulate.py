@@ -17,6 +17,7 @@ from swarmgrasp.cli.inputs import (
     read_scenario,
     whole_faults,
 )
+from swarmgrasp.cli.lasting import INTERRUPTED
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain
@@ -37,7 +38,6 @@ if TYPE_CHECKING:
 
 NOT_HELD = 1
 """Exit status when the object leaves the circle it is to be kept in."""
-INTERRUPTED = 130
 LONGEST = 1e6
 FASTEST = 300.0
 """Longest run [s] and fastest wind [kn] that may be asked for."""

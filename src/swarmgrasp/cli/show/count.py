@@ -6,8 +6,8 @@ from swarmgrasp.placement import HowMany
 from swarmgrasp.terms import Terms
 
 
-def show(name: str, found: HowMany, terms: Terms) -> None:
-    """Write an answer for people."""
+def show(name: str, found: HowMany, terms: Terms, *, is_stopped: bool = False) -> None:
+    """Write an answer for people; if Ctrl-C ended the search, say so."""
     report, problem, criterion = Report(), found.problem, found.problem.criterion
     tell = telling_of(terms, problem.swarm, [found.required], problem.newcomer)
     unit = unit_of(criterion, tell)
@@ -27,7 +27,8 @@ def show(name: str, found: HowMany, terms: Terms) -> None:
     facts = [("Quality", quality)]
     if words := criterion.words(problem.swarm, terms.robot):
         facts.append(("", words))
-    facts.append(("Proven" if found.is_proven else "Open", found.reason_in(terms)))
+    early = "; Ctrl-C ended the search" if is_stopped else ""
+    facts.append(("Proven" if found.is_proven else "Open", found.reason_in(terms) + early))
     if found.answer is not None:
         facts.append(("Limit then", found.answer.reason_in(terms)))
     report.facts(facts)

@@ -1,13 +1,23 @@
 """How `swarmgrasp place --together` tells its answer."""
 
+import math
+
 from swarmgrasp.cli.show.change import change, proven, show_robots, telling_of, unit_of
 from swarmgrasp.cli.show.report import ALONG, Mood, Report
-from swarmgrasp.placement import Together
+from swarmgrasp.placement import Problem, Together
 from swarmgrasp.terms import Terms
 
 
-def show(name: str, found: Together, terms: Terms) -> None:
-    """Write an answer for people."""
+def so_far(problem: Problem, quality: float, bound: float, terms: Terms) -> str:
+    """Say how far a search has come: the best quality and the bound."""
+    tell = telling_of(terms, problem.swarm, [quality], problem.newcomer)
+    unit = unit_of(problem.criterion, tell)
+    most = f", at most {unit.text(bound)}" if math.isfinite(bound) else ""
+    return f"{unit.text(quality)}{most}"
+
+
+def show(name: str, found: Together, terms: Terms, *, is_stopped: bool = False) -> None:
+    """Write an answer for people; if Ctrl-C ended the search, say so."""
     report, problem, criterion = Report(), found.problem, found.problem.criterion
     tell = telling_of(terms, problem.swarm, [found.upper_bound], problem.newcomer)
     unit = unit_of(criterion, tell)
@@ -23,6 +33,7 @@ def show(name: str, found: Together, terms: Terms) -> None:
     if found.sequential >= 0.0:
         facts.append(("One by one", f"{unit.text(found.sequential)}, each best given those before"))
     early = "; the effort was spent before the gap asked for" if found.stopped_early else ""
+    early = "; Ctrl-C ended the search before the gap asked for" if is_stopped else early
     told = proven("other places of so many", found.upper_bound, found.quality, unit)
     facts += [("Proven", told.replace(" is better", " are better") + early)]
     facts += [("Limit now" if found.improves else "Why", found.reason_in(terms))]

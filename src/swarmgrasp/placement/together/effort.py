@@ -46,6 +46,10 @@ class Budget:
         """Whether no step is left."""
         return self.left <= 0
 
+    def stop(self) -> None:
+        """Leave no step."""
+        self.left = min(self.left, 0)
+
     def spend(self, steps: int = 1) -> None:
         """Take a step, or several."""
         self.left -= steps

@@ -1,6 +1,7 @@
 """The fewest robots of a kind that bring a required quality."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +17,7 @@ from swarmgrasp.placement.together.place import (
     start,
 )
 from swarmgrasp.plain import Answer, picked
-from swarmgrasp.ranges import count_faults, number, shown
+from swarmgrasp.ranges import call_faults, count_faults, number, shown
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.terms import SI, Terms
 
@@ -110,7 +111,12 @@ class HowMany(Frozen, Answer):
 
 
 def how_many(
-    problem: Problem, quality: float, *, most: int = MOST, effort: int = EFFORT
+    problem: Problem,
+    quality: float,
+    *,
+    most: int = MOST,
+    effort: int = EFFORT,
+    progress: Callable[[int, int], object] | None = None,
 ) -> HowMany:
     """Find the fewest newcomers with which the quality reaches a required one.
 
@@ -128,6 +134,9 @@ def how_many(
         How many to allow, from 1 to 1000.
     effort : int
         Steps of the whole search, as for `place_together`.
+    progress : callable, optional
+        Called with the number that is being tried and the one known to be enough, which is beyond
+        `most` if none is, now and then. If what it returns is true, the search ends there.
 
     Returns
     -------
@@ -152,19 +161,23 @@ def how_many(
     (4, True, '4 robots can, 3 cannot, wherever they attach')
     """
     faults = problem_faults(problem) + effort_faults(effort)
-    faults += count_faults(most, "the most robots to try")
+    faults += count_faults(most, "the most robots to try") + call_faults(progress)
     if not number(quality) > 0.0:
         faults.append(f"the quality is {shown(quality)}; it should be 0 < quality < inf [N]")
     refuse((ProblemInvalid, faults))
     check_several(problem, "the count")
-    return _Count(problem, float(quality), int(most), Budget(int(effort))).found()
+    return _Count(problem, float(quality), int(most), Budget(int(effort)), progress).found()
 
 
 class _Count:
     """One question on its way to an answer."""
 
-    def __init__(self, problem: Problem, quality: float, most: int, budget: Budget) -> None:
+    def __init__(
+        self, problem: Problem, quality: float, most: int, budget: Budget,
+        progress: Callable[[int, int], object] | None,
+    ) -> None:  # fmt: skip
         self.problem, self.required, self.most = problem, quality, most
+        self.progress, self.is_stopped = progress, False
         self.enough = quality * (1.0 - MET)
         self.budget = budget
         self.before = self.search_for(1, budget).gauge.before.quality
@@ -181,16 +194,24 @@ class _Count:
             self.budget.left -= slice_.left
             search = self.search_for(count, slice_)
             sequential = start(search)
-            search.run()
+            search.run(lambda *_, count=count, reached=reached: self._told(count, reached))
             self.budget.left += slice_.left
             if search.best.quality >= self.enough:
                 return self.told(count, least, answer_of(search, sequential))
             is_settled &= search.bound < self.enough
             least += is_settled
+            if self.is_stopped:
+                break
         if reached > self.most:
             return self.told(None, least, None)
         search = self.search_for(reached, Budget(0))
         return self.told(reached, least, answer_of(search, start(search)))
+
+    def _told(self, count: int, reached: int) -> bool:
+        """Tell what is being tried; return whether to stop."""
+        if self.progress is not None and self.progress(count, reached):
+            self.is_stopped = True
+        return self.is_stopped
 
     def told(self, count: int | None, least: int, answer: Together | None) -> HowMany:
         """Return an answer."""

@@ -97,7 +97,7 @@ class JointSearch:
         Parameters
         ----------
         progress : callable, optional
-            Called with the best quality and the bound, now and then.
+            Called with the best quality and the bound, now and then; ends the search if it says so.
         """
         relaxed: tuple[Share, Relaxed] | None = None
         climbing, bounding = 0, 0
@@ -111,8 +111,8 @@ class JointSearch:
             else:
                 self._climb(relaxed)
                 climbing += before - self.budget.left
-                if progress is not None:
-                    progress(max(self.best.quality, 0.0), self.bound)
+            if progress is not None and progress(max(self.best.quality, 0.0), self.bound):
+                self.budget.stop()
 
     @property
     def _is_hopeless(self) -> bool:

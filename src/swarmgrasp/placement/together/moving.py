@@ -1,7 +1,7 @@
 """Which one robot should attach elsewhere, and what that is worth."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -13,7 +13,7 @@ from swarmgrasp.placement.place import place, rise_of
 from swarmgrasp.placement.problem import Problem, problem_faults
 from swarmgrasp.plain import Answer, Told, picked
 from swarmgrasp.quality.max_transfer import Quality, quality
-from swarmgrasp.ranges import gap_faults
+from swarmgrasp.ranges import call_faults, gap_faults
 from swarmgrasp.swarm import Newcomer, Robot, Swarm
 from swarmgrasp.swarm.robot import RIGHT_ANGLE
 from swarmgrasp.swarm.swarm import check_gaps
@@ -200,7 +200,11 @@ class Move(Frozen, Answer):
 
 
 def best_move(
-    problem: Problem | Swarm, *, robots: str | Iterable[str] | None = None, gap: float = 1e-6
+    problem: Problem | Swarm,
+    *,
+    robots: str | Iterable[str] | None = None,
+    gap: float = 1e-6,
+    progress: Callable[[int], object] | None = None,
 ) -> Move:
     """Find the one robot that should attach elsewhere, and where.
 
@@ -218,6 +222,8 @@ def best_move(
         Those that may move, by name; all that are not mounted when left out.
     gap : float
         As for `place`.
+    progress : callable, optional
+        Called with the number of robots tried, after each.
 
     Returns
     -------
@@ -249,12 +255,14 @@ def best_move(
     """
     if isinstance(problem, Swarm):
         problem = Problem(problem, Newcomer())
-    refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap)))
+    refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap) + call_faults(progress)))
     swarm = problem.swarm
     check_gaps(swarm, "the best move")
     before = quality(swarm, **problem.criterion.terms)
     found, stuck = [], []
-    for robot in _movable(problem, robots):
+    for tried, robot in enumerate(_movable(problem, robots)):
+        if progress is not None:
+            progress(tried)
         try:
             placement = place(_without(problem, robot), gap=gap)
         except NowhereToAttach:

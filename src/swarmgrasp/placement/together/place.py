@@ -170,7 +170,8 @@ def place_together(
         program, or one newcomer placed exactly beside the others: about 2 ms for up to a dozen
         newcomers, more for more. The answer is the same on every machine.
     progress : callable, optional
-        Called with the quality so far and the bound so far, now and then.
+        Called with the quality so far and the bound so far, now and then. If what it returns is
+        true, the search ends there, and the answer is `stopped_early`.
 
     Returns
     -------

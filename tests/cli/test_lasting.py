@@ -1,0 +1,59 @@
+"""Ctrl-C ends a search with the best so far, its bound, and a word; completion installs."""
+
+import json
+import re
+import signal
+
+import pytest
+
+from swarmgrasp.cli.show import together
+from swarmgrasp.placement.together.how_many import _Count
+
+
+@pytest.fixture
+def ctrl_c(monkeypatch):
+    """Press Ctrl-C when something is called for the second time."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # whatever it was started with
+
+    def ctrl_c(owner, name):
+        true, calls = getattr(owner, name), []
+
+        def pressed(*arguments):
+            calls.append(arguments)
+            if len(calls) == 2:
+                signal.raise_signal(signal.SIGINT)
+            return true(*arguments)
+
+        monkeypatch.setattr(owner, name, pressed)
+
+    return ctrl_c
+
+
+def test_placing_together_ends_with_the_best_so_far(run, tmp_path, ctrl_c):
+    """The bound holds; the answer file says that the search stopped early; status 130."""
+    ctrl_c(together, "so_far")
+    path = tmp_path / "answer.json"
+    command = ["place", "deck-barge", "--robots", "3", "--together", "--gap", "1e-9"]
+    status, said, complaints = run(*command, "--json", path)
+    assert (status, complaints) == (130, "")
+    assert "; Ctrl-C ended the search before the gap asked for" in said
+    found = json.loads(path.read_text())
+    assert found["stopped_early"]
+    assert found["quality"] <= found["upper_bound"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_counting_ends_with_what_is_known(run, ctrl_c):
+    """How many are enough, and that fewer is not settled."""
+    ctrl_c(_Count, "_told")
+    status, said, _ = run("count", "deck-barge", "--quality", "700e3", "--effort", "100000")
+    assert status == 130
+    assert re.search(r"Open +.* is not settled; Ctrl-C ended the search\n", said)
+
+
+def test_completion_is_installed_where_it_is_wanted(run, tmp_path):
+    """For a shell, in a file; it knows the commands and their options."""
+    script = tmp_path / "completion.bash"
+    status, _, _ = run("--install-completion", "--shell", "bash", "--output", script)
+    assert status == 0
+    assert "--where-not" in script.read_text()
