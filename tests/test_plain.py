@@ -92,6 +92,7 @@ def test_every_question_comes_back(problem):
     assert_same(there_and_back(problem), problem)
 
 
+@pytest.mark.filterwarnings("ignore::swarmgrasp.errors.DirectionWarning")
 @given(parts)
 def test_every_part_comes_back(part):
     """Tolerances, environments, criteria with tasks, contacts and robots."""

@@ -51,13 +51,14 @@ from swarmgrasp.quality import (
     sensitivities,
 )
 from swarmgrasp.summary import Summary
-from swarmgrasp.swarm import Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
+from swarmgrasp.swarm import Body, Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
 from swarmgrasp.verify import Verdict, verify_document
 from swarmgrasp.words import wrench_words
 from swarmgrasp.wrench_set import WrenchSet
 
 __all__ = [
     "BLENDERMANN",
+    "Body",
     "Capability",
     "CapabilityNumbers",
     "CapabilityPlacement",

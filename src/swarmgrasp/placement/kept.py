@@ -87,4 +87,5 @@ def kept_robot(
     return Robot(
         contact, math.remainder(0.5 * (lo + hi), math.tau), newcomer.limit, name,
         newcomer.mounted, newcomer.tolerance, newcomer.reverse_limit, steers, newcomer.friction,
+        body=newcomer.body,
     )  # fmt: skip

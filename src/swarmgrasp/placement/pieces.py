@@ -128,7 +128,7 @@ def pieces_of(
                 taken += crowded_on(outline, edge, crowd, spacing)
             for start, end in _allowed(outline, edge, zone, taken):
                 pieces += _on_stretch(outline, newcomer, zone, label, edge, start, end)
-    return _checked(outline, pieces)
+    return checked_pieces(outline, pieces)
 
 
 def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
@@ -152,16 +152,22 @@ def _whole_boundary(
     for edge in range(len(outline)):
         end = float(outline.lengths[edge])
         pieces += _on_stretch(outline, newcomer, None, "", edge, 0.0, end)
-    return _checked(outline, pieces)
+    return checked_pieces(outline, pieces)
 
 
-def _checked(outline: Outline, pieces: list[Piece]) -> Pieces:
-    """Return pieces with their rows; there should be some."""
+def checked_pieces(outline: Outline, pieces: list[Piece]) -> Pieces:
+    """Return pieces with their rows.
+
+    Raises
+    ------
+    NowhereToAttach
+        If there are none.
+    """
     if not pieces:
         raise NowhereToAttach(
             "no boundary point is left to the newcomer: widen the zones or their directions, "
             "shorten the no-go stretches or lessen the spacing; a line that "
-            "pulls has to run free of the object"
+            "pulls has to run free of the object, and a body needs room"
         )
     numbers = np.array([piece[:6] for piece in pieces])
     edges = numbers[:, 0].astype(int)

@@ -372,7 +372,7 @@ class _Placing:
         newcomer = self.problem.newcomer
         return Robot(
             contact, direction, newcomer.limit, name, newcomer.mounted, newcomer.tolerance,
-            newcomer.reverse_limit,
+            newcomer.reverse_limit, body=newcomer.body,
         )  # fmt: skip
 
     def others(

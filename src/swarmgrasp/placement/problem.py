@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,13 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_within
 from swarmgrasp.placement.areas import Areas, Decks, areas_of, decks_of
-from swarmgrasp.placement.pieces import Pieces, halves_of, pieces_of, zone_labels
+from swarmgrasp.placement.pieces import (
+    Pieces,
+    checked_pieces,
+    halves_of,
+    pieces_of,
+    zone_labels,
+)
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.quality.robot_sets import turn_faults
@@ -154,9 +161,19 @@ class Problem(Frozen, Plain):
         NowhereToAttach
             If there are none.
         """
-        swarm = self.swarm
+        return self._pieces
+
+    @cached_property
+    def _pieces(self) -> Pieces:
+        """The pieces, once they are asked for."""
+        swarm, newcomer = self.swarm, self.newcomer
         crowd = swarm.contacts[~swarm.mounted] if self.spacing > 0.0 else None
-        return pieces_of(swarm.outline, self.newcomer, self.zones, self.no_go, crowd, self.spacing)
+        found = pieces_of(swarm.outline, newcomer, self.zones, self.no_go, crowd, self.spacing)
+        if newcomer.body is None:
+            return found
+        from swarmgrasp.placement.room import Room
+
+        return checked_pieces(swarm.outline, list(Room(swarm).left(found.each, newcomer)))
 
     def places(self) -> Pieces | Areas | Decks:
         """List the pieces of the boundary, or of areas inside, that are left to the newcomer.
@@ -248,6 +265,11 @@ def check_several(problem: Problem, what: str) -> None:
         raise ForceSetUnsupported(
             f"{what} is for newcomers on the boundary: leave out that they are mounted, or place "
             "them one after the other"
+        )
+    if problem.newcomer.body is not None:
+        raise ForceSetUnsupported(
+            f"{what} is for newcomers that take up no room: leave out the body, or place them one "
+            "after the other"
         )
     check_newcomer(problem)
 

@@ -152,7 +152,7 @@ class TolerantSearch:
         else:
             robot = Robot(
                 contact, direction, newcomer.limit, tolerance=newcomer.tolerance,
-                reverse_limit=newcomer.reverse_limit,
+                reverse_limit=newcomer.reverse_limit, body=newcomer.body,
             )  # fmt: skip
         aim = Aim(problem.swarm.with_robot(robot), problem.criterion)
         return Found(robot, piece, self.work.quality(aim, WORK_PER_PLACE, enough))

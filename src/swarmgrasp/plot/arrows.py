@@ -14,6 +14,7 @@ from matplotlib.patches import FancyArrow, Patch
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
+from swarmgrasp.placement.room import body_corners
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.force_set import boundary_of, fans_of
 
@@ -111,9 +112,10 @@ class Arrows:
         return self.outline.contains(np.array(robot.contact) + step)
 
     def box(self) -> tuple[Vector, Vector]:
-        """Return the corners of the box round the outline and all arrows, each (2,) [m, m]."""
+        """Return the corners of the box round all that is drawn, each (2,) [m, m]."""
         areas = [area for robot in self.everyone for area in self.areas(robot)]
-        points = np.concatenate([self.outline.vertices, *areas])
+        bodies = [body_corners(self.outline, robot) for robot in self.everyone if robot.body]
+        points = np.concatenate([self.outline.vertices, *areas, *bodies])
         return points.min(axis=0), points.max(axis=0)
 
 

@@ -20,6 +20,7 @@ from swarmgrasp.plot.poses import draw_poses, pose_entries, worst_case
 from swarmgrasp.plot.robots import (
     MOST_LABELS,
     draw_robots,
+    draw_rooms,
     label_robots,
     outer_spots,
     robot_entries,
@@ -105,6 +106,7 @@ def plan(
         draw_object(page, swarm.outline)
         draw_areas(page, areas)
         draw_strips(page, swarm.outline, strips, no_go)
+        draw_rooms(page, arrows)
         draw_poses(page, arrows, case)
         draw_robots(page, arrows, case.missing)
         if limit is not None:

@@ -12,6 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.markers import MarkerStyle
 from matplotlib.patches import Patch
 
+from swarmgrasp.placement.room import body_corners
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
@@ -53,6 +54,20 @@ def _kinds(arrows: Arrows, missing: frozenset[int]) -> dict[tuple[str, bool], li
         kind = kind if index < len(arrows.robots) else "newcomer"
         kinds[kind, index in missing].append(robot)
     return {key: robots for key, robots in kinds.items() if robots}
+
+
+def draw_rooms(page: Page, arrows: Arrows) -> None:
+    """Draw the room that robots and newcomers take up."""
+    for robots, colour in ((arrows.robots, style.BLUE), (arrows.newcomers, style.VERMILION)):
+        shapes = [body_corners(arrows.outline, robot) for robot in robots if robot.body]
+        for shape in shapes:
+            for start, end in itertools.pairwise([*shape, shape[0]]):
+                page.keep_clear(start, end)
+        rooms = PolyCollection(
+            shapes, facecolor=to_rgba(colour, 0.07), edgecolor=to_rgba(colour, 0.6),
+            linewidth=0.6, zorder=1, gid="room",
+        )  # fmt: skip
+        page.ax.add_collection(rooms)
 
 
 def draw_robots(page: Page, arrows: Arrows, missing: frozenset[int]) -> None:

@@ -18,7 +18,7 @@ from swarmgrasp.scenario.speech import frame_of, terms_of
 from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, well_said
+from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, body_of, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.swarm.names import filled
@@ -201,6 +201,7 @@ def _robot(
         mounted=section.mounted,
         tolerance=tolerance_of(section, locator.checked, units),
         group=section.group,
+        body=body_of(section, units),
         **forces_of(section, units),
         **own_forces_of(section, units),
     )
@@ -253,6 +254,7 @@ def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
             tolerance=tolerance_of(section, checked, units),
             steers=section.steers,
             mounted=section.mounted,
+            body=body_of(section, units),
             **forces_of(section, units),
         )
     except RobotInvalid as error:  # numbers next to zero only

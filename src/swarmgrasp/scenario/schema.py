@@ -78,6 +78,14 @@ def _one_of(quantity: str) -> str:
     return f"One of {', '.join(PLAIN[quantity])}, as people spell them."
 
 
+BODY_LENGTH = (
+    "How far it reaches from its contact, away from the object; with the line, if it pulls on one. "
+    "Goes with `beam`: a newcomer's body is kept clear of the object and of others' "
+    "[units.length]."
+)
+BEAM = "Its width; goes with `length` [units.length]."
+
+
 def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
     """Return the JSON schemas of "these keys are given", one per set of keys."""
     return [{"required": key} for key in keys]
@@ -157,7 +165,13 @@ class RobotSection(Section):
     model_config = ConfigDict(
         json_schema_extra={
             "oneOf": _ways(["contact"], ["theta"], ["at"], ["edge", "along"]),
-            "dependentRequired": {"along": ["edge"], "edge": ["along"], "mounted": ["contact"]},
+            "dependentRequired": {
+                "along": ["edge"],
+                "edge": ["along"],
+                "mounted": ["contact"],
+                "length": ["beam"],
+                "beam": ["length"],
+            },
             "if": {"properties": {"mounted": {"const": True}}, "required": ["mounted"]},
             "then": {"properties": {"tolerance": {"properties": {"contact": False}}}},
             "allOf": [
@@ -223,6 +237,8 @@ class RobotSection(Section):
         description="Robots of one group fail together, as the thrusters of one switchboard do.",
         examples=["bus A"],
     )
+    length: Length | None = Field(None, description=BODY_LENGTH, examples=[30])
+    beam: Length | None = Field(None, description=BEAM, examples=[10])
     tolerance: ToleranceSection | None = Field(
         None, description="How far the robot may be from all this; instead of the file's own."
     )
@@ -230,6 +246,10 @@ class RobotSection(Section):
 
 class NewcomerSection(Section):
     """The robot to place."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"dependentRequired": {"length": ["beam"], "beam": ["length"]}}
+    )
 
     name: Label = Field("", description="A label.", examples=["Hector"])
     limit: Limit = Field(description=LIMIT, examples=[60])
@@ -253,6 +273,8 @@ class NewcomerSection(Section):
     mounted: bool = Field(
         False, strict=True, description="Goes anywhere inside the outline; its attachment is free."
     )
+    length: Length | None = Field(None, description=BODY_LENGTH, examples=[30])
+    beam: Length | None = Field(None, description=BEAM, examples=[10])
     tolerance: ToleranceSection | None = Field(
         None,
         description="How far it may end up from where it is placed; instead of the file's own.",

@@ -7,6 +7,7 @@ from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.swarm import Body
 from swarmgrasp.swarm.names import filled
 
 POINT_KEYS = ("contact", "theta", "at", "edge")
@@ -28,8 +29,10 @@ def well_said(checked: Checked, units: Units) -> frozenset[Path]:
     _check_edge_names(checked)
     if file.newcomer is not None:
         _check_half_angle(file.newcomer, ("newcomer",), checked, units)
+        _check_body(("newcomer",), checked)
     found = []
     for i, robot in enumerate(file.robots):
+        _check_body(("robots", i), checked)
         if _is_robot_said(robot, ("robots", i), checked):
             found.append(("robots", i))
     for i, zone in enumerate(file.zones or []):
@@ -82,6 +85,27 @@ def _check_edge_names(checked: Checked) -> None:
         if name and first != i:
             said = f"is the name of edges.{first} too; names should differ"
             checked.fault(("outline", "edges", i), said)
+
+
+# -- bodies -------------------------------------------------------------------------------
+
+
+def body_of(section: RobotSection | NewcomerSection, units: Units) -> Body | None:
+    """Return the room that a robot takes up, None if it says none."""
+    if section.length is None or section.beam is None:
+        return None
+    return Body(units.metres(section.length), units.metres(section.beam))
+
+
+def _check_body(path: Path, checked: Checked) -> None:
+    """Note a fault for half a body, and for that of what is inside."""
+    if not checked.is_known(*path):
+        return
+    for key, other in (("length", "beam"), ("beam", "length")):
+        if checked.has(*path, key) and not checked.has(*path, other):
+            checked.fault((*path, key), f"goes with {other}; give both or neither")
+        if checked.has(*path, key) and checked.has(*path, "mounted"):
+            checked.fault((*path, key), "what is mounted takes up no room beside the object")
 
 
 # -- places -------------------------------------------------------------------------------

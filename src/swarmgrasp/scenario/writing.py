@@ -209,6 +209,7 @@ class _File:
             sectors=sectors,
             group=robot.group,
             mounted=robot.mounted,
+            **_body(robot),
             tolerance=self.tolerance(robot.tolerance),
         )
 
@@ -234,6 +235,7 @@ class _File:
             **_given(
                 steers=newcomer.steers,
                 mounted=newcomer.mounted,
+                **_body(newcomer),
                 tolerance=self.tolerance(newcomer.tolerance),
             ),
         }
@@ -343,6 +345,12 @@ def _stretch(stretch: Stretch) -> dict[str, Any]:
     if stretch.is_point:
         return {**named, "at": stretch.start}
     return {**named, "from": stretch.start, "to": stretch.end}
+
+
+def _body(holder: Robot | Newcomer) -> dict[str, float]:
+    """Return the room that a robot takes up."""
+    body = holder.body
+    return {} if body is None else {"length": body.length, "beam": body.beam}
 
 
 def _ends(ends: tuple[float, float], told: Callable[[float], float]) -> Any:

@@ -81,7 +81,8 @@ def place_from(
     spare = EVALUATION * float(weights.sum()) * reach
     chosen = (_beside_sets if support.has_sets else _beside_rays)(support, pieces.rows, weights)
     contact, angle = pieces.robot_at(*chosen.spot)
-    robot = Robot(contact, angle, newcomer.limit, newcomer.name or "newcomer")
+    name = newcomer.name or "newcomer"
+    robot = Robot(contact, angle, newcomer.limit, name, body=newcomer.body)
     wrench = weights * chosen.spot[1:]
 
     def with_robot(normals: Array) -> Array:

@@ -1,17 +1,18 @@
-"""What few robots have: tolerances, envelopes, groups and sectors, by index."""
+"""What few robots have: tolerances, envelopes, groups, sectors and bodies, by index."""
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from swarmgrasp.frozen import Frozen
+from swarmgrasp.swarm.body import Body
 from swarmgrasp.swarm.robot import Envelope, Robot
 from swarmgrasp.swarm.sectors import Sectors
 from swarmgrasp.swarm.tolerance import Tolerance
 
 _SAID = {
     "tolerances": "tolerance", "envelopes": "envelope", "groups": "group", "gaps": "sectors",
-    "hulls": "sectors",
+    "hulls": "sectors", "bodies": "body",
 }  # fmt: skip
 """The fields of a robot that tell what is kept."""
 
@@ -25,6 +26,7 @@ class Rare(Frozen):
     tolerances : mapping of int to Tolerance
     envelopes : mapping of int to Envelope
     groups : mapping of int to str
+    bodies : mapping of int to Body
     gaps : mapping of int to Sectors
         Each of those robots that have one, by index: of sectors, those with gaps between.
     hulls : mapping of int to Sectors
@@ -34,6 +36,7 @@ class Rare(Frozen):
     tolerances: Mapping[int, Tolerance] = field(default_factory=dict)
     envelopes: Mapping[int, Envelope] = field(default_factory=dict)
     groups: Mapping[int, str] = field(default_factory=dict)
+    bodies: Mapping[int, Body] = field(default_factory=dict)
     gaps: Mapping[int, Sectors] = field(default_factory=dict)
     hulls: Mapping[int, Sectors] = field(default_factory=dict)
 

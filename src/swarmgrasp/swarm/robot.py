@@ -25,6 +25,7 @@ from swarmgrasp.ranges import (
     numbers,
     shown,
 )
+from swarmgrasp.swarm.body import Body
 from swarmgrasp.swarm.sectors import SAME_ANGLE, Sectors, joined, middle_of, sector_faults
 from swarmgrasp.swarm.tolerance import Tolerance
 from swarmgrasp.words import list_words
@@ -90,6 +91,9 @@ class Robot(Plain):
         them, and it may change between wrenches. One of half a turn or less is what `steers` says,
         and becomes that; one of a whole turn, an azimuth thruster. A single wider one stays: its
         gap is what is left of the turn.
+    body : Body, optional
+        The room that it takes up beside the object; none for a mounted one. Newcomers with a body
+        keep theirs clear of it.
 
     Raises
     ------
@@ -130,6 +134,7 @@ class Robot(Plain):
     envelope: Envelope | None = None
     group: str = ""
     sectors: Sectors | None = None
+    body: Body | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -159,6 +164,7 @@ class Robot(Plain):
         if not is_flag(self.mounted):
             faults += flag_faults(self.mounted, "mounted")
         faults += _adrift_faults(self.mounted, self.tolerance)
+        faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
         if abs(self.direction) > TURNED and not _is_ours(sys._getframe(2)):
@@ -282,6 +288,9 @@ class Newcomer(Plain):
         It is a finger along the inward normal: see `Robot`. Its attachment is "push".
     mounted : bool
         It goes anywhere inside the outline, or on the areas of its zones.
+    body : Body, optional
+        The room that it takes up beside the object, kept clear of the object and of the bodies of
+        the robots already there.
 
     Raises
     ------
@@ -305,6 +314,7 @@ class Newcomer(Plain):
     reverse_limit: float = 0.0
     friction: float | None = None
     mounted: bool = False
+    body: Body | None = None
 
     def __post_init__(self) -> None:
         """Check the values."""
@@ -319,6 +329,7 @@ class Newcomer(Plain):
         if self.mounted is True and self.attachment != "free":
             faults.append("a mounted newcomer touches no edge: its attachment should be free")
         faults += _adrift_faults(self.mounted, self.tolerance)
+        faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
         vars(self).update(
@@ -553,3 +564,12 @@ def _is_ours(frame: FrameType) -> bool:
 def _called(name: str, otherwise: str) -> str:
     """Return what messages call a robot, whose name may be at fault."""
     return otherwise if name_faults(name) else name or otherwise
+
+
+def _body_faults(mounted: object, body: object) -> list[str]:
+    """Return what is wrong with the room that a robot takes up."""
+    if body is None:
+        return []
+    if mounted is True:
+        return ["a mounted robot takes up no room beside the object: leave out its body"]
+    return kind_faults(body, Body, "Body(length, beam)")

@@ -115,7 +115,7 @@ class Swarm(Frozen, Plain):
     characteristic_length: float
     force_weights: tuple[float, float]
     rare: Rare = field(repr=False)
-    """What only some robots have: tolerances, envelopes, groups and sectors."""
+    """What only some robots have: tolerances, envelopes, groups, sectors and bodies."""
     names: Names = field(repr=False)
     """Of the robots, in the order of the arrays: ``swarm.names[i]``."""
 

@@ -52,6 +52,8 @@ class Piece:
     is_sliver: bool
     """Whether the contacts are no more than rounding: no bound is asked for there."""
     area: Array | None = None
+    edge: int = -1
+    """Of the boundary; -1 for an area."""
 
     def has(self, point: Array, near: float) -> bool:
         """Tell whether a contact is allowed, but for so much [m]."""
@@ -95,8 +97,9 @@ class Allowed:
                     if is_line(self.asked, zone):
                         yield from self.lines(place, edge, (a, b), inward + math.pi, sectors)
                         continue
+                    is_sliver = 0.0 < b - a <= sliver * (1.0 + NEXT)
                     for lo, hi in sectors:
-                        yield Piece(place, start, end, lo, hi, 0.0 < b - a <= sliver * (1.0 + NEXT))
+                        yield Piece(place, start, end, lo, hi, is_sliver, None, edge)
 
     def lines(
         self, place: str, edge: int, span: Span, outward: float, sectors: list[Span]
@@ -110,7 +113,7 @@ class Allowed:
                 first, last = max(lo, outward + low), min(hi, outward + high)
                 if first <= last:
                     is_sliver = 0.0 < b - a <= boundary.sliver * (1.0 + NEXT)
-                    yield Piece(place, start, end, first, last, is_sliver)
+                    yield Piece(place, start, end, first, last, is_sliver, None, edge)
 
     def inside(self, zone: "ZoneClaim | None", label: str) -> Iterator[Piece]:
         """Yield pieces of an area, or of all inside: of what steers, the area itself.

@@ -59,6 +59,13 @@ class ToleranceClaim(_Form):
         return limit if self.least_limit is None else min(self.least_limit, limit)
 
 
+class BodyClaim(_Form):
+    """The room that a robot takes up beside the object."""
+
+    length: Positive
+    beam: Positive
+
+
 class RobotClaim(_Form):
     """A robot in contact."""
 
@@ -75,6 +82,7 @@ class RobotClaim(_Form):
     envelope: list[Point] | None = Field(min_length=2)
     group: str
     sectors: list[tuple[Angle, Angle]] | None = Field(min_length=1)
+    body: BodyClaim | None
 
     @property
     def is_line(self) -> bool:
@@ -146,6 +154,7 @@ class NewcomerClaim(_Form):
     reverse_limit: Size
     friction: Size | None
     mounted: bool
+    body: BodyClaim | None
 
 
 class TaskClaim(_Form):

@@ -31,6 +31,7 @@ from swarmgrasp.verify.recompute import (
     turns_into,
     units_of,
 )
+from swarmgrasp.verify.room import Room
 from swarmgrasp.verify.rounding import noise_of
 from swarmgrasp.verify.spans import Kept, Spans
 from swarmgrasp.verify.team import Team, keeping
@@ -149,6 +150,7 @@ class _Check:
         self.size, self.zero = size, ABSOLUTE * size
         self.rounding = ROUNDED * size * max(1.0, len(present) / 100.0)
         self.pieces = list(Allowed(asked, boundary, present).pieces())
+        self.room = Room(boundary, present) if asked.newcomer.body else None
         self.is_tolerant = self.misses(tolerance)
         units = [units_of(proof.normals) for proof in claim.proofs]
         for box in claim.boxes:
@@ -295,6 +297,11 @@ class _Check:
             yield f"{what} has another tolerance than the newcomer"
         if robot.friction != newcomer.friction or robot.least or robot.envelope or robot.group:
             yield f"{what} exerts other forces than the newcomer"
+        if robot.body != newcomer.body:
+            yield f"{what} has another body than the newcomer"
+        is_on = self.boundary.has(np.array(robot.contact))
+        if self.room is not None and is_on and not self.room.holds(robot):
+            yield f"{what} has no room for its body there"
         if robot.mounted != newcomer.mounted:
             yield f"{what} is {'' if robot.mounted else 'not '}mounted, and the newcomer otherwise"
         contact = np.array(robot.contact)
@@ -341,6 +348,11 @@ class _Check:
         From below and from above: rounding may hide as much as lies between.
         """
         pieces = [piece for piece in self.pieces if not piece.is_sliver] or self.pieces
+        if self.room is not None:
+            newcomer = self.asked.newcomer
+            pieces = [
+                part for each in pieces for part in self.room.left(each, newcomer, self.keeps)
+            ]
         if not pieces:
             return math.inf, math.inf
         if self.keeps:

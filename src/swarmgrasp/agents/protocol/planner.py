@@ -259,7 +259,7 @@ class ProblemPlanner:
         newcomer = self._newcomer(Who("", row.kind))
         return Robot(
             contact, place.direction, newcomer.limit, row.id, newcomer.mounted, newcomer.tolerance,
-            newcomer.reverse_limit, place.steers, newcomer.friction,
+            newcomer.reverse_limit, place.steers, newcomer.friction, body=newcomer.body,
         )  # fmt: skip
 
     def _newcomer(self, who: Who) -> Newcomer:

@@ -348,7 +348,7 @@ def newcomer_like(problem: Problem, robot: Robot) -> Newcomer:
         half_angle = robot.steers
     return Newcomer(
         robot.limit, attachment, half_angle, robot.name, robot.tolerance,
-        robot.steers > 0.0, robot.reverse_limit, robot.friction,
+        robot.steers > 0.0, robot.reverse_limit, robot.friction, body=robot.body,
     )  # fmt: skip
 
 
