@@ -182,7 +182,8 @@ DOCUMENTS = {
         "1:9: not valid YAML: while parsing a flow sequence expected ',' or ']', but "
         "got '<stream end>'"
     ),
-    "a: 1\n b: 2\n": "2:3: not valid YAML: mapping values are not allowed here",
+    "a: 1\n b: 2\n": "2:3: not valid YAML: a colon makes a key here; put "
+    "a text with a colon in quotes",
     "a: \x07": "1:4: not valid YAML: special characters are not allowed",
     "a: 1\n---\nb: 2\n": "2:1: a second document starts; a file holds one scenario",
     "a: &x [1, *x]\n": "1:11: the alias *x contains itself",

@@ -27,6 +27,7 @@ from ruamel.yaml.reader import ReaderError
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.files import MOST_DEPTH
 from swarmgrasp.scenario.faults import Faults, Mark, Path
+from swarmgrasp.scenario.hints import yaml_hint
 
 MOST_NODES = 100_000
 """Largest number of values in a file, every alias counted as what it stands for."""
@@ -180,7 +181,7 @@ def _events(text: str, builder: "_Builder") -> Iterator[Event]:
     except MarkedYAMLError as error:
         at = error.problem_mark or error.context_mark
         mark = (at.line + 1, at.column + 1) if at else (1, 1)
-        said = " ".join(f"{error.context or ''} {error.problem or ''}".split())
+        said = yaml_hint(" ".join(f"{error.context or ''} {error.problem or ''}".split()))
         raise builder.fatal(mark, f"not valid YAML: {said}") from None
     except Exception as error:  # ruamel.yaml asserts, and stumbles over "\UFFFFFFFF"
         said = " ".join(str(error).split())[:100] or type(error).__name__
@@ -285,6 +286,8 @@ class _Builder:
         name, children = key.value, mapping.value
         if not isinstance(name, str) or not isinstance(children, dict):
             said = f"a key should be text (got {key.shown()})"
+            if isinstance(name, int) and node.value is None:  # as of {limit: 60,5}
+                said += "; decimals go after a point"
             self._faults.add(key.mark, self._path()[:-1], said)
         elif name in children:
             said = f"duplicate key; it is already given on line {mapping.key_marks[name][0]}"

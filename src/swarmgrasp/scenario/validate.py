@@ -13,9 +13,9 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-from swarmgrasp.ranges import unknown_key
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
+from swarmgrasp.scenario.hints import key_hint, value_hint
 from swarmgrasp.scenario.quantities import in_numbers
 from swarmgrasp.scenario.schema import ScenarioFile
 
@@ -178,14 +178,14 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
     """Note one error of pydantic's in our words."""
     kind, node = found["type"], root.find(path)
     if kind == "extra_forbidden":
-        said = unknown_key(path[-1], _known_keys(path))
+        said = key_hint(str(path[-1]), _known_keys(path), _known_keys(path[:1]))
         faults.add(root.key_mark(path), path, said)
     elif kind == "missing":
         faults.add(node.mark, path, f"is missing; {_WANTED[str(path[-1])]}")
     else:
         said = _SENTENCES.get(kind, found["msg"]).format_map(found.get("ctx", {}))
         other = _OR.get((str(path[-1]), str(found["loc"][-1]), kind), "should be")
-        said = said.replace("should be", other)
+        said = said.replace("should be", other) + value_hint(str(path[-1]), node.value)
         faults.add(node.mark, path, f"{said} (got {node.shown()})")
 
 
