@@ -123,3 +123,22 @@ def test_a_robot_with_degrees_is_told_of() -> None:
     assert [one.filename for one in caught] == [__file__]
     again = Swarm(outline, [degrees, Robot((0, 1), 9.0, name="Boreas")]).without("Boreas")
     assert again.robots[0].direction == 90.0
+
+
+def test_lines_and_bodies_in_the_way_are_told() -> None:
+    """A line through the object, with where it meets it, and two tugs in one place."""
+    text = """
+units: {length: ft, force: kN, angle: deg}
+outline:
+  vertices: [[-30, -20], [30, -20], [30, -14], [-24, -14], [-24, 14], [30, 14], [30, 20], [-30, 20]]
+robots:
+  - {name: Ajax, contact: [12.96, 14], direction: -150, limit: 300, length: 8, beam: 4}
+  - {name: Boreas, contact: [8, 14], direction: -90, limit: 300, length: 8, beam: 4}
+  - {name: Castor, contact: [14, -14], direction: 60, limit: 300}
+  - {name: Dione, contact: [-30, 0], direction: 0, limit: 300}
+"""
+    told = parse_scenario(text, "dock.yaml").warnings
+    assert told[0].startswith("dock.yaml:6:5: robots.0: the line of Ajax runs through the object")
+    assert "it meets edge 3 at (-24, -7.339) ft, after 42.68 ft" in told[0]
+    assert any("Ajax and Boreas" in each or "Boreas and Ajax" in each for each in told)
+    assert len(told) == 3  # Boreas's line meets the other side

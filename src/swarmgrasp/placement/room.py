@@ -131,6 +131,13 @@ def _lies(outline: Outline, robot: Robot) -> tuple[float, float]:
     return robot.direction + (math.pi if pushes else 0.0), robot.steers
 
 
+def pulls_on_line(outline: Outline, robot: Robot) -> bool:
+    """Tell whether a robot pulls one way, from the boundary: not what steers by a right angle."""
+    if robot.mounted or robot.reverse_limit or robot.sectors or robot.steers >= 0.5 * math.pi:
+        return False
+    return math.cos(robot.direction - _inward(outline, robot.contact)) < -1e-9
+
+
 def _inward(outline: Outline, point: tuple[float, float]) -> float:
     """Return the direction into the object at a contact, at a corner the middle one [rad]."""
     contact = outline.at_point(point)

@@ -12,6 +12,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.outline.lines import meeting
+from swarmgrasp.placement.room import Room, pulls_on_line
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.force_sets import largest
 from swarmgrasp.scenario.quantities import measured
@@ -19,7 +21,7 @@ from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import ScenarioFile
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.units import is_geographic
+from swarmgrasp.units import LENGTHS, is_geographic
 from swarmgrasp.words import list_words
 
 Slip = tuple[Path, str]
@@ -63,6 +65,8 @@ def slips_of(checked: Checked, units: Units, scenario: Scenario) -> tuple[str, .
         *_lengthwise(checked, units, scenario),
         *_degrees_of_the_globe(checked, units),
         *_limits(checked, units),
+        *_lines(units, scenario),
+        *_bodies(scenario),
     ):
         found.add(checked.root.find(path).mark, path, sentence)
     return found.told()
@@ -217,3 +221,33 @@ def _limits(checked: Checked, units: Units) -> Iterator[Slip]:
         key = "limit" if checked.has(*path, "limit") else "envelope"
         said = f"{least:.6g} {units.force} is {most / least:.4g} times less than the {most:.6g} "
         yield (*path, key), f"{said}{units.force} of {strongest}; are both in {units.force}?"
+
+
+# -- lines and bodies ---------------------------------------------------------------------
+
+
+def _lines(units: Units, scenario: Scenario) -> Iterator[Slip]:
+    """Tell robots whose line runs through the object."""
+    outline = scenario.swarm.outline
+    for i, robot in enumerate(scenario.swarm.robots):
+        if not pulls_on_line(outline, robot):
+            continue
+        ends = (robot.direction + robot.steers * share for share in (0.0, -1.0, 1.0))
+        met = next(filter(None, (meeting(outline, robot.contact, way) for way in ends)), None)
+        if met is not None:
+            x, y = (value / LENGTHS[units.length] for value in units.frame.to_file(met.point))
+            far = met.distance / LENGTHS[units.length]
+            said = (
+                f"the line of {robot.name} runs through the object: it meets "
+                f"{outline.edge_label(met.edge)} at ({x:.4g}, {y:.4g}) {units.length}, after "
+                f"{far:.4g} {units.length}; a line that is bent there pulls another way"
+            )
+            yield ("robots", i), said
+
+
+def _bodies(scenario: Scenario) -> Iterator[Slip]:
+    """Tell robots whose bodies are in each other."""
+    names = list(scenario.swarm.names)
+    for one, other in Room(scenario.swarm).crossings() if scenario.swarm.rare.bodies else ():
+        said = f"{one} and {other} are in each other's way: their bodies overlap"
+        yield ("robots", names.index(one)), said
