@@ -81,10 +81,12 @@ static double left_of(double way, double lag, double rate, double time, double f
     double on_ramp = (fabs(way) - ramp) / rate;
     if (fabs(way) <= ramp)
         return way * fade;
-    if (time <= on_ramp)
+    if (time <= on_ramp && rate < AT_ONCE)
         return way - copysign(rate * time, way);
     return lag > 0.0 ? copysign(ramp * exp((on_ramp - time) / lag), way) : 0.0;
 }
+
+static const double NO_FADE[2] = {1.0, 1.0}; /* after no time */
 
 static double fade_of(double time, double lag) { return lag > 0.0 ? exp(-time / lag) : 0.0; }
 
@@ -219,6 +221,8 @@ static Status advance_run(const Sea *sea, const Driver *driver, int n, double *s
     Push push[3] = {{{0.0}, {0.0}}};
     for (int i = 0; i < n; i++) {
         thrust[i] = thrust_of(state, n, i);
+        if (driver[i].lag == 0.0 && driver[i].rate >= AT_ONCE) /* its order holds from now on */
+            thrust[i] = later(driver + i, thrust[i], order + 2 * i, 0.0, NO_FADE);
         add_thrust(push + 2, driver + i, thrust + i);
     }
     for (long k = 0; k < steps; k++) {

@@ -19,6 +19,7 @@
 #define BODY 6    /* numbers of a state before those of the robots */
 #define STREAM 4  /* velocity x, y of the air and x, y of the water in the earth's frame [m/s] */
 #define EXERTED 9 /* three wrenches in the object's frame: of the robots, the wind and the water */
+#define AT_ONCE 1e300 /* a rate that is no bound: without a lag, an order holds from its instant on */
 
 /* The object: what it weighs, and what it shows to wind and water. Points are from the origin that
  * moments are taken about. Numbers alone: callers hand over an array. */
