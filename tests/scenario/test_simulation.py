@@ -197,7 +197,8 @@ def test_faults_of_a_simulation_are_told_at_once() -> None:
     faults = told(
         "{hull: {mass: -3}, robots: {except: [{name: Zoe}]}, events: [{at: x, leave: Boreas}, "
         "{at: 1, lose: Ajax}, {at: 2, lose: Ajax}, {at: 3, send: Hetor, as: Zoe}, "
-        "{at: 4, leave: Zoe}, {at: 5, leave: Nobody}]}"
+        "{at: 4, leave: Zoe}, {at: 5, leave: Nobody}, {at: -1, send: Hector, as: Ida}, "
+        "{at: 7, leave: Ida}, {at: 8, leave: Ida}]}"
     )
     keys = [fault.split(": ")[1] for fault in faults]
     assert keys == [
@@ -206,6 +207,8 @@ def test_faults_of_a_simulation_are_told_at_once() -> None:
         "simulation.events.2",
         "simulation.events.3.send",
         "simulation.events.5",
+        "simulation.events.6.at",
+        "simulation.events.8",
     ]
 
 

@@ -193,9 +193,10 @@ def _check_each_event(
         path: Path = (*_HERE, "events", i)
         make: Callable[[], Event] = partial(_event, event, newcomer, units)
         if not _is_event_said(event, i, checked) or not checked.is_sound(*path):
-            if event.send is None or not all(checked.is_sound(*path, k) for k in ("at", "as")):
+            if event.send is None or not checked.is_sound(*path, "as"):
                 continue
-            make = partial(Send, event.at, _called(newcomer, event.name))  # others may name it
+            at = event.at if checked.is_sound(*path, "at") else 0.0  # there from the start, perhaps
+            make = partial(Send, at, _called(newcomer, event.name))  # others may name it
         made = _made(checked, path, make)
         if made is not None:
             found[i] = made
