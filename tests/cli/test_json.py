@@ -18,6 +18,8 @@ ASKED = {
     "quality": ["rectangle-5"],
     "forces": ["deck-barge", "--wrench", "300e3", "0", "0"],
     "capability": ["supply-vessel", "--step", "30"],
+    "simulate": ["escort-ring", "--for", "1"],
+    "judge": ["model-ship"],
     "study": ["rectangle-5", "runs", "--runs", "50", "--workers", "1"],
     "verify": ["-"],
 }

@@ -63,6 +63,22 @@ def test_an_object_that_is_held(run, pond):
     assert any(line.endswith("never") and "the run begins" in line for line in lines)
 
 
+def test_a_run_too_short_to_tell_anything_says_so(run, pond):
+    """Not how many thousand per cent of load it would have told."""
+    _, said, _ = run("simulate", pond(), "--for", "0.1")
+    assert "Length   too short a run to tell even a load twice as large as the robots" in said
+
+
+def test_a_control_too_slow_for_its_observer_is_told_before_it_runs(run, pond):
+    """With what it should be, and the line."""
+    status, said, complaints = run("simulate", pond(SIMULATION.replace("0.1}", "20}")))
+    assert (status, said) == (2, "")
+    assert ":16:3: simulation: the control's period is 20 s, too long for an observer of" in (
+        complaints
+    )
+    assert complaints.endswith("at most 0.5 / observer = 0.571 s, or the observer slower\n")
+
+
 def test_an_object_that_is_not_held(run, pond):
     """A loss on the lee side: when and after what it left, foretold and simulated; status 1."""
     status, said, _ = run(
@@ -108,7 +124,7 @@ def test_options_change_what_the_file_says(run, pond, tmp_path):
 
 
 FAULTS = {
-    ("--for", "-1"): "--for is -1; it should be 0 < seconds <= 1e+06",
+    ("--for", "-1"): "--for is -1; it should be 0.001 <= seconds <= 1e+06",
     ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 9223372036854775807",
     ("--losing", "A"): (
         "--losing is A; it should be a robot or group and a time in seconds, such as Castor@60"
@@ -123,7 +139,8 @@ FAULTS = {
         "--wind is fast; it should be a speed of at most 300 knots and a bearing in degrees, such "
         "as 35@60"
     ),
-    ("--within", "0"): "--within is 0; it should be 0 < metres <= 1e+06",
+    ("--within", "1e-10"): "--within is 1e-10; it should be 1e-09 <= metres <= 1e+09",
+    ("--turn", "361"): "--turn is 361; it should be 5.73e-08 <= degrees <= 360",
     ("--gif", "a.png"): "a.png: the name should end in .gif",
 }  # fmt: skip
 
@@ -140,6 +157,8 @@ def test_what_a_file_needs(run, pond, pontoon):
     status, _, complaints = run("simulate", pontoon)
     assert status == 2
     assert complaints.startswith(f"{pontoon}:1:1: environment: is missing; say what")
+    complaints = run("simulate", "deck-barge")[2]  # which no reader can look up a line in
+    assert complaints.startswith("deck-barge, a built-in example: environment.wind: a simulation")
     calm = pond(more="", wind="")
     status, _, complaints = run("simulate", calm)
     assert status == 2

@@ -64,7 +64,7 @@ def _scenario(file: str) -> "Scenario":
 
     if file == DASH:
         return parse_scenario(read_stdin(LARGEST_FILE), STDIN)
-    if not os.path.lexists(file):
+    if not is_written(file):
         known = list(example_names())
         if file in known:
             return load_example(file)
@@ -72,6 +72,11 @@ def _scenario(file: str) -> "Scenario":
             f"{file}: {NO_FILE}, and no built-in example of that name{nearest_name(file, known)}"
         )
     return load_scenario(file)
+
+
+def is_written(file: str) -> bool:
+    """Tell whether a file or standard input is meant, and not a built-in example."""
+    return file == DASH or os.path.lexists(file)
 
 
 def source_of(file: str) -> str:

@@ -7,8 +7,8 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.deliver import tell
-from swarmgrasp.cli.inputs import blaming, output_faults, read_scenario
+from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.inputs import blaming, json_faults, output_faults, read_scenario
 from swarmgrasp.cli.question import missing, tell_omitted
 from swarmgrasp.cli.wording import FILE, Wording
 
@@ -29,6 +29,7 @@ def judge(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     mass: Annotated[float | None, Parameter(metavar="KG")] = None,
     mjcf: Path | None = None,
+    json: Dashed | None = None,
     wording: Wording = FILE,
 ) -> int:
     """Let MuJoCo, a simulator of others, say whether the quality is right.
@@ -62,12 +63,16 @@ def judge(
     mjcf
         Write the object and its robots as a model, .xml, for MuJoCo's viewer:
         python -m mujoco.viewer --mjcf=ring.xml
+    json
+        Also write what MuJoCo says to this .json file; "-" prints it and nothing else. SI units and
+        radians.
     """
     from swarmgrasp.packages import check_installed
     from swarmgrasp.simulation.hull import MASS
 
     check_installed("mujoco", extra="mujoco", purpose="`swarmgrasp judge`")
-    faults = losing_faults(losing) + output_faults(mjcf, (".xml",)) + wording.faults()
+    faults = losing_faults(losing) + output_faults(mjcf, (".xml",))
+    faults += json_faults(json) + wording.faults(json)
     faults += [] if mass is None else [f"--mass: {fault}" for fault in MASS.faults("mass", mass)]
     scenario = read_scenario(file, faults)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
@@ -76,15 +81,21 @@ def judge(
         scenario, file, "judge",
         losing=losing, failures=failures, worst_case=worst_case, load=None, task=None,
     )  # fmt: skip
+    from swarmgrasp.answer_file import sealed
     from swarmgrasp.cli.show.judge import show
     from swarmgrasp.quality import quality as quality_of
     from swarmgrasp.simulation.mujoco import judge as judge_of
 
     with blaming(file):
         found = judge_of(quality_of(scenario.swarm, **criterion.terms), hull)
-    written = [] if mjcf is None else [_written(scenario, hull, mjcf)]
     terms = wording.terms(scenario)
-    tell(lambda: show(scenario.name, scenario.swarm, found, terms), written, csv=wording.csv)
+    deliver(
+        json,
+        sealed("judgement", {**found.to_data(), "agrees": bool(found)}, scenario.name),
+        lambda: show(scenario.name, scenario.swarm, found, terms),
+        lambda: [] if mjcf is None else [_written(scenario, hull, mjcf)],
+        csv=wording.csv,
+    )
     return 0 if found else REFUSED
 
 

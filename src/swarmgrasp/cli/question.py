@@ -7,7 +7,7 @@ command, it may lack what that one needs.
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from swarmgrasp.cli.inputs import UsageFault, source_of
+from swarmgrasp.cli.inputs import UsageFault, is_written, source_of
 from swarmgrasp.cli.show.report import complain
 
 if TYPE_CHECKING:
@@ -59,7 +59,8 @@ def missing(scenario: "Scenario", file: str, what: str, needed_by: str, advice: 
         What is wrong with a scenario file in which it is missing, and what to write there.
     """
     if scenario.answer is None:
-        return UsageFault(f"{source_of(file)}:1:1: {advice}")
+        where = f"{source_of(file)}:1:1" if is_written(file) else f"{file}, a built-in example"
+        return UsageFault(f"{where}: {advice}")
     return UsageFault(
         f"{_holds(scenario, file, [what])}: {needed_by} needs one; ask it of the scenario"
     )

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.deliver import tell
+from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
     PICTURES,
     blaming,
+    json_faults,
     output_faults,
     read_scenario,
     whole_faults,
@@ -38,9 +39,8 @@ if TYPE_CHECKING:
 
 NOT_HELD = 1
 """Exit status when the object leaves the circle it is to be kept in."""
-LONGEST = 1e6
 FASTEST = 300.0
-"""Longest run [s] and fastest wind [kn] that may be asked for."""
+"""Fastest wind [kn] that may be asked for."""
 STEPS = 1000
 """Of the bar that shows how much is done."""
 _WIND = re.compile(r"([0-9]+(?:\.[0-9]+)?)@(-?[0-9]+(?:\.[0-9]+)?)")
@@ -63,6 +63,7 @@ def simulate(
     mcap: Path | None = None,
     player: Path | None = None,
     capability: Annotated[bool, Parameter(negative="")] = False,
+    json: Dashed | None = None,
     wording: Wording = FILE,
 ) -> int:
     """Let the object and its robots move in wind and current, and tell whether they hold it.
@@ -106,10 +107,12 @@ def simulate(
     capability
         Instead of one run, find the largest wind held from every bearing: by statics, in a
         simulated steady wind, and in gusts; --plot draws the three curves. Events play no part.
+    json
+        Also write what became of it, or the winds, to this .json file; "-" prints it and nothing
+        else. SI units and radians.
     """
     faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed, 0, MOST_SEED)
-    faults += wording.faults()
-    faults += _text_faults(losing or [], wind)
+    faults += _text_faults(losing or [], wind) + json_faults(json) + wording.faults(json)
     for path, suffixes in (
         (log, (".parquet",)), (plot, PICTURES), (gif, (".gif",)), (mcap, (".mcap",)),
         (player, (".json",)),
@@ -132,15 +135,20 @@ def simulate(
     limit = USUAL_TURN if turn is None else math.radians(turn)
     if capability:
         return _capability(
-            scenario.name, asked, far, limit, plot, wording.terms(scenario), wording.csv
+            scenario.name, asked, far, limit, plot, json, wording.terms(scenario), wording.csv
         )
     run = _run(asked)
+    from swarmgrasp.answer_file import sealed
     from swarmgrasp.cli.show.simulate import show
 
-    verdict = verdict_of(run, far, limit)
-    written = _write(scenario.name, run, verdict, log, plot, gif, mcap, player)
-    words = wording.terms(scenario)
-    tell(lambda: show(scenario.name, run, verdict, words), written, csv=wording.csv)
+    name, verdict, terms = scenario.name, verdict_of(run, far, limit), wording.terms(scenario)
+    deliver(
+        json,
+        sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name),
+        lambda: show(name, run, verdict, terms),
+        lambda: _write(name, run, verdict, log, plot, gif, mcap, player),
+        csv=wording.csv,
+    )
     if not run.is_whole:
         return INTERRUPTED
     return 0 if verdict.held.all() else NOT_HELD
@@ -151,14 +159,19 @@ def simulate(
 
 def _number_faults(for_: float | None, within: float | None, turn: float | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
-    faults = []
-    if for_ is not None and not 0.0 < for_ <= LONGEST:
-        faults.append(f"--for is {for_:g}; it should be 0 < seconds <= {LONGEST:g}")
-    if within is not None and not 0.0 < within <= LONGEST:
-        faults.append(f"--within is {within:g}; it should be 0 < metres <= {LONGEST:g}")
-    if turn is not None and not 0.0 < turn <= 180.0:
-        faults.append(f"--turn is {turn:g}; it should be 0 < degrees <= 180")
-    return faults
+    from swarmgrasp.simulation.simulation import DURATION
+    from swarmgrasp.simulation.verdict import TURN_WITHIN, WITHIN
+
+    degrees = math.degrees(TURN_WITHIN.low), math.degrees(TURN_WITHIN.high)
+    return [
+        f"{option} is {value:g}; it should be {low:.3g} <= {unit} <= {high:.3g}"
+        for option, value, (low, high), unit in (
+            ("--for", for_, (DURATION.low, DURATION.high), "seconds"),
+            ("--within", within, (WITHIN.low, WITHIN.high), "metres"),
+            ("--turn", turn, degrees, "degrees"),
+        )
+        if value is not None and not low <= value <= high
+    ]
 
 
 def _text_faults(losing: list[str], wind: str | None) -> list[str]:
@@ -277,23 +290,30 @@ def _capability(
     within: float,
     turn: float,
     plot: Path | None,
+    json: str | None,
     terms: "Terms",
     csv: str | None,
 ) -> int:
     """Find, draw and tell the largest winds held."""
+    from swarmgrasp.answer_file import sealed
     from swarmgrasp.cli.show.limits import show
     from swarmgrasp.simulation.limits import limits
 
     with shown_progress(STEPS, "trying winds") as told:
         done = None if told is None else (lambda part: told(round(STEPS * part)))
         found = limits(asked, within=within, within_turn=turn, progress=done)
-    written = []
-    if plot is not None:
+
+    def draw() -> list[Path]:
+        """Draw the curves if they are wanted."""
+        if plot is None:
+            return []
         from swarmgrasp.plot import save
         from swarmgrasp.plot.limits import limits_diagram
 
-        written.append(save(limits_diagram(found, name), plot))
-    tell(lambda: show(name, found, terms), written, csv=csv)
+        return [save(limits_diagram(found, name), plot)]
+
+    document = sealed("winds", found.to_data(), name)
+    deliver(json, document, lambda: show(name, found, terms), draw, csv=csv)
     return 0
 
 

@@ -11,6 +11,8 @@ from swarmgrasp.ranges import is_number
 
 PERIOD = Range(1e-5, 1e3, "s")
 FREQUENCY = Range(1e-6, 1e3, "rad/s")
+LONGEST_LOOK = 0.5
+"""Of 1 / observer, the longest period: from 4 - 2 sqrt(3) = 0.536 on, what is believed diverges."""
 NOISE = Range(0.0, 1e3, "m")
 TURN_NOISE = Range(0.0, math.pi, "rad")
 
@@ -34,7 +36,8 @@ class Control(Plain):
     Attributes
     ----------
     period : float [s], optional
-        Between two looks, and two sets of orders; T / 50 when left out.
+        Between two looks, and two sets of orders; T / 50 when left out. At most half of 1 over the
+        observer's frequency.
     frequency : float [rad/s], optional
         How fast an error is taken back; 0.35 / T when left out: beyond that the loop rings.
     observer : float [rad/s], optional

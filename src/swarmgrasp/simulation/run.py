@@ -1,12 +1,13 @@
 """The answer of a simulation: where the object went, and what the robots did."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.frozen import Frozen
-from swarmgrasp.plain import Told
+from swarmgrasp.plain import Told, picked
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.swarm import Swarm
 
@@ -139,3 +140,8 @@ class Run(Frozen, Told):
     def __len__(self) -> int:
         """Return the number of runs."""
         return len(self.seeds)
+
+    def summary(self) -> dict[str, Any]:
+        """Return as plain data what was simulated and what happened, without numbers in time."""
+        asked = picked(self, "simulation", "seeds", "is_whole", "happenings", "gusts")
+        return {**asked, "end": float(self.times[-1])}

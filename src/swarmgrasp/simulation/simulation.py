@@ -14,7 +14,7 @@ from swarmgrasp.placement.problem import check_newcomer
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import MOST_SEED, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.actuator import Actuator
-from swarmgrasp.simulation.control import PERIOD, Control, Tuning
+from swarmgrasp.simulation.control import LONGEST_LOOK, PERIOD, Control, Tuning
 from swarmgrasp.simulation.events import (
     KINDS,
     Change,
@@ -171,11 +171,18 @@ class Simulation(Frozen, Plain):
     def _control_faults(self) -> list[str]:
         """Return what does not follow from the robots and has to be said."""
         missing = [n for n in ("period", "frequency") if getattr(self.control, n) is None]
-        if self._lag > 0.0 or not missing:
+        if self._lag == 0.0 and missing:
+            return [
+                f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the "
+                "control follows; give it"
+            ]
+        period, observer = self.tuning.period, self.tuning.observer
+        if period * observer <= LONGEST_LOOK:
             return []
         return [
-            f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the "
-            "control follows; give it"
+            f"the control's period is {period:g} s, too long for an observer of {observer:.3g} "
+            f"rad/s; it should be at most {LONGEST_LOOK:g} / observer = "
+            f"{LONGEST_LOOK / observer:.3g} s, or the observer slower"
         ]
 
     @property

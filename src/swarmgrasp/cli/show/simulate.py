@@ -112,11 +112,15 @@ def _facts(run: Run, verdict: Verdict, tell: Telling) -> list[tuple[str, str]]:
         ),
     ]
     if math.isfinite(verdict.least_excess):
-        excess = percent(verdict.least_excess)
-        facts.append(
-            ("Length", f"a run so long tells a load that is {excess} beyond reach, or more")
-        )
+        facts.append(("Length", _length_words(verdict.least_excess)))
     return facts
+
+
+def _length_words(excess: float) -> str:
+    """Tell which loads out of reach a run of this length would have shown."""
+    if excess > 1.0:
+        return "too short a run to tell even a load twice as large as the robots can hold"
+    return f"a run so long tells a load that is {percent(excess)} beyond reach, or more"
 
 
 def _wind_words(run: Run, tell: Telling) -> str:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.forces import forces
 from swarmgrasp.frozen import Frozen
+from swarmgrasp.plain import Told
 from swarmgrasp.quality import Quality
 from swarmgrasp.ranges import kind_faults
 from swarmgrasp.simulation.hull import Hull, inverse_of
@@ -32,7 +33,7 @@ The quality of robots that steer is certified to 1e-9; a hundredth of the wrench
 
 
 @dataclass(frozen=True, eq=False)
-class Trial(Frozen):
+class Trial(Frozen, Told):
     """What came of one disturbance.
 
     Attributes
@@ -56,7 +57,7 @@ class Trial(Frozen):
 
 
 @dataclass(frozen=True, eq=False)
-class Judgement(Frozen):
+class Judgement(Frozen, Told):
     """What MuJoCo says of a quality; true if the same.
 
     Attributes

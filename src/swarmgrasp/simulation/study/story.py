@@ -55,7 +55,9 @@ class Story(Study):
         "distance": Column("number", "m", "largest error of position"),
         "turn": Column("number", "rad", "largest error of heading"),
         "gusts": Column("number", "m/s", "standard deviation of the wind's speed"),
-        "over": Column("number", "", "margin at the start over that of the gusts' load"),
+        "margin_over_spread": Column(
+            "number", "", "margin at the start over the standard deviation of the gusts' load"
+        ),
         "use": Column("number", "", "mean share of the robots"),
         "travel": Column("number", "1/s", "limits that the robots' forces pass in a second"),
     }
@@ -92,8 +94,8 @@ class Story(Study):
             "distance": run.distances.max(axis=1).astype(float),
             "turn": run.turns.max(axis=1).astype(float),
             "gusts": run.gusts,
-            "over": np.where(np.isfinite(told.margins_over_spread), told.margins_over_spread,
-                             np.nan),
+            "margin_over_spread": np.where(np.isfinite(told.margins_over_spread),
+                                           told.margins_over_spread, np.nan),
             "use": told.use,
             "travel": told.travel,
         }  # fmt: skip
