@@ -6,7 +6,7 @@ import swarmgrasp as sg
 from swarmgrasp.plot import study_picture
 from swarmgrasp.plot.study import KINDS
 from swarmgrasp.simulation.study import KINDS as STUDIES
-from swarmgrasp.simulation.study import Findings, Gathered, Heading, Losses, Plan, Sizes
+from swarmgrasp.simulation.study import ColumnHead, Findings, Gathered, Losses, Plan, Sizes
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def found(barge):
 
     def found(kind, rows):
         plan = Plan("Barge", kind(problem), 10, 1, 10, "0.1.0", "")
-        headings = tuple(Heading("") for _ in rows[0])
+        headings = tuple(ColumnHead("") for _ in rows[0])
         return Gathered(plan, 10, 0, (), "", Findings("", headings, tuple(rows)))
 
     return found

@@ -107,7 +107,7 @@ def plant_of(
     return Plant(swarm, simulation.hull, simulation.environment, simulation.actuator, own, fast)
 
 
-def travel(simulation: Simulation, event: Send, contact: tuple[float, float]) -> float:
+def way_to(simulation: Simulation, event: Send, contact: tuple[float, float]) -> float:
     """Return how far [m] a newcomer travels to a contact [m, m].
 
     Straight to the nearest point of the outline, and along it the shorter way.

@@ -22,7 +22,7 @@ from swarmgrasp.simulation.verdict import TURN_WITHIN, USUAL, USUAL_TURN, WITHIN
 from swarmgrasp.simulation.weather import Mean, Weather, mean_of
 
 Array = NDArray[np.float64]
-STEP = math.radians(15.0)
+BEARINGS_APART = math.radians(15.0)
 """Between the bearings looked at by default [rad]."""
 TRIED = 8
 """Winds tried at once between the largest known to be held and the least known not to be."""
@@ -112,7 +112,9 @@ def limits(
     SimulationInvalid
         If something is not what it should be; all faults at once.
     """
-    wanted = array_of(np.arange(0.0, math.tau - 1e-9, STEP) if bearings is None else bearings)
+    wanted = array_of(
+        np.arange(0.0, math.tau - 1e-9, BEARINGS_APART) if bearings is None else bearings
+    )
     faults = kind_faults(simulation, Simulation, "Simulation(problem, environment, hull)")
     if wanted is None or wanted.ndim != 1 or not len(wanted):
         faults.append(f"the bearings are {shown(bearings)}; they should be numbers (m,) [rad]")

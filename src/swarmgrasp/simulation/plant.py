@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 STEP = Range(1e-9, 1e6, "s")
 MOST_STEPS = 10**9
 """That one call takes."""
-MOST_RUNS = 10**6
+MOST_ROWS = 10**6
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,10 +190,10 @@ class Plant(Frozen):
         (runs, 6 + 2 n)
             Idle robots exert their least force, 0 for most, in their own direction.
         """
-        if not (is_whole(runs) and 1 <= runs <= MOST_RUNS):
+        if not (is_whole(runs) and 1 <= runs <= MOST_ROWS):
             raise SimulationInvalid(
                 f"the number of runs is {shown(runs)}; it should be a whole number from 1 to "
-                f"{MOST_RUNS}"
+                f"{MOST_ROWS}"
             )
         count = len(self)
         states = np.zeros((runs, BODY + 2 * count))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.forces import forces
 from swarmgrasp.quality import quality
-from swarmgrasp.simulation.crew import Crew, travel
+from swarmgrasp.simulation.crew import Crew, way_to
 from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Send
 from swarmgrasp.simulation.frames import Headings
 from swarmgrasp.simulation.motion import BODY
@@ -168,7 +168,7 @@ class Schedule:
             self._nowhere.add(name)
             self._note(time, "sent", name, f"there is no place left for {name}")
             return
-        far = travel(self._simulation, event, robot.contact)
+        far = way_to(self._simulation, event, robot.contact)
         comes = event.at + far / event.speed + event.make_fast
         x, y = robot.contact
         where = f"({x:.1f}, {y:.1f}) m, {far:.0f} m to go"

@@ -25,7 +25,7 @@ Progress = Callable[[float], object] | None
 
 BLOCK = 64
 """Instants for which weather and noise are drawn at once."""
-MOST_RUNS = 100_000
+MOST_AT_ONCE = 100_000
 MOST_TOLD = 10
 """Seeds at fault that a message tells."""
 SAME = 1e-9
@@ -71,8 +71,8 @@ def simulate(
     """
     faults = kind_faults(simulation, Simulation, "Simulation(problem, environment, hull)")
     given = () if seeds is None else items(seeds)
-    if given is None or (seeds is not None and not 1 <= len(given) <= MOST_RUNS):
-        faults.append(f"the seeds are {shown(seeds)}; they should be 1 to {MOST_RUNS} numbers")
+    if given is None or (seeds is not None and not 1 <= len(given) <= MOST_AT_ONCE):
+        faults.append(f"the seeds are {shown(seeds)}; they should be 1 to {MOST_AT_ONCE} numbers")
     faults += [fault for seed in given or () for fault in seed_faults(seed)][:MOST_TOLD]
     if not is_whole(every) or every < 1:
         faults.append(f"every is {shown(every)}; it should be a whole number >= 1")

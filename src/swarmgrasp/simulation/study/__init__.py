@@ -8,17 +8,17 @@ from swarmgrasp.simulation.study.machines import Machines, machines_at
 from swarmgrasp.simulation.study.plan import Plan, read_plan
 from swarmgrasp.simulation.study.sizes import Sizes
 from swarmgrasp.simulation.study.story import Story
-from swarmgrasp.simulation.study.study import Column, Findings, Heading, Study
+from swarmgrasp.simulation.study.study import Column, ColumnHead, Findings, Study
 from swarmgrasp.simulation.study.together import PlacedTogether
 from swarmgrasp.simulation.study.work import run_plan
 
 __all__ = [
     "KINDS",
     "Column",
+    "ColumnHead",
     "Findings",
     "Gathered",
     "Gusts",
-    "Heading",
     "Losses",
     "Machines",
     "PlacedTogether",

@@ -19,8 +19,8 @@ from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_wor
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
+    ColumnHead,
     Findings,
-    Heading,
     Seeds,
     Study,
     draws_of,
@@ -154,12 +154,12 @@ class Gusts(Study):
 
 
 HEADINGS = (
-    Heading("margin over spread from"),
-    Heading("to"),
-    Heading("runs"),
-    Heading("held", "%"),
-    Heading("largest error, median", "m"),
-    Heading("of 90 %", "m"),
+    ColumnHead("margin over spread from"),
+    ColumnHead("to"),
+    ColumnHead("runs"),
+    ColumnHead("held", "%"),
+    ColumnHead("largest error, median", "m"),
+    ColumnHead("of 90 %", "m"),
 )
 
 

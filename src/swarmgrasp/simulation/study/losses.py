@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.quality import qualities
 from swarmgrasp.simulation.study.crowd_study import CrowdStudy
-from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, told_rows
+from swarmgrasp.simulation.study.study import Ask, Column, ColumnHead, Findings, Seeds, told_rows
 
 
 @dataclass(frozen=True)
@@ -78,12 +78,12 @@ class Losses(CrowdStudy):
 
 
 HEADINGS = (
-    Heading("robots"),
-    Heading("runs"),
-    Heading("with force closure", "%"),
-    Heading("and after any loss", "%"),
-    Heading("vital robots, mean"),
-    Heading("left of the quality, median", "%"),
+    ColumnHead("robots"),
+    ColumnHead("runs"),
+    ColumnHead("with force closure", "%"),
+    ColumnHead("and after any loss", "%"),
+    ColumnHead("vital robots, mean"),
+    ColumnHead("left of the quality, median", "%"),
 )
 
 

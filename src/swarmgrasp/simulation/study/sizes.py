@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from swarmgrasp.quality import qualities
 from swarmgrasp.simulation.study.crowd_study import CrowdStudy
-from swarmgrasp.simulation.study.study import Ask, Column, Findings, Heading, Seeds, told_rows
+from swarmgrasp.simulation.study.study import Ask, Column, ColumnHead, Findings, Seeds, told_rows
 
 
 @dataclass(frozen=True)
@@ -71,10 +71,10 @@ class Sizes(CrowdStudy):
 
 
 HEADINGS = (
-    Heading("robots"),
-    Heading("runs"),
-    Heading("with force closure", "%"),
-    Heading("quality of 10 %", "N"),
-    Heading("median", "N"),
-    Heading("of 90 %", "N"),
+    ColumnHead("robots"),
+    ColumnHead("runs"),
+    ColumnHead("with force closure", "%"),
+    ColumnHead("quality of 10 %", "N"),
+    ColumnHead("median", "N"),
+    ColumnHead("of 90 %", "N"),
 )

@@ -15,8 +15,8 @@ from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
+    ColumnHead,
     Findings,
-    Heading,
     Seeds,
     Study,
     told_rows,
@@ -115,8 +115,8 @@ class Story(Study):
 
 
 HEADINGS = (
-    Heading("of the runs", "%"),
-    Heading("are within", "m"),
-    Heading("and within", "deg"),
-    Heading("mean share at most", "%"),
+    ColumnHead("of the runs", "%"),
+    ColumnHead("are within", "m"),
+    ColumnHead("and within", "deg"),
+    ColumnHead("mean share at most", "%"),
 )

@@ -37,7 +37,7 @@ class Column(NamedTuple):
     words: str
 
 
-class Heading(NamedTuple):
+class ColumnHead(NamedTuple):
     """The heading of a column of what is found.
 
     Attributes
@@ -60,14 +60,14 @@ class Findings(Told):
     ----------
     headline : str
         The answer in a sentence.
-    headings : tuple of Heading
+    headings : tuple of ColumnHead
         Of the columns.
     rows : tuple of tuple of float
         In SI units; nan where there is nothing to tell.
     """
 
     headline: str
-    headings: tuple[Heading, ...]
+    headings: tuple[ColumnHead, ...]
     rows: tuple[tuple[float, ...], ...]
 
 

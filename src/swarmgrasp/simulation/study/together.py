@@ -14,8 +14,8 @@ from swarmgrasp.simulation.study.crowds import crowds_of
 from swarmgrasp.simulation.study.study import (
     Ask,
     Column,
+    ColumnHead,
     Findings,
-    Heading,
     Seeds,
     draws_of,
     told_rows,
@@ -124,11 +124,11 @@ class PlacedTogether(CrowdStudy):
 
 
 HEADINGS = (
-    Heading("robots before"),
-    Heading("runs"),
-    Heading("better together", "%"),
-    Heading("then better by, median", "%"),
-    Heading("and at most", "%"),
-    Heading("force closure only together", "%"),
-    Heading("proven within 1 %", "%"),
+    ColumnHead("robots before"),
+    ColumnHead("runs"),
+    ColumnHead("better together", "%"),
+    ColumnHead("then better by, median", "%"),
+    ColumnHead("and at most", "%"),
+    ColumnHead("force closure only together", "%"),
+    ColumnHead("proven within 1 %", "%"),
 )

@@ -27,7 +27,7 @@ MOST_WORKERS = 1000
 WINDOW = 4
 """Shards handed out at once for each worker: none is idle, and few are lost with a pool."""
 
-Progress = Callable[[int], object]
+RunsDone = Callable[[int], object]
 """Called with the number of runs that are done, those found done at the start among them."""
 
 
@@ -80,7 +80,7 @@ class _Given:
 
 def run_plan(
     folder: str | os.PathLike[str], plan: Plan, *, workers: int | None = None,
-    executor: Executor | None = None, progress: Progress | None = None,
+    executor: Executor | None = None, progress: RunsDone | None = None,
 ) -> None:  # fmt: skip
     """Do what is left to do of a study.
 
@@ -139,7 +139,7 @@ class _Work:
 
     def __init__(
         self, folder: Path, plan: Plan, missing: list[int], workers: _Workers,
-        progress: Progress | None,
+        progress: RunsDone | None,
     ) -> None:  # fmt: skip
         self.folder, self.plan, self.workers, self.progress = folder, plan, workers, progress
         self.waiting, self.running = deque(missing), dict[Future[bytes], int]()
