@@ -72,8 +72,8 @@ class Forces(Frozen, Answer):
 
     @cached_property
     def forces(self) -> Array:
-        """(n,) [N]: the size of each robot's force."""
-        return read_only(_sizes(self.vectors))
+        """(n,) [N]: the size of each robot's force, or of each of the two of a couple."""
+        return read_only(_sizes(self.vectors) * self.swarm.nearness)
 
     @cached_property
     def directions(self) -> Array:
@@ -206,7 +206,7 @@ class ForcesAlong(Frozen, Answer):
     @cached_property
     def forces(self) -> Array:
         """(m, n) [N]: the size of each robot's force for each wrench."""
-        return read_only(_sizes(self.vectors))
+        return read_only(_sizes(self.vectors) * self.swarm.nearness)
 
     @cached_property
     def directions(self) -> Array:

@@ -49,7 +49,7 @@ class Arrows:
     @cached_property
     def strongest(self) -> float:
         """The largest limit [N], 0 without robots."""
-        return max((r.limit for r in self.everyone), default=0.0)
+        return max((r.limit for r in self.everyone if not r.lever), default=0.0)
 
     @cached_property
     def longest(self) -> float:
@@ -80,9 +80,9 @@ class Arrows:
         """Return tails and tips of the arrows that show a robot's forces.
 
         Two for one that also pushes the other way, none for one that pushes any way, or in several
-        sectors.
+        sectors, and none for a couple.
         """
-        if robot.steers >= math.pi or robot.sectors is not None:
+        if robot.steers >= math.pi or robot.sectors is not None or robot.lever:
             return []
         tail, tip = self.ends(robot)
         if robot.reverse_limit == 0.0:
@@ -113,7 +113,8 @@ class Arrows:
 
     def box(self) -> tuple[Vector, Vector]:
         """Return the corners of the box round all that is drawn, each (2,) [m, m]."""
-        areas = [area for robot in self.everyone for area in self.areas(robot)]
+        pushing = (robot for robot in self.everyone if not robot.lever)
+        areas = [area for robot in pushing for area in self.areas(robot)]
         bodies = [body_corners(self.outline, robot) for robot in self.everyone if robot.body]
         points = np.concatenate([self.outline.vertices, *areas, *bodies])
         return points.min(axis=0), points.max(axis=0)

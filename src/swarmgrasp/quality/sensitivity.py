@@ -45,7 +45,7 @@ class Sensitivities(Frozen, Told):
         Per metre that the contact moves clockwise along the boundary, and counter-clockwise;
         at a corner onto the one edge or the other. nan for mounted robots, which do not move.
     direction : (n, 2) [N/rad]
-        Per radian that the force turns clockwise, and counter-clockwise.
+        Per radian that the force turns clockwise, and counter-clockwise; nan for couples.
     limit : (n, 2) [N/N]
         Per newton that the limit falls, and rises.
     reverse_limit : (n, 2) [N/N]
@@ -167,6 +167,8 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
         facets, slopes[:3], largest[:3] = _slopes(_heights(swarm, criterion), found, _moves(swarm))
     slopes[0, :, swarm.mounted] = np.nan
     kinks = np.abs(slopes.sum(axis=1)) > share * largest.max(axis=1)
+    slopes[1, :, list(swarm.rare.couples)] = np.nan
+    slopes[2:4] /= swarm.nearness
     columns = {k: np.ascontiguousarray(kind.T) for k, kind in zip(KINDS, slopes, strict=True)}
     return Sensitivities(
         **columns, kinks=kinks.T.copy(), quality=found, weakest=facets, swarm=swarm

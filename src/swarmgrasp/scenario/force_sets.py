@@ -8,6 +8,7 @@ from swarmgrasp.scenario.force_schema import BothWaysSection
 from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
+from swarmgrasp.swarm.robot import SHORTEST
 from swarmgrasp.swarm.sectors import Sectors, sector_faults
 
 ON_BOUNDARY = ("edge", "along", "from", "to", "at", "theta", "contact")
@@ -29,6 +30,7 @@ class OwnForces(TypedDict, total=False):
     steers: float
     envelope: tuple[tuple[float, float], ...] | None
     sectors: Sectors | None
+    lever: float
 
 
 def check_force_sets(checked: Checked, units: Units) -> None:
@@ -78,6 +80,9 @@ def own_forces_of(section: RobotSection, units: Units) -> OwnForces:
         found["envelope"] = corners
     if section.sectors is not None:
         found["sectors"] = _sectors(section.sectors, units)
+    if section.lever is not None:
+        side = -1.0 if units.frame.mirrored else 1.0
+        found["lever"] = side * units.metres(section.lever)
     return found
 
 
@@ -101,6 +106,7 @@ def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Uni
     _check_envelope(section, path, checked)
     _check_both_ways(section, path, checked)
     _check_sectors(section, path, checked, units)
+    _check_lever(section, path, checked)
     steers, half = section.steers, units.turn(0.5)
     if isinstance(steers, float) and steers > half and checked.is_sound("units"):
         said = f"should lie in [0, {half:.9g}] {units.angle}, or be any"
@@ -113,7 +119,7 @@ def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Uni
         checked.fault((*path, "two_way"), said)
     is_finger = checked.has(*path, "friction") and not section.mounted
     needs_none = section.steers == "any" or is_finger or not checked.is_sound(*path, "steers")
-    needs_none |= checked.has(*path, "sectors")
+    needs_none |= checked.has(*path, "sectors") or checked.has(*path, "lever")
     if not needs_none and not checked.has(*path, "direction"):
         normals = "" if section.mounted else ", inward or outward"
         said = f"is missing; give the direction of the force: an angle{normals}"
@@ -130,6 +136,23 @@ def _check_envelope(section: RobotSection, path: Path, checked: Checked) -> None
     for key in ("limit", "steers", "friction", "two_way"):
         if is_given and checked.has(*path, key):
             checked.fault((*path, key), "the envelope tells all forces already; keep one")
+
+
+def _check_lever(section: RobotSection, path: Path, checked: Checked) -> None:
+    """Note what does not go with a couple, and one of no lever."""
+    if not checked.has(*path, "lever"):
+        return
+    for key in ("direction", "steers", "friction", "envelope", "sectors"):
+        if checked.has(*path, key):
+            checked.fault((*path, key), "with a lever it turns the object, and has no direction")
+    if isinstance(section.limit, list):
+        checked.fault((*path, "limit"), "should be one limit, or ahead and astern, beside a lever")
+    if section.lever is not None and abs(section.lever) < SHORTEST:
+        said = f"should be at least {SHORTEST:g} in size; leave it out for what pushes"
+        checked.fault((*path, "lever"), said)
+    if not section.mounted and checked.is_sound(*path, "mounted"):
+        said = "is on board: say mounted: true, and where by contact"
+        checked.fault((*path, "lever"), f"what turns the object {said}", got=False)
 
 
 def _check_sectors(section: RobotSection, path: Path, checked: Checked, units: Units) -> None:

@@ -12,6 +12,7 @@ from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
     Angle,
     AnyAngle,
+    Coordinate,
     Distance,
     Label,
     Length,
@@ -178,7 +179,7 @@ class RobotSection(Section):
                 {"oneOf": _ways(["limit"], ["envelope"])},
                 {
                     "anyOf": [
-                        *_ways(["direction"], ["friction"], ["sectors"]),
+                        *_ways(["direction"], ["friction"], ["sectors"], ["lever"]),
                         {"properties": {"steers": {"const": "any"}}, "required": ["steers"]},
                     ]
                 },
@@ -232,6 +233,13 @@ class RobotSection(Section):
         "and `direction` is an angle.",
     )
     two_way: bool = Field(False, strict=True, description=TWO_WAY)
+    lever: Coordinate | None = Field(
+        None,
+        description="Turns the object instead of pushing it, with two opposite forces of `limit` "
+        "so far apart, counter-clockwise, or clockwise if negative; mounted, without a direction "
+        "[units.length].",
+        examples=[1],
+    )
     group: Label = Field(
         "",
         description="Robots of one group fail together, as the thrusters of one switchboard do.",

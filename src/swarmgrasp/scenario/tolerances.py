@@ -41,7 +41,8 @@ def tolerance_of(
 ) -> Tolerance | None:
     """Return the tolerance of a robot or of the newcomer, in SI units: its own or the file's.
 
-    Of the file's, what is mounted leaves out the contact, and the newcomer that it may be absent.
+    Of the file's, what is mounted leaves out the contact, a couple the direction, and the newcomer
+    that it may be absent.
 
     Returns
     -------
@@ -58,11 +59,12 @@ def tolerance_of(
     if given is None:
         return None
     is_robot = isinstance(section, RobotSection)
+    has_lever = isinstance(section, RobotSection) and section.lever is not None
     first, last = (0.0, 0.0) if section.mounted else units.either_way(_ends(given.contact))
     least = given.least_limit
     found = Tolerance(
         contact=(units.metres(first), units.metres(last)),
-        direction=_radians(given.direction, units),
+        direction=(0.0, 0.0) if has_lever and not is_own else _radians(given.direction, units),
         least_limit=None if least is None else units.newtons(least),
         may_be_absent=given.may_be_absent and (is_own or is_robot),
     )

@@ -198,7 +198,7 @@ class _File:
         steers = self.angle(0.0 if is_azimuth else robot.steers)
         told = _given(name=robot.name, contact=list(robot.contact))
         sectors = [list(map(self.angle, sector)) for sector in robot.sectors or ()]
-        if not sectors and (robot.direction or not is_azimuth):
+        if not (sectors or robot.lever) and (robot.direction or not is_azimuth):
             told["direction"] = self.angle(robot.direction)
         if robot.envelope is None:
             told |= self.forces(robot, robot.least)
@@ -207,6 +207,7 @@ class _File:
         return told | _given(
             steers="any" if is_azimuth else steers,
             sectors=sectors,
+            lever=robot.lever,
             group=robot.group,
             mounted=robot.mounted,
             **_body(robot),

@@ -133,6 +133,11 @@ class Simulation(Frozen, Plain):
         ]
         twice = dict.fromkeys(name for name in named if named.count(name) > 1)
         faults += [f"{shown(name)} has two actuators; leave out one" for name in twice]
+        faults += [
+            f"{self.problem.swarm.names[i]} exerts a couple, and a run in time knows none: "
+            "give it as two thrusters of one group"
+            for i in self.problem.swarm.rare.couples
+        ]
         return faults + [fault for event in self.events for fault in self._sent_faults(event)]
 
     def _sent_faults(self, event: Event) -> list[str]:

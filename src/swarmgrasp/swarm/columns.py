@@ -1,7 +1,8 @@
 """Robots as arrays: a million of them, checked at once and described a few at a time."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +22,21 @@ SAID = (
     "contacts", "directions", "limits", FLAGS, "reverse limits", "steers", "frictions", "leasts"
 )  # fmt: skip
 """What messages call the columns, in their order."""
+
+
+FAR = 2.0**60
+"""All that computes is told a couple as a force by so much weaker, at an arm by so much longer than
+its lever: its torque is exact, and the force is less than rounding of anything (T29)."""
+
+
+class Couple(NamedTuple):
+    """Where what exerts a couple is, and the lever of its two forces."""
+
+    contact: tuple[float, float]
+    lever: float
+
+
+NO_COUPLES: Mapping[int, Couple] = MappingProxyType({})
 
 
 class Columns(NamedTuple):
@@ -58,7 +74,7 @@ def columns_of(robots: Iterable[Robot]) -> Columns:
     faults = [fault for robot in found for fault in kind_faults(robot, Robot, MADE_BY)]
     if faults:
         raise RobotInvalid(faults[:MOST_LISTED] + _others(len(faults)))
-    return Columns(
+    columns = Columns(
         np.array([robot.contact for robot in found], dtype=float).reshape(-1, 2),
         np.array([robot.direction for robot in found], dtype=float),
         np.array([robot.limit for robot in found], dtype=float),
@@ -68,6 +84,23 @@ def columns_of(robots: Iterable[Robot]) -> Columns:
         np.array([robot.friction or 0.0 for robot in found], dtype=float),
         np.array([robot.least for robot in found], dtype=float),
     )
+    levers = np.array([robot.lever for robot in found], dtype=float)
+    return _far(columns, levers) if levers.any() else columns
+
+
+def couple_of(robot: Robot) -> Couple | None:
+    """Return the couple that a robot exerts; None if it pushes."""
+    return Couple(robot.contact, robot.lever) if robot.lever else None
+
+
+def _far(columns: Columns, levers: NDArray[np.float64]) -> Columns:
+    """Return columns with couples, those of robots with levers (n,), as forces far away."""
+    rows = np.flatnonzero(levers)
+    columns.contacts[rows] = np.column_stack([FAR * levers[rows], np.zeros(len(rows))])
+    columns.directions[rows] = 0.5 * math.pi
+    for sizes in (columns.limits, columns.reverse_limits):
+        sizes[rows] /= FAR
+    return columns
 
 
 def checked_columns(
@@ -126,8 +159,14 @@ def checked_columns(
     return found
 
 
-def check_contacts(outline: Outline, columns: Columns, names: Names) -> None:
-    """Raise `RobotOffBoundary` if robots hold nothing."""
+def check_contacts(
+    outline: Outline, columns: Columns, names: Names, couples: Mapping[int, Couple] = NO_COUPLES
+) -> None:
+    """Raise `RobotOffBoundary` if robots hold nothing, those that exert couples where they are."""
+    if couples:
+        columns = columns._replace(contacts=np.array(columns.contacts))
+        for i, couple in couples.items():
+            columns.contacts[i] = couple.contact
     distances, arc_lengths = outline.nearest(columns.contacts)
     if distances.max(initial=0.0) <= outline.tolerance:
         return
@@ -166,11 +205,18 @@ def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
     return arrays
 
 
-def robot_of(columns: Columns, i: int, name: str, **more: Any) -> Robot:
+def robot_of(
+    columns: Columns, i: int, name: str, couple: Couple | None = None, **more: Any
+) -> Robot:
     """Return a robot of the arrays, which checks its values."""
     contact, direction, limit, mounted, reverse, steers, friction, least = (
         column[i].tolist() for column in columns
     )
+    if couple is not None:
+        return Robot(
+            couple.contact, limit=FAR * limit, name=name, mounted=True, reverse_limit=FAR * reverse,
+            lever=couple.lever, **more,
+        )  # fmt: skip
     return Robot(
         tuple(contact), direction, limit, name, mounted, reverse_limit=reverse, steers=steers,
         friction=friction or None, least=least, **more,

@@ -21,8 +21,17 @@ def force_words(robot: Robot, tell: Telling | None = None) -> str:
     >>> azimuth = Robot((0, 0), limit=90e3, sectors=[(math.pi / 9, 8 / 9 * math.pi), (3.5, 5.9)])
     >>> force_words(azimuth)
     '90 kN from 20 to 160 deg or 200.5 to 338 deg'
+    >>> force_words(Robot((0, 0), limit=90e3, reverse_limit=90e3, lever=2.0, mounted=True))
+    '90 kN one way, 90 kN the other, on a lever of 2.0000 m, turning to port'
     """
     tell = tell or Telling.of(SI, 1.0, [robot.limit])
+    if robot.lever:
+        strength = strength_words(robot, tell).replace(" ahead", " one way")
+        side = "port" if robot.lever > 0.0 else "starboard"
+        lever = tell.length.text(abs(robot.lever))
+        return (
+            f"{strength.replace(' astern', ' the other')}, on a lever of {lever}, turning to {side}"
+        )
     friction = f", friction {robot.friction:.4g}" if robot.friction else ""
     comma = "," if robot.reverse_limit else ""
     return f"{strength_words(robot, tell)}{comma} {_way(robot, tell)}{friction}"
@@ -90,4 +99,6 @@ def heading(robot: Robot, tell: Telling) -> str:
     """Return the direction of a robot in degrees for a table; "any" or "several" if it has none."""
     if robot.sectors is not None:
         return "several"
+    if robot.lever:
+        return "turns"
     return "any" if robot.steers >= math.pi else tell.degrees(robot.direction)

@@ -6,13 +6,14 @@ from typing import Any
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.swarm.body import Body
+from swarmgrasp.swarm.columns import FAR, Couple, couple_of
 from swarmgrasp.swarm.robot import Envelope, Robot
 from swarmgrasp.swarm.sectors import Sectors
 from swarmgrasp.swarm.tolerance import Tolerance
 
 _SAID = {
     "tolerances": "tolerance", "envelopes": "envelope", "groups": "group", "gaps": "sectors",
-    "hulls": "sectors", "bodies": "body",
+    "hulls": "sectors", "bodies": "body", "couples": "couple",
 }  # fmt: skip
 """The fields of a robot that tell what is kept."""
 
@@ -29,6 +30,7 @@ class Rare(Frozen):
     bodies : mapping of int to Body
     gaps : mapping of int to Sectors
         Each of those robots that have one, by index: of sectors, those with gaps between.
+    couples : mapping of int to Couple
     hulls : mapping of int to Sectors
         Of robots that stand for others with gaps, and exert the hull of what these can.
     """
@@ -38,6 +40,7 @@ class Rare(Frozen):
     groups: Mapping[int, str] = field(default_factory=dict)
     bodies: Mapping[int, Body] = field(default_factory=dict)
     gaps: Mapping[int, Sectors] = field(default_factory=dict)
+    couples: Mapping[int, Couple] = field(default_factory=dict)
     hulls: Mapping[int, Sectors] = field(default_factory=dict)
 
     @classmethod
@@ -46,14 +49,17 @@ class Rare(Frozen):
         found: dict[str, dict[int, Any]] = {name: {} for name in _SAID if name != "hulls"}
         for i, robot in enumerate(robots, start=first):
             for name, kept in found.items():
-                value = getattr(robot, _SAID[name])
+                value = _value(robot, name)
                 if value:
                     kept[i] = value
         return cls(**found)
 
     def of_robot(self, i: int) -> dict[str, Any]:
-        """Return what one robot has, by the names of a `Robot`'s fields."""
-        return {_SAID[name]: kept[i] for name, kept in self._every() if i in kept}
+        """Return what one robot has, by the names of a `Robot`'s fields, and its couple."""
+        found = {_SAID[name]: kept[i] for name, kept in self._every() if i in kept}
+        if "couple" in found and "tolerance" in found:
+            found["tolerance"] = _times(found["tolerance"], FAR)
+        return found
 
     @property
     def shapes(self) -> list[int]:
@@ -93,3 +99,18 @@ class Rare(Frozen):
     def _both(self, other: "Rare") -> Any:
         """Go through the mappings of two."""
         return zip(self._every(), other._every(), strict=True)
+
+
+def _value(robot: Robot, name: str) -> Any:
+    """Return what a robot has of a field of `Rare`: nothing, if nothing."""
+    if name == "couples":
+        return couple_of(robot)
+    if name == "tolerances" and robot.lever and robot.tolerance:
+        return _times(robot.tolerance, 1.0 / FAR)
+    return getattr(robot, _SAID[name])
+
+
+def _times(tolerance: Tolerance, factor: float) -> Tolerance:
+    """Return a tolerance with so many times the least limit."""
+    least = tolerance.least_limit
+    return tolerance if least is None else replace(tolerance, least_limit=factor * least)

@@ -39,6 +39,8 @@ RIGHT_ANGLE = math.pi / 2
 
 MOST_FRICTION = 1e6
 """Largest coefficient of friction."""
+SHORTEST = 1e-9
+"""Least lever of a couple [m], and 1 over the largest."""
 SAME_SIZE = 1e-9
 """Relative difference of two forces that is rounding."""
 
@@ -94,6 +96,10 @@ class Robot(Plain):
     body : Body, optional
         The room that it takes up beside the object; none for a mounted one. Newcomers with a body
         keep theirs clear of it.
+    lever : float [m]
+        It turns the object instead of pushing it: it exerts a couple, two opposite forces up to
+        `limit`, so far apart, counter-clockwise, or clockwise if negative; the other way up to
+        `reverse_limit`. It is mounted, and its direction is without meaning.
 
     Raises
     ------
@@ -135,10 +141,12 @@ class Robot(Plain):
     group: str = ""
     sectors: Sectors | None = None
     body: Body | None = None
+    lever: float = 0.0
 
     def __post_init__(self) -> None:
         """Check the values."""
         faults = [] if self.sectors is None else self._take_sectors()
+        faults += [] if self.lever == 0.0 else self._take_lever()
         corners = _corners(self.envelope)
         if corners:
             reach = max(math.hypot(*corner) for corner in corners)
@@ -184,6 +192,7 @@ class Robot(Plain):
             friction=float(self.friction) if self.friction else None,
             least=float(self.least),
             group=str(self.group),
+            lever=float(self.lever),
         )
 
     @property
@@ -191,6 +200,31 @@ class Robot(Plain):
         """Whether it pushes along one ray only, from nothing to its limit."""
         more = (self.reverse_limit, self.steers, self.friction or 0.0, self.least)
         return self.envelope is None and self.sectors is None and not any(more)
+
+    def _take_lever(self) -> list[str]:
+        """Return what is wrong with a couple, whose direction is without meaning, and becomes 0."""
+        faults = []
+        if not SHORTEST <= abs(number(self.lever)) <= 1.0 / SHORTEST:
+            faults.append(
+                f"the lever is {shown(self.lever)}; it should be 0, or {SHORTEST:g} <= lever <= "
+                f"{1.0 / SHORTEST:g} [m], or the negative of that"
+            )
+        said = {
+            "what it steers": self.steers != 0.0,
+            "the friction": bool(self.friction),
+            "the envelope": self.envelope is not None,
+            "the sectors": self.sectors is not None,
+            "the least force": self.least != 0.0,
+        }
+        others = [what for what, is_said in said.items() if is_said]
+        if others:
+            faults.append(f"a couple is from nothing to a limit: leave out {list_words(others)}")
+        if self.mounted is not True:
+            faults.append("what exerts a couple is mounted: declare it so")
+        if isinstance(self.tolerance, Tolerance) and self.tolerance.turns != (0.0, 0.0):
+            faults.append("a couple has no direction: its tolerance can have none")
+        vars(self).update(direction=0.0)
+        return faults
 
     def _take_sectors(self) -> list[str]:
         """Keep the sectors in order, or steer if they leave no gap; return what is wrong."""

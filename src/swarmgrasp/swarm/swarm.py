@@ -31,11 +31,14 @@ from swarmgrasp.ranges import (
     shown,
 )
 from swarmgrasp.swarm.columns import (
+    FAR,
     MOST_LISTED,
     Columns,
+    Couple,
     check_contacts,
     checked_columns,
     columns_of,
+    couple_of,
     robot_of,
 )
 from swarmgrasp.swarm.force_set import (
@@ -45,6 +48,7 @@ from swarmgrasp.swarm.force_set import (
     lines_among,
     rays_among,
 )
+from swarmgrasp.swarm.matrix import Axes, checked_allocation, robots_from, square_around
 from swarmgrasp.swarm.names import Names, names_of, numbered
 from swarmgrasp.swarm.rare import Rare
 from swarmgrasp.swarm.robot import Robot
@@ -197,6 +201,66 @@ class Swarm(Frozen, Plain):
         swarm._fill(outline, columns, names, Rare(), characteristic_length, force_weights)
         return swarm
 
+    @classmethod
+    def from_matrix(
+        cls,
+        matrix: ArrayLike,
+        limits: object,
+        *,
+        names: Sequence[str] | None = None,
+        frame: Axes = "ENU",
+        outline: Outline | None = None,
+        characteristic_length: float | None = None,
+        force_weights: tuple[float, float] = (1.0, 1.0),
+    ) -> "Swarm":
+        """Make a swarm from an allocation matrix, whose columns are the wrenches of thrusters.
+
+        Each is on board, on the line of action of its column: where that is nearest to the origin,
+        or nearest to there within the outline. A column without a force, a pure torque, is a couple
+        at the origin: see `lever` of a `Robot`.
+
+        Parameters
+        ----------
+        matrix : (3, n) [1, 1, m]
+            Surge, sway and yaw about the outline's origin, of each column per newton.
+        limits : (n,) [N]
+            For each column the largest force, both ways, or the lowest and the highest: (0, 60e3)
+            pushes one way.
+        names : sequence of str, optional
+            One a column; "thruster 1" and so on when left out.
+        frame : {"ENU", "NED"}
+            Whether sway is to port and yaw counter-clockwise, or to starboard and clockwise.
+        outline : Outline, optional
+            The object; when left out, a square about the origin that all lines of action meet, and
+            then the characteristic length is the largest of their arms, 1 m if all are 0.
+        characteristic_length : float [m], optional
+        force_weights : tuple of float
+            The metric, as for any `Swarm`.
+
+        Raises
+        ------
+        RobotInvalid
+            If the matrix, a limit or a name is at fault, or a line of action runs past the outline;
+            all faults at once.
+        MetricInvalid
+            As for any `Swarm`.
+
+        Examples
+        --------
+        Two propellers, a bow tunnel, and a gyro of up to 1 MN m, as marine engineers write them:
+
+        >>> matrix = [[1, 1, 0, 0], [0, 0, 1, 0], [-8, 8, 30, 1]]
+        >>> ship = Swarm.from_matrix(matrix, [800e3, 800e3, 200e3, 1e6], frame="NED")
+        >>> [robot.contact for robot in ship], ship["thruster 4"].lever
+        ([(0.0, -8.0), (0.0, 8.0), (30.0, 0.0), (0.0, 0.0)], -1.0)
+        """
+        asked = checked_allocation(matrix, limits, names, frame)
+        if outline is None:
+            outline = square_around(asked)
+            characteristic_length = characteristic_length or asked.reach or 1.0
+        robots = robots_from(asked, outline)
+        return cls(outline, robots, characteristic_length, force_weights)
+
     def _fill(
         self,
         outline: Outline,
@@ -210,7 +274,7 @@ class Swarm(Frozen, Plain):
         check_outline(outline)
         length = outline.radius if length is None else length
         check_metric(length, force_weights)
-        check_contacts(outline, columns, names)
+        check_contacts(outline, columns, names, rare.couples)
         check_tolerances(outline, rare, names)
         generators = wrenches(columns.contacts - outline.origin, columns.directions, columns.limits)
         a1, a2 = numbers(force_weights)
@@ -365,6 +429,16 @@ class Swarm(Frozen, Plain):
         return MappingProxyType(members)
 
     @cached_property
+    def nearness(self) -> NDArray[np.float64]:
+        """(n,): by what the limits, forces and leasts of these arrays are to be multiplied.
+
+        1 but for couples, which the arrays hold as weak forces far away (T29).
+        """
+        found = np.ones(len(self))
+        found[list(self.rare.couples)] = FAR
+        return read_only(found)
+
+    @cached_property
     def scale(self) -> NDArray[np.float64]:
         """(3,) [1, 1, 1/m]: A^(1/2), which makes the metric Euclidean."""
         a1, a2 = self.force_weights
@@ -412,7 +486,7 @@ class Swarm(Frozen, Plain):
         """
         one = columns_of((robot,))
         names = self.names.joined(robot.name)
-        rows = self._rows(one, names[len(self)])
+        rows = self._rows(one, names[len(self)], couple_of(robot))
         check_tolerances(self.outline, Rare.of((robot,), first=len(self)), names)
         joined = {name: np.concatenate([getattr(self, name), row]) for name, row in rows.items()}
         swarm = self._like(joined, names, self.rare.with_robot(len(self), robot))
@@ -454,18 +528,18 @@ class Swarm(Frozen, Plain):
         robot = replace(old, contact=contact)
         if direction is not None:
             robot = replace(robot, direction=direction)
-        rows = self._rows(columns_of((robot,)), robot.name)
+        rows = self._rows(columns_of((robot,)), robot.name, couple_of(robot))
         moved = {column: np.array(getattr(self, column)) for column in rows}
         for column, row in rows.items():
             moved[column][i] = row[0]
-        swarm = self._like(moved, self.names, self.rare)
+        swarm = self._like(moved, self.names, self.rare.with_robot(i, robot))
         if "robots" in vars(self):
             vars(swarm)["robots"] = (*self.robots[:i], robot, *self.robots[i + 1 :])
         return swarm
 
-    def _rows(self, one: Columns, name: str) -> dict[str, NDArray[Any]]:
+    def _rows(self, one: Columns, name: str, couple: Couple | None) -> dict[str, NDArray[Any]]:
         """Return what the arrays hold of one robot, which should hold the object."""
-        check_contacts(self.outline, one, names_of([name]))
+        check_contacts(self.outline, one, names_of([name]), {0: couple} if couple else {})
         arms = one.contacts - self.outline.origin
         return {
             **one._asdict(),
@@ -546,13 +620,20 @@ class Swarm(Frozen, Plain):
             [
                 replace(
                     robot,
-                    tolerance=replace(tolerance, contact=0.0) if robot.mounted else tolerance,
+                    tolerance=_kept(tolerance, robot),
                 )
                 for robot in self
             ],
             self.characteristic_length,
             self.force_weights,
         )
+
+
+def _kept(tolerance: Tolerance, robot: Robot) -> Tolerance:
+    """Return what a robot can have of a tolerance: mounted ones stay, and couples do not turn."""
+    if robot.mounted:
+        tolerance = replace(tolerance, contact=0.0)
+    return replace(tolerance, direction=0.0) if robot.lever else tolerance
 
 
 def wrenches(

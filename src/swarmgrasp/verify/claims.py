@@ -83,6 +83,7 @@ class RobotClaim(_Form):
     group: str
     sectors: list[tuple[Angle, Angle]] | None = Field(min_length=1)
     body: BodyClaim | None
+    lever: Number
 
     @property
     def is_line(self) -> bool:
@@ -105,6 +106,15 @@ class RobotClaim(_Form):
             raise ValueError("friction goes with neither steering nor a reverse limit")
         if self.least and (self.reverse_limit or self.least > self.limit):
             raise ValueError("the least force is at most the limit, and without a reverse limit")
+        return self
+
+    @model_validator(mode="after")
+    def check_lever(self) -> Self:
+        """Refuse a couple with a direction, and one that is not on board."""
+        turns = self.tolerance.direction if self.tolerance else (0.0, 0.0)
+        more = (self.steers, self.friction, self.envelope, self.sectors, self.least, any(turns))
+        if self.lever and (any(more) or not self.mounted):
+            raise ValueError("a couple has no direction, and is mounted")
         return self
 
     @model_validator(mode="after")

@@ -279,6 +279,11 @@ def team_of(
         limit = robot.limit if tolerance is None else tolerance.certain(robot.limit)
         if limit == 0.0:
             continue
+        if robot.lever:
+            torque = np.array([0.0, 0.0, robot.lever]) * scale
+            ways = (limit * torque, -robot.reverse_limit * torque)
+            known += [(machine, name, way) for way in ways if way.any()]
+            continue
         first = last = 0.0
         if tolerance is not None:
             _check(robot, tolerance)

@@ -250,6 +250,9 @@ def manner(robot: Robot, direction: float) -> str:
     >>> manner(Robot((0.0, 0.0), 0.0, friction=1.0), math.pi / 4)
     'about to slip'
     """
+    if robot.lever:
+        turns_back = math.sin(direction) < 0.0
+        return f"turning to {'port' if (robot.lever > 0.0) != turns_back else 'starboard'}"
     off = math.remainder(direction - robot.direction, math.tau)
     is_astern = robot.reverse_limit > 0.0 and abs(off) > 0.5 * math.pi
     if is_astern and not robot.steers:
@@ -288,11 +291,13 @@ def _show_robots(report: Report, found: Forces, tell: Telling) -> None:
         is_idle = part <= IDLE and robot.least == 0.0 and robot.envelope is None
         said = "" if is_idle else manner(robot, direction)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
-        limit = robot.reverse_limit if "astern" in said else robot.limit
+        is_other_way = "astern" in said or (robot.lever and math.sin(direction) < 0.0)
+        limit = robot.reverse_limit if is_other_way else robot.limit
         rows.append([
             swarm.names[index], unit.number(0.0 if is_idle else float(found.forces[index])),
             share(part), unit.number(limit),
-            heading(robot, tell) if is_idle else tell.degrees(direction), *tell.xy(robot.contact),
+            heading(robot, tell) if is_idle or robot.lever else tell.degrees(direction),
+            *tell.xy(robot.contact),
             *([] if swarm.has_rays_only else [said]), where,
         ])  # fmt: skip
     report.blank()
