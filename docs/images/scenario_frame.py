@@ -177,16 +177,15 @@ def _angles(panel: Panel, contacts: dict[str, tuple[float, float]]) -> None:
     panel.text(x + 7.2, y + 1.5, "direction: 30", "angle key", "start")
 
 
-def main() -> None:
-    """Write the picture beside this file."""
+def picture() -> str:
+    """Return the picture as SVG."""
     parts = [*draw("ENU", 0.0), *draw("NED", HEIGHT)]
     head = (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {2 * HEIGHT}" role="img">'
         "<title>Outline, edges, along, at, theta and direction in both frames</title>"
     )
-    text = "\n".join([head, f"<style>{STYLE}</style>", *parts, "</svg>", ""])
-    Path(__file__).with_name("scenario-frame.svg").write_text(text, encoding="utf-8")
+    return "\n".join([head, f"<style>{STYLE}</style>", *parts, "</svg>", ""])
 
 
 if __name__ == "__main__":
-    main()
+    Path(__file__).with_name("scenario-frame.svg").write_text(picture(), encoding="utf-8")
