@@ -6,6 +6,7 @@ from dataclasses import replace
 from swarmgrasp.errors import OutlineInvalid, RobotInvalid, SwarmGraspError, ZoneInvalid
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.ranges import plain_name
+from swarmgrasp.scenario.allocation import allocated
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forces_of
@@ -58,6 +59,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         raise checked.faults.error()
     check_reaches(checked, units, locator.si.perimeter)
     robots, zones = _robots(locator, said), _zones(locator, said)
+    robots += _allocated(locator)
     no_go = _no_go(locator, said)
     if checked.faults:
         raise checked.faults.error()
@@ -187,6 +189,22 @@ def _robots(locator: Locator, said: frozenset[Path]) -> list[Robot]:
         except RobotInvalid as error:  # numbers next to zero only
             checked.fault(("robots", i), "; ".join(error.faults), got=False)
     return robots
+
+
+def _allocated(locator: Locator) -> list[Robot]:
+    """Return the thrusters of an allocation matrix, if the file has one without faults."""
+    checked, units = locator.checked, locator.units
+    section = checked.file.allocation
+    if section is None or not checked.is_sound("allocation") or not checked.is_sound("units"):
+        return []
+    try:
+        return allocated(
+            section, units.metres(1.0), units.newtons(1.0), checked.file.frame, locator.si
+        )
+    except RobotInvalid as error:
+        for fault in error.faults:
+            checked.fault(("allocation",), fault, got=False)
+        return []
 
 
 def _robot(

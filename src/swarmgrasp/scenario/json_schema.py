@@ -59,7 +59,7 @@ def scenario_schema() -> dict[str, Any]:
     Examples
     --------
     >>> scenario_schema()["required"]
-    ['outline', 'robots']
+    ['outline']
     """
     schema: dict[str, Any] = _tidied(with_files(ScenarioFile.model_json_schema()))
     return {

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Discriminator, Field, Tag
 from pydantic.config import JsonDict, JsonValue
 
+from swarmgrasp.scenario.allocation import AllocationSection
 from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
     Angle,
@@ -378,6 +379,9 @@ class ScenarioFile(Section):
     outline: OutlineSection = Field(description="The object.")
     metric: MetricSection = Field(MetricSection(), description="How wrenches are compared.")
     robots: list[RobotSection] = Field(description="Robots already in contact; may be empty.")
+    allocation: AllocationSection | None = Field(
+        None, description="Thrusters beside the robots, by their allocation matrix."
+    )
     newcomer: NewcomerSection | None = Field(None, description="The robot to place.")
     zones: list[ZoneSection] | None = Field(
         None,

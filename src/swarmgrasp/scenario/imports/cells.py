@@ -11,7 +11,8 @@ from swarmgrasp.ranges import nearest_name, shown
 from swarmgrasp.scenario.imports.source import MOST_ROWS, Source
 
 _NUMBER = re.compile(r"[-+\u2212]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?")
-_COMMA = re.compile(r"[-+\u2212]?\d*,\d+([eE][-+]?\d+)?")
+_COMMA = re.compile(r"[-+\u2212]?\d*,\d+([eE][-+]?\d+)?(\s*[^\d\s,;][^,;]*)?")
+"""A number with a decimal comma, perhaps with its unit."""
 _UNIT = re.compile(r"(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\))")
 """A heading with its unit in brackets."""
 MOST_CELLS = 200
@@ -66,7 +67,7 @@ class Cells:
 
     def plain(self, cell: str) -> str:
         """Return a cell with a point for a decimal comma, if it holds a number."""
-        return cell.replace(",", ".") if self.has_decimal_comma and _COMMA.match(cell) else cell
+        return cell.replace(",", ".") if self.has_decimal_comma and _COMMA.fullmatch(cell) else cell
 
 
 def read_cells(source: Source, *, width: int = 2) -> Cells | None:

@@ -9,6 +9,7 @@ from swarmgrasp.ranges import unknown_key
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Mark
 from swarmgrasp.scenario.faults import Path as Keys
+from swarmgrasp.scenario.imports.allocation import Matrix, read_allocation
 from swarmgrasp.scenario.imports.hull import Hull
 from swarmgrasp.scenario.imports.outlines import DETECT, Wish, read_outline
 from swarmgrasp.scenario.imports.robots import read_robots
@@ -31,10 +32,13 @@ class Taken(NamedTuple):
         Paths to stand-ins, for files with faults.
     said : tuple of str
         What was assumed, sentences.
+    bow : str
+        The axis along which a mirrored half of a hull is pointed; "" if nothing is known.
     """
 
     stand_ins: set[Keys]
     said: tuple[str, ...] = ()
+    bow: str = ""
 
 
 def expand(root: Node, faults: Faults, folder: Path | None) -> Taken:
@@ -52,16 +56,23 @@ def expand(root: Node, faults: Faults, folder: Path | None) -> Taken:
     -------
     Taken
     """
-    stand_ins, said = set[Keys](), tuple[str, ...]()
+    stand_ins, said, bow = set[Keys](), tuple[str, ...](), ""
     if _names_file(root, "outline"):
         hull = _outline(root, faults, folder)
         if hull is None:
             stand_ins.add(("outline", "vertices"))
         else:
-            said = hull.said
+            said, bow = hull.said, hull.bow
+    held: Any = root.value
+    if "allocation" in held and "robots" not in held:
+        held["robots"] = Node(held["allocation"].mark, [])
+    if _names_file(root, "allocation"):
+        matrix = _allocation(root, faults, folder)
+        said += matrix.said if matrix else ()
+        stand_ins |= set() if matrix else {("allocation",)}
     if _names_file(root, "robots") and not _robots(root, faults, folder):
         stand_ins.add(("robots",))
-    return Taken(stand_ins, said)
+    return Taken(stand_ins, said, bow)
 
 
 def _names_file(root: Node, key: str) -> bool:
@@ -98,6 +109,30 @@ def _outline(root: Node, faults: Faults, folder: Path | None) -> Hull | None:
     return hull
 
 
+def _allocation(root: Node, faults: Faults, folder: Path | None) -> Matrix | None:
+    """Put the matrix of a file into a document, and what else it says of it; None after a fault."""
+    node, keys = root.find(("allocation",)), ("allocation",)
+    held: Any = node.value
+    before = len(faults)
+    if "matrix" in held:
+        faults.add(node.key_marks[_FILE], (*keys, _FILE), "matrix and file each say it; keep one")
+    path = _path(held.pop(_FILE), (*keys, _FILE), faults, folder)
+    found = None if path is None else read_allocation(Source(path, faults, keys))
+    if found is None or len(faults) > before:
+        del root.value[keys[0]]  # type: ignore[union-attr, arg-type]
+        return None
+    told = {
+        "matrix": found.rows,
+        "limits": found.limits,
+        "names": found.names,
+        "frame": found.frame,
+    }
+    for key, value in told.items():
+        if value and key not in held:
+            held[key] = noded(value, node.mark)
+    return found
+
+
 def _robots(root: Node, faults: Faults, folder: Path | None) -> bool:
     """Put the robots of a file into a document, or none; tell whether the file was sound."""
     node, keys = root.find(("robots",)), ("robots",)
@@ -114,6 +149,16 @@ def _robots(root: Node, faults: Faults, folder: Path | None) -> bool:
 def _stand_in(node: Node) -> Node:
     """Return corners that hide no faults of what else is in a document."""
     return Node(node.mark, [_row(p, node.mark) for p in ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))])
+
+
+def noded(value: Any, mark: Mark = (0, 0)) -> Node:
+    """Return plain data as a document has it, all at one place."""
+    if isinstance(value, dict):
+        children = {key: noded(child, mark) for key, child in value.items()}
+        return Node(mark, children, key_marks=dict.fromkeys(children, mark))
+    if isinstance(value, list):
+        return Node(mark, [noded(child, mark) for child in value])
+    return Node(mark, value, str(value))
 
 
 def _row(numbers: tuple[float, ...], mark: Mark) -> Node:

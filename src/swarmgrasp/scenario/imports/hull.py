@@ -31,6 +31,8 @@ class Hull:
         What was assumed of it, sentences.
     lines : tuple of int
         Where each corner stands; none at all where a file has no lines.
+    bow : str
+        The axis along which a mirrored half is pointed, such as "+y"; "" if nothing is known.
     """
 
     points: list[Point]
@@ -38,6 +40,7 @@ class Hull:
     is_closed: bool = True
     said: tuple[str, ...] = ()
     lines: tuple[int, ...] = field(default=(), repr=False)
+    bow: str = ""
 
     def with_word(self, sentence: str) -> "Hull":
         """Return the same with one assumption more."""
@@ -97,6 +100,20 @@ def looks_halved(points: Sequence[Point]) -> Axis | None:
     turns = [_slant(points[0], points[1], along), _slant(points[-1], points[-2], along)]
     is_whole = length < (1.0 - SAME) * spread[along] or spread[1 - along] > 0.5 * length
     return axis if not is_whole and SAME < min(turns) < OBLIQUE else None
+
+
+def pointed_along(points: Sequence[Point], axis: Axis) -> str:
+    """Return the way along its centreline in which a half hull is more pointed.
+
+    Examples
+    --------
+    >>> pointed_along([(40, 0), (30, 5), (-40, 5), (-40, 0)], "x")
+    '+x'
+    """
+    along = 0 if axis == "x" else 1
+    turns = [_slant(points[0], points[1], along), _slant(points[-1], points[-2], along)]
+    first, last = (points[0], points[-1]) if turns[0] <= turns[1] else (points[-1], points[0])
+    return f"{'+' if first[along] > last[along] else '-'}{axis}"
 
 
 def mirrored(points: Sequence[Point], axis: Axis) -> list[Point]:

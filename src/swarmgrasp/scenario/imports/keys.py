@@ -50,6 +50,14 @@ class RobotsFile(Section):
     )
 
 
+class AllocationFile(Section):
+    """A matrix in a file; limits, names and frame may stand there or here."""
+
+    file: str = Field(
+        description=f"{_PATH} In CSV, JSON, YAML or NumPy's own format.", examples=["tam.csv"]
+    )
+
+
 def with_files(schema: dict[str, Any]) -> dict[str, Any]:
     """Return the JSON schema of a scenario that may take parts from files."""
     held = schema["properties"]
@@ -62,4 +70,10 @@ def with_files(schema: dict[str, Any]) -> dict[str, Any]:
         else:
             own = {name: held[key].pop(name) for name in ("items", "type")}
         held[key]["anyOf"] = [own, told]
+    beside = schema["$defs"]["AllocationSection"]["properties"]
+    told = AllocationFile.model_json_schema()
+    told["properties"] |= {name: beside[name] for name in ("limits", "names", "frame")}
+    held["allocation"]["anyOf"].append(told)
+    schema["required"] = ["outline"]
+    schema["anyOf"] = [{"required": ["robots"]}, {"required": ["allocation"]}]
     return schema

@@ -10,7 +10,7 @@ from swarmgrasp.scenario.imports.csv_outline import read_csv_outline
 from swarmgrasp.scenario.imports.dxf import read_dxf
 from swarmgrasp.scenario.imports.earth import looks_like_degrees, on_the_plane
 from swarmgrasp.scenario.imports.geojson import read_geojson
-from swarmgrasp.scenario.imports.hull import Hull, centreline, looks_halved, mirrored
+from swarmgrasp.scenario.imports.hull import Hull, centreline, looks_halved, mirrored, pointed_along
 from swarmgrasp.scenario.imports.source import Source
 from swarmgrasp.scenario.imports.svg import read_svg
 from swarmgrasp.units import canonical, size, spellings
@@ -179,6 +179,7 @@ def _whole(hull: Hull, source: Source, wish: Wish) -> Hull | None:
             "the centreline, and all others on one side; leave out mirror"
         )
         return None
-    whole = replace(hull, points=mirrored(hull.points, axis), lines=())
+    bow = pointed_along(hull.points, axis)
+    whole = replace(hull, points=mirrored(hull.points, axis), lines=(), bow=bow)
     said = f"It is one half of the hull; the other is its mirror image in the {axis} axis."
     return whole.with_word(said)
