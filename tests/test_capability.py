@@ -175,7 +175,7 @@ def test_a_group_of_azimuths_is_lost_as_one():
     ]
     weather = Environment(Wind(150.0, 500.0, WindCoefficients(0.9, 0.7, 0.7)))
     found = capability(Swarm(hull, robots), weather, [0.0, math.pi / 2])
-    assert found.loss_words == "one robot or group"
+    assert found.loss_words() == "one robot or group"
     assert set(found.worst_losses[0]) <= {"bus A", "bus B"}
     ahead = (found.after_loss[0] / found.intact[0]) ** 2
     assert ahead == pytest.approx(3.0 / 5.0)

@@ -74,11 +74,11 @@ class Telling:
 
         Examples
         --------
-        >>> Telling.of(Terms(speed="kn"), 1.0, []).speed(12.86)
-        '25.0 kn'
+        >>> Telling.of(Terms(speed="kn"), 1.0, []).speed(12.861)
+        '25 kn'
         """
         value = speed / SPEEDS[self.terms.speed]
-        return f"{digits(value, value, 3)} {self.terms.speed}"
+        return f"{float(digits(value, value, 3)):g} {self.terms.speed}"
 
     def wrench(self, wrench: Sequence[float], length: float) -> tuple[str, str, str]:
         """Return the parts of a wrench (3,) [N, N, N m] along the axes of the file.

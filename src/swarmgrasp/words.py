@@ -269,6 +269,16 @@ class Lengths:
         """Return a length [m] with its unit."""
         return f"{self.number(length)} {self.name}"
 
+    def short(self, length: float) -> str:
+        """Return a length [m] with its unit and three digits at most.
+
+        Examples
+        --------
+        >>> Lengths(2).short(2.1)
+        '2.1 m'
+        """
+        return f"{length / self.metres:.3g} {self.name}"
+
     def point(self, point: Sequence[float]) -> str:
         """Return a point [m, m] as "(x, y) m".
 

@@ -14,7 +14,7 @@ ASKED = {
     "several": ["place", "pontoon", "--robots", 3, "--gap", 1e-4, "--losing", 1],
     "few runners-up": ["place", "deck-barge", "--runners-up", 1],
     "together": ["place", "pontoon", "--robots", 2, "--together", "--effort", 60],
-    "move": ["move", "deck-barge", "--losing", 1],
+    "move": ["move", "model-ship"],
     "count": ["count", "pontoon", "--quality", 300, "--effort", 60, "--most", 3],
     "quality": ["quality", "rectangle-5"],
     "quality by a criterion": ["quality", "rectangle-15", "--losing", 1, "--sensitivities"],

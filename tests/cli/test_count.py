@@ -9,8 +9,8 @@ def test_tells_the_fewest_and_where_they_go(run, tmp_path):
     status, said, complaints = run("count", "deck-barge", "--quality", "600e3", "--json", target)
     assert (status, complaints) == (0, "")
     lines = said.splitlines()
-    assert lines[0] == "Deck barge: 2 robots are the fewest for 61.183 tf"
-    assert "Proven      2 robots can, 1 cannot, wherever they attach" in lines
+    assert lines[0] == "Deck barge: 2 tugs are the fewest for 61.183 tf"
+    assert "Proven      2 tugs can, 1 cannot, wherever they attach" in lines
     assert sum(line.startswith("Fortuna ") for line in lines) == 2
     found = json.loads(target.read_text())
     assert (found["count"], found["at_least"], found["is_proven"]) == (2, 2, True)
@@ -23,9 +23,9 @@ def test_more_than_allowed(run):
     """Out of reach of so many, and proven to be."""
     status, said, _ = run("count", "deck-barge", "--quality", "2e6", "--most", "3")
     assert status == 0
-    assert "203.94 tf is out of reach of 3 robots" in said
+    assert "203.94 tf is out of reach of 3 tugs" in said
     assert "Quality  23.374 tf as it is" in said
-    assert "3 robots cannot reach it, wherever they attach" in said
+    assert "3 tugs cannot reach it, wherever they attach" in said
 
 
 def test_not_found_is_not_out_of_reach(run):
@@ -34,8 +34,8 @@ def test_not_found_is_not_out_of_reach(run):
         "count", "deck-barge", "--quality", "1.2e6", "--most", "5", "--effort", "0"
     )
     assert status == 0
-    assert "was not reached with up to 5 robots" in said
-    assert "no places for up to 5 robots that reach it were found; no fewer than" in said
+    assert "was not reached with up to 5 tugs" in said
+    assert "no places for up to 5 tugs that reach it were found; no fewer than" in said
     assert "cannot" not in said
 
 

@@ -19,10 +19,10 @@ def test_tells_who_pushes_how_hard(run):
     """300 kN ahead, mostly from the stern; the report says so in words."""
     status, said, complaints = run("forces", "deck-barge", "--wrench", "300e3", "0", "0")
     assert (status, complaints) == (0, "")
-    assert said.startswith("Deck barge: the robots make it, with shares up to 38.9 %\n")
+    assert said.startswith("Deck barge: the tugs make it, with shares up to 38.9 %\n")
     assert "Wanted         30.591 tf along x: " in said
     assert "Largest share  38.9 %: Castor\n" in said
-    assert "Reserve        the robots could make up to 2.57 times this" in said
+    assert "Reserve        the tugs could make up to 2.57 times this" in said
     assert "Castor       31.141  38.9 %" in said
     assert "Ajax              0     0 %" in said
     assert "Metric: force weights 1 and 1" in said

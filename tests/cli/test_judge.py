@@ -24,7 +24,7 @@ def test_it_agrees_and_writes_a_model(run, tmp_path):
     assert (status, complaints) == (0, "")
     assert "MuJoCo agrees: " in first
     assert first.endswith(
-        "is held after the worst loss of 1 robot, beside the load, and 1 % more is not"
+        "is held after the worst loss of 1 tug, beside the load, and 1 % more is not"
     )
     assert f"MuJoCo {mujoco.__version__}" in said
     assert last == f"wrote {path}"

@@ -12,8 +12,8 @@ def test_tells_who_had_better_be_elsewhere(run, tmp_path):
     assert lines[0] == "Deck barge: Castor had better be on stern pads"
     assert "Quality    23.374 -> 33.721 tf (+44 %)" in lines
     assert "Meanwhile  0 tf without Castor" in lines
-    assert any(line.startswith("Proven     no move of one robot is better") for line in lines)
-    rows = lines[lines.index("The best move of each robot") + 2 :][:5]
+    assert any(line.startswith("Proven     no move of one tug is better") for line in lines)
+    rows = lines[lines.index("The best move of each tug") + 2 :][:5]
     assert [row.split()[0] for row in rows] == ["Castor", "Boreas", "Electra", "Dione", "Ajax"]
     found = json.loads(target.read_text())
     assert found["improves"]

@@ -200,7 +200,7 @@ def test_several_at_once(run, tmp_path):
     )  # fmt: skip
     found = json.loads(target.read_text())
     assert status == 0
-    assert "the best places for 3 robots like Fortuna, all at once" in said
+    assert "the best places for 3 tugs like Fortuna, all at once" in said
     assert found["sequential"] < 0.9 * found["quality"]
     assert found["quality"] <= found["upper_bound"] <= 1.011 * found["quality"]
     assert [robot["name"] for robot in found["robots"]] == ["Fortuna 1", "Fortuna 2", "Fortuna 3"]

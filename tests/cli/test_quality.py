@@ -88,7 +88,7 @@ def test_the_worst_poses(run):
     assert status == 0
     assert " in the worst poses\n" in said
     assert "Certified" not in said  # it is proven to all digits shown
-    assert said.index("The worst poses") < said.index("The robots as they are meant to be")
+    assert said.index("The worst poses") < said.index("The tugs as they are meant to be")
 
 
 def test_what_cannot_be_asked(run):
@@ -107,11 +107,11 @@ def test_tasks_and_loads_are_told_in_their_units(run, tmp_path):
     status, said, _ = run("quality", barge)
     assert status == 0
     assert "relative to the task" not in said
-    assert "the robots exert at most" in said
+    assert "the tugs exert at most" in said
     assert "times the task along x" not in said
     barge.write_text(text + "\ncriterion: {load: [0, 1e6, 0]}\n")
-    assert "the robots do not hold the load there" in run("quality", barge)[1]
-    assert "robots and load come to at most" in run("quality", "escort-ring")[1]
+    assert "the tugs do not hold the load there" in run("quality", barge)[1]
+    assert "tugs and load come to at most" in run("quality", "escort-ring")[1]
 
 
 def test_nothing_is_left_of_nobody(run):

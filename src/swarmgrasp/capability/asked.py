@@ -68,10 +68,9 @@ class AllRound(Frozen, Answer):
         )  # fmt: skip
         return {**told, "worst_losses": list(map(list, self.worst_losses))}
 
-    @property
-    def loss_words(self) -> str:
-        """What is lost, such as "one robot"; a group counts as one."""
-        kind = machine_words(self.losing, bool(self.swarm.rare.groups))
+    def loss_words(self, robot: str = "robot") -> str:
+        """Return what is lost, such as "one robot"; a group counts as one."""
+        kind = machine_words(self.losing, bool(self.swarm.rare.groups), robot)
         return f"{'one' if self.losing == 1 else self.losing} {kind}"
 
     @property

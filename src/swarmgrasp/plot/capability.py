@@ -138,7 +138,7 @@ def _draw_envelopes(page: Page, found: Capability, top: float) -> None:
 
 def _label_envelopes(page: Page, found: Capability, top: float) -> None:
     """Name both envelopes beside their lines."""
-    less = found.less_by if found.failures else f"loss of {found.loss_words}"
+    less = found.less_by if found.failures else f"loss of {found.loss_words()}"
     for text, speeds, look, side in (
         ("all robots", found.intact, INTACT, 0.0),
         (f"after the worst\n{less}", found.after_loss, AFTER_LOSS, math.pi),

@@ -55,7 +55,7 @@ def _facts(found: Capability, tell: Telling) -> list[tuple[str, str]]:
         asked = Criterion(losing=found.losing, failures=found.failures)
         facts += [("After a failure", least), ("", asked.words(found.swarm, tell.terms.robot))]
     else:
-        facts.append((f"Without {found.loss_words}", least))
+        facts.append((f"Without {found.loss_words(tell.terms.robot)}", least))
     if lost:
         said = f"the worst {found.less_by} there: {lost}"
         facts.append(("", said if found.after_loss[j] > 0.0 else f"losing {lost} is enough"))

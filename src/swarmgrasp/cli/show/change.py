@@ -98,4 +98,4 @@ def show_robots(report: Report, found: Together, tell: Telling) -> None:
         for robot, place in zip(found.robots, found.places, strict=True)
     ]
     report.blank()
-    report.table(columns, rows, tell.terms.several)
+    report.table(columns, rows, "robots")

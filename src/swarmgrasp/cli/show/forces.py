@@ -31,6 +31,8 @@ FREE: Final = {
     "tz": "the torque",
 }
 """What the parts of a wrench are called."""
+MOST_NAMED = 4
+"""Robots that the headline names."""
 MANY = 1000.0
 """Reserve beyond which nobody counts."""
 AT_END = 1e-6
@@ -80,7 +82,7 @@ def _headline(scenario: Scenario, found: Forces, tell: Telling, times: float) ->
         weather = weather_words(scenario, found.load, tell)
         if found.is_degraded:
             return f"not held {weather}: out of reach by {short}, {drift_words(found)}", "bad"
-        return f"held {weather}: busiest {_hardest(found)}, {top}", "good"
+        return f"held {weather}: busiest {_busiest(found)}, {top}", "good"
     if times < 1.0:
         if times == 0.0:
             return f"out of reach, and no part of it the same way: the {robots} push none", "bad"
@@ -223,6 +225,14 @@ def share(part: float) -> str:
     return percent(round(part, 9)) if part > IDLE else "0 %"
 
 
+def _busiest(found: Forces) -> str:
+    """Name the robots with the largest share, or some of them."""
+    rows = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
+    names = [found.swarm.names[i] for i in rows[:MOST_NAMED]]
+    more = len(rows) - len(names)
+    return list_words([*names, f"{more} more"] if more else names)
+
+
 def _hardest(found: Forces) -> str:
     """Name the robots with the largest share, and say where they are at the end of a sector."""
     hardest = np.flatnonzero(found.shares >= found.largest_share - FULL).tolist()
@@ -301,4 +311,4 @@ def _show_robots(report: Report, found: Forces, tell: Telling) -> None:
             *([] if swarm.has_rays_only else [said]), where,
         ])  # fmt: skip
     report.blank()
-    report.table(columns, rows, tell.terms.several)
+    report.table(columns, rows, "robots")

@@ -100,7 +100,7 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
         few = len(held.unheld) <= MOST_NAMED
         who = either_words(held.unheld) if few else f"any of {len(held.unheld)} {robots}"
         return f"{said}. Not held after losing {who}."
-    return f"{said}. Held after losing any one." if held.is_known else said
+    return f"{said}. Held after losing any one {tell.terms.robot}." if held.is_known else said
 
 
 def drift_words(answer: Forces) -> str:
@@ -130,7 +130,7 @@ def _sea_words(waves: Waves, wind_bearing: float, tell: Telling) -> str:
     way = tell.from_words(wind_bearing if waves.bearing is None else waves.bearing)
     if waves.height is None or waves.period is None:
         return f"the sea of that wind {way}"
-    return f"a sea of {tell.length.text(waves.height)} and {waves.period:.3g} s {way}"
+    return f"a sea of {tell.length.short(waves.height)} and {waves.period:.3g} s {way}"
 
 
 def _is_of(load: ArrayLike, environment: Environment, outline: Outline) -> bool:

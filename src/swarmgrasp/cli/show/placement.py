@@ -129,7 +129,7 @@ def _show_sequence(
         rows.append(
             [answer.robot.name, answer.place, *figures, unit.number(answer.quality), gain, off]
         )
-    report.table(columns, rows, tell.terms.several)
+    report.table(columns, rows, "robots")
     report.blank()
     worst = max(answers, key=lambda a: a.gap if a.quality else 0.0)
     report.facts([

@@ -17,6 +17,8 @@ from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import Unit, list_words, percent
 
+POSES = "The worst poses"
+"""The title of the table of robots as they are in the worst case."""
 EQUAL = 1e-9
 """Relative difference of two qualities that is none."""
 
@@ -62,7 +64,7 @@ def show(
     if lost:
         _show_losses(report, swarm, lost, tell, unit_of(criterion, tell))
     if criterion.worst_case:
-        _show_robots(report, found.worst_swarm, "The worst poses", tell)
+        _show_robots(report, found.worst_swarm, POSES, tell)
     _show_robots(report, swarm, _title(criterion, tell), tell)
     if slopes is not None:
         show_sensitivities(report, slopes, tell)
@@ -292,4 +294,4 @@ def _show_robots(report: Report, swarm: Swarm, title: str, tell: Telling) -> Non
     report.blank()
     if title:
         report.headline(title)
-    report.table(columns, rows, title.removeprefix("The ") or tell.terms.several)
+    report.table(columns, rows, "worst poses" if title == POSES else "robots")

@@ -118,7 +118,7 @@ def _show_robots(report: Report, found: ForcesAlong, lines: Sequence[int], tell:
             "" if is_idle else str(lines[hardest]), share(float(shares.mean())),
         ])  # fmt: skip
     report.blank()
-    report.table(columns, rows, tell.terms.several)
+    report.table(columns, rows, "robots")
 
 
 def _show_wrenches(report: Report, found: ForcesAlong, lines: Sequence[int], tell: Telling) -> None:
