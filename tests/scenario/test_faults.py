@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.scenario import example_names, example_text, load_scenario, parse_scenario
+from swarmgrasp.scenario.schema import ScenarioFile
+from swarmgrasp.scenario.validate import STAND_INS, WANTED, models_in
 
 # line 1 is the outline, line 2 opens the robots, line 3 is the first of them
 HEAD = (
@@ -369,3 +371,15 @@ def test_any_mutation_of_an_example_loads_or_is_refused(rng: random.Random) -> N
         words[rng.randrange(len(words))] = rng.choice([*hostile, rng.choice(words)])
     with contextlib.suppress(ScenarioInvalid):
         parse_scenario("".join(words))
+
+
+def test_every_required_key_has_a_stand_in_and_a_remedy() -> None:
+    """One that is missing is told of, and what else is wrong is looked for all the same."""
+    models, required = [ScenarioFile], set()
+    for model in models:
+        for name, info in model.model_fields.items():
+            required |= {info.alias or name} if info.is_required() else set()
+            models += [part for part in models_in(info.annotation) if part not in models]
+    assert len(models) > 20
+    assert required == STAND_INS.keys()
+    assert required == WANTED.keys()

@@ -37,6 +37,9 @@ def _plain(name: str) -> str:
 
 Label = Annotated[str, StringConstraints(max_length=200), AfterValidator(_plain)]
 
+Word = Annotated[str, StringConstraints(min_length=1, max_length=200), AfterValidator(_plain)]
+"""A name that something has to have."""
+
 
 class Section(BaseModel):
     """A mapping with known keys only."""

@@ -7,7 +7,11 @@ from swarmgrasp.scenario.schema import ScenarioFile
 
 _EXAMPLE = {
     "name": "Barge",
-    "units": {"length": "m", "force": "kN", "angle": "deg"},
+    "units": {"length": "m", "force": "kN", "angle": "deg", "speed": "kn"},
+    "frame": "ENU",
+    "bow": "+x",
+    "heading": "NE",
+    "words": "tug",
     "outline": {
         "vertices": [[0, 0], [4, 0], [4, 2], [0, 2]],
         "edges": ["starboard", "bow", "port", "stern"],
@@ -21,7 +25,7 @@ _EXAMPLE = {
             "limit": 60,
             "steers": 30,
         },
-        {"name": "Hector", "contact": [4, 0.5], "direction": 170, "limit": 60},
+        {"name": "Hector", "contact": [4, 0.5], "direction": "3 rad", "limit": "6 t"},
     ],
     "newcomer": {"limit": 60, "attachment": "push", "half_angle": 30},
     "zones": [{"edge": "port", "from": 0.5, "to": 3.5}, {"contact": [4, 2], "attachment": "pull"}],
@@ -35,7 +39,7 @@ _EXAMPLE = {
             "frontal_area": 6,
             "lateral_area": 20,
             "speed": 1,
-            "from": 45,
+            "from": "225 true",
         },
         "current": {"frontal_area": 2, "lateral_area": 4, "speed": 0.5},
     },

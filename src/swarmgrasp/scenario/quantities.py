@@ -11,7 +11,7 @@ from pydantic import BaseModel
 
 from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.outline.precision import written_precision
-from swarmgrasp.ranges import is_number
+from swarmgrasp.ranges import is_number, shown
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.measures import AXES, AXIS, BEARING, HEADING, Measure, Row
@@ -201,7 +201,11 @@ class _Reading:
             return bearing(value, self.units.angle, from_north) if is_text else value
         if of == AXIS:
             of = "angle"
-            value = self.units.turn(AXES[value]) if value in AXES else value
+            if isinstance(value, str) and value in AXES:
+                return self.units.turn(AXES[value])
+            if isinstance(value, str) and not is_quantity(value):
+                said = f"{shown(value)} is no axis; write +x, +y, -x, -y, or an angle"
+                raise QuantityInvalid(said)
         if of == "speed" and self.units.speed == BEAUFORT:
             is_told = is_quantity(value) or is_number(value)
             return quantity(value, of, BEAUFORT) if is_told else value

@@ -33,12 +33,12 @@ from swarmgrasp.scenario.force_schema import (
     SectorRanges,
     Steers,
 )
-from swarmgrasp.scenario.measures import AXIS, HEADING, Measure, Unit
+from swarmgrasp.scenario.measures import AXIS, HEADING, Measure
 from swarmgrasp.scenario.simulation_schema import SimulationSection
+from swarmgrasp.scenario.terms_schema import UnitsSection, Words
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
 from swarmgrasp.swarm.robot import Attachment
-from swarmgrasp.units import PLAIN
 
 
 def _kind(value: object) -> str:
@@ -54,7 +54,6 @@ Direction = Annotated[
 Origin = Annotated[
     Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], _ByKind
 ]
-Word = Annotated[Label, Field(min_length=1)]
 Edge = Annotated[
     Annotated[Label, Tag("word")]
     | Annotated[int, Field(strict=True, ge=0, le=10**6), Tag("value")],
@@ -75,11 +74,6 @@ HALF_ANGLE = (
 )
 
 
-def _one_of(quantity: str) -> str:
-    """Say which units of a quantity a file may be in."""
-    return f"One of {', '.join(PLAIN[quantity])}, as people spell them."
-
-
 BODY_LENGTH = (
     "How far it reaches from its contact, away from the object; with the line, if it pulls on one. "
     "Goes with `beam`: a newcomer's body is kept clear of the object and of others' "
@@ -91,29 +85,6 @@ BEAM = "Its width; goes with `length` [units.length]."
 def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
     """Return the JSON schemas of "these keys are given", one per set of keys."""
     return [{"required": key} for key in keys]
-
-
-class UnitsSection(Section):
-    """Units of every number in the file that has none of its own; SI where left out."""
-
-    length: Annotated[str, Unit("length")] = Field("m", description=_one_of("length"))
-    force: Annotated[str, Unit("force")] = Field(
-        "N", description=_one_of("force") + " A t is a tonne-force here, as in bollard pull."
-    )
-    angle: Annotated[str, Unit("angle")] = Field("rad", description=_one_of("angle"))
-    speed: Annotated[str, Unit("speed")] = Field(
-        "m/s", description=_one_of("speed") + " Or Bft, the strongest wind of a Beaufort number."
-    )
-
-
-class WordsSection(Section):
-    """What things are called in answers."""
-
-    robot: Word = Field(description="One robot.", examples=["tug"])
-
-
-Words = Annotated[Annotated[Word, Tag("word")] | Annotated[WordsSection, Tag("value")], _ByKind]
-"""What robots are called, or a mapping that says so."""
 
 
 class OutlineSection(Section):

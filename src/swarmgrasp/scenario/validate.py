@@ -21,7 +21,7 @@ from swarmgrasp.scenario.schema import ScenarioFile
 
 _AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
 
-_STAND_INS: dict[str, object] = {
+STAND_INS: dict[str, object] = {
     **_AREAS,
     "ahead": 1.0,
     "astern": 1.0,
@@ -32,6 +32,7 @@ _STAND_INS: dict[str, object] = {
     "matrix": [[], [], []],
     "name": "",
     "outline": {"vertices": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]},
+    "robot": "robot",
     "robots": [],
     "stern": 1.0,
     "transverse": 1.0,
@@ -170,7 +171,7 @@ def _mend(data: Any, path: Path, kind: str) -> Path:
                 return path
             data = data[part]
     if kind == "missing":
-        holder[mended[-1]] = copy.deepcopy(_STAND_INS[str(mended[-1])])
+        holder[mended[-1]] = copy.deepcopy(STAND_INS[str(mended[-1])])
     else:
         holder.pop(mended[-1], None)
     return mended
@@ -183,7 +184,7 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
         said = key_hint(str(path[-1]), _known_keys(path), _known_keys(path[:1]))
         faults.add(root.key_mark(path), path, said)
     elif kind == "missing":
-        faults.add(node.mark, path, f"is missing; {_WANTED[str(path[-1])]}")
+        faults.add(node.mark, path, f"is missing; {WANTED[str(path[-1])]}")
     else:
         said = _SENTENCES.get(kind, found["msg"]).format_map(found.get("ctx", {}))
         other = _OR.get((str(path[-1]), str(found["loc"][-1]), kind), "should be")
@@ -191,7 +192,7 @@ def _note(found: Any, path: Path, root: Node, faults: Faults) -> None:
         faults.add(node.mark, path, f"{said} (got {node.shown()})")
 
 
-_WANTED = {
+WANTED = {
     "ahead": "give the largest force along the direction",
     "astern": "give the largest force against the direction",
     "at": "give the time since the start [s]",
@@ -203,6 +204,7 @@ _WANTED = {
     "matrix": "give three rows, surge, sway and yaw, or a file",
     "name": "say which robot",
     "outline": "give the object's outline by its vertices",
+    "robot": "say what one robot is called",
     "robots": "list the robots already in contact, or give [] for none",
     "stern": "give the drag coefficient in a stern wind",
     "transverse": "give the drag coefficient in a beam wind",
@@ -219,6 +221,7 @@ _OR = {
     ("load", "value", "list_type"): "should be 'environment', or",
     ("load", "word", "literal_error"): "should be [fx, fy, tz] or",
     ("origin", "word", "literal_error"): "should be [x, y] or",
+    ("words", "value", "model_type"): "should be a word, such as tug, or",
     ("steers", "value", "float_type"): "should be 'any', or",
     ("steers", "word", "literal_error"): "should be an angle or",
 }
@@ -236,6 +239,7 @@ _SENTENCES = {
     "literal_error": "should be {expected}",
     "model_type": "should be a mapping of keys to values",
     "string_unicode": "holds a control character; leave it out",
+    "string_too_short": "should not be empty",
     "string_too_long": "should be at most {max_length} characters long",
     "string_type": "should be text; put it in quotes if it is",
     "too_long": "should hold {max_length} values, not {actual_length}",
@@ -249,15 +253,15 @@ def _section(path: Path) -> type[BaseModel]:
     for part in path[:-1]:
         for name, info in model.model_fields.items():
             if part == (info.alias or name):
-                model = next(iter(_models(info.annotation)), model)
+                model = next(iter(models_in(info.annotation)), model)
     return model
 
 
-def _models(annotation: Any) -> list[type[BaseModel]]:
+def models_in(annotation: Any) -> list[type[BaseModel]]:
     """Return the models an annotation mentions."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
-    return [m for part in getattr(annotation, "__args__", ()) for m in _models(part)]
+    return [m for part in getattr(annotation, "__args__", ()) for m in models_in(part)]
 
 
 def _known_keys(path: Path) -> list[str]:

@@ -1,8 +1,11 @@
 """The one door to pint, which knows units that few people write; loaded when one of them is met."""
 
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
+
+LONGEST = 40
+"""Letters of a name that is looked up."""
 
 
 @cache
@@ -13,6 +16,7 @@ def _registry() -> Any:
     return UnitRegistry(non_int_type=Fraction)
 
 
+@lru_cache(4096)
 def known_size(name: str, si: str) -> float | None:
     """Return what a unit is in SI units; None if it is unknown, or of something else.
 
@@ -30,8 +34,10 @@ def known_size(name: str, si: str) -> float | None:
     >>> known_size("yard", "newton"), known_size("percent", "radian")
     (None, None)
     """
+    if len(name) > LONGEST or not name.isidentifier():
+        return None
     registry = _registry()
-    found = registry.parse_unit_name(name) if name.isidentifier() else ()
+    found = registry.parse_unit_name(name)
     if not found or (found[0][0] and len(name) < 3):
         return None
     factor, unit = registry.get_base_units(name)

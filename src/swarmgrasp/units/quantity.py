@@ -8,6 +8,7 @@ from typing import Final
 from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.ranges import is_number, number, shown
 from swarmgrasp.units.beaufort import beaufort_speed
+from swarmgrasp.units.library import LONGEST
 from swarmgrasp.units.spellings import BEAUFORT, PLAIN, canonical, size, unit_fault
 
 
@@ -172,6 +173,8 @@ def unit_size(word: str, of: str) -> float:
     >>> unit_size("kNm", "torque"), unit_size("ft\u00b2", "area"), unit_size("deg/min", "turn rate")
     (1000.0, 0.09290304, 0.0002908882086657216)
     """
+    if len(word) > LONGEST:
+        raise QuantityInvalid(f"there is no unit of {of} {shown(word)}")
     name = canonical(word, of) if of in PLAIN else None
     if name is not None:
         return size(name, of)
@@ -193,7 +196,7 @@ def _parted(text: object, kind: Kind) -> tuple[float, str]:
     rest = found[2].strip()
     if rest[:1] == ",":
         raise QuantityInvalid(f"{shown(text)} has a comma; write decimals after a point")
-    if rest[:1].isdigit() or rest[:1] in ("'", "_"):
+    if rest.lstrip("'_")[:1].isdigit():
         raise QuantityInvalid(f"{shown(text)} has digits apart; write them together, as in 1000")
     return float(found[1].replace("\u2212", "-")), rest
 
