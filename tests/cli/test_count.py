@@ -70,3 +70,14 @@ def test_a_scenario_without_a_newcomer(run, pontoon):
     status, _, complaints = run("count", pontoon, "--quality", "1")
     assert status == 2
     assert "has no newcomer, and `swarmgrasp count` needs one; add one" in complaints
+
+
+def test_the_required_quality_may_have_a_unit(run):
+    """Tonnes are tonnes; knots are no force."""
+    assert run("count", "deck-barge", "--quality", "60t")[1].startswith(
+        "Deck barge: 2 tugs are the fewest for 60.000 tf\n"
+    )
+    status, _, complaints = run("count", "deck-barge", "--quality", "6kn")
+    assert (status, complaints) == (
+        2, "--quality: 'kn' is a unit of speed, not of force; did you mean 'kN'?\n"
+    )  # fmt: skip

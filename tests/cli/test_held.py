@@ -1,5 +1,6 @@
 """Held or not comes first, with how much to spare, after whose loss, and where it drives."""
 
+import math
 import re
 
 import pytest
@@ -94,3 +95,17 @@ def test_a_vessel_that_cannot_go_every_way_is_pointed_to_tasks(run, tmp_path):
     path.write_text(path.read_text() + "criterion: {task: {polytope: [[1, 0, 0]]}}\n")
     said = run("quality", path)[1]
     assert said.startswith("boat: quality 20.000 times the task, the least of it moving ahead\n")
+
+
+def test_rounding_of_the_outline_is_no_quality(run, tmp_path):
+    """Pushes square to a round tank do not turn it: what is left are the decimals of the file."""
+    path, n = tmp_path / "tank.yaml", 360
+    turns = [math.tau * k / n for k in range(n)]
+    ring = [[round(25 * math.cos(t), 6), round(25 * math.sin(t), 6)] for t in turns]
+    robots = [
+        f"{{edge: {72 * k}, along: {math.pi * 25 / n:.6f}, direction: inward, limit: 4e5}}"
+        for k in range(5)
+    ]
+    path.write_text(f"outline: {{vertices: {ring}}}\nrobots: [{', '.join(robots)}]\n")
+    first = run("quality", path)[1].splitlines()[0]
+    assert first.endswith(" kN, which the decimals of the outline do not tell from 0")

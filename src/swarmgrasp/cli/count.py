@@ -1,6 +1,6 @@
 """`swarmgrasp count`: how many robots a required quality takes."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -11,6 +11,7 @@ from swarmgrasp.cli.inputs import (
     UsageFault,
     blaming,
     json_faults,
+    noting,
     read_scenario,
     whole_faults,
 )
@@ -18,6 +19,9 @@ from swarmgrasp.cli.question import asked_before, check_newcomer
 from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED, STRONGEST
+
+if TYPE_CHECKING:
+    from swarmgrasp.quality import Criterion
 
 MOST = 20
 """Robots tried unless told otherwise."""
@@ -27,7 +31,7 @@ def count(
     file: Dashed,
     /,
     *,
-    quality: float | None = None,
+    quality: Annotated[str | None, Parameter(metavar="FORCE")] = None,
     most: Annotated[str | None, Parameter(metavar="INT")] = None,
     effort: Annotated[str | None, Parameter(metavar="INT")] = None,
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
@@ -50,7 +54,7 @@ def count(
         Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge; or an
         answer of this command, whose options hold unless given anew.
     quality
-        The quality required, in newtons; with a task, a factor.
+        The quality required, in newtons or with a unit, such as 600kN; with a task, a factor.
     most
         The most robots to try, 1 to 1000; 20 unless given.
     effort
@@ -87,7 +91,7 @@ def count(
     from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 
-    required = before["required"] if quality is None else quality
+    required = before["required"] if quality is None else _required(quality, criterion)
     steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     terms = wording.terms(scenario)
     with blaming(file), stoppable() as is_stopped, shown_search("counting") as tell:
@@ -113,11 +117,35 @@ def count(
     return INTERRUPTED if stopped else 0
 
 
-def _number_faults(quality: float | None, most: str | None, effort: str | None) -> list[str]:
+def _required(text: str, criterion: "Criterion") -> float:
+    """Return the quality required [N], or a factor of the task.
+
+    Raises
+    ------
+    UsageFault
+        If it has a unit and the criterion has a task.
+    """
+    from swarmgrasp.units import is_quantity, quantity
+
+    if criterion.task is not None and is_quantity(text):
+        raise UsageFault(
+            f"--quality is {text}; the criterion has a task, and quality is how many times the "
+            "task is left: give a number without a unit"
+        )
+    return quantity(text, "force")
+
+
+def _number_faults(quality: str | None, most: str | None, effort: str | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
+    from swarmgrasp.units import quantity
+
     faults = []
-    if quality is not None and not 0.0 < quality <= STRONGEST:
-        faults.append(f"--quality is {quality:g}; it should be 0 < quality <= {STRONGEST:g} [N]")
+    wrong: list[str] = []
+    with noting(wrong):
+        required = 1.0 if quality is None else quantity(quality, "force")
+        if not 0.0 < required <= STRONGEST:
+            faults.append(f"--quality is {quality}; it should be 0 < quality <= {STRONGEST:g} [N]")
+    faults += [f"--quality: {fault}" for fault in wrong]
     return [
         *faults,
         *whole_faults("--most", most, 1, MOST_PLACED),

@@ -82,7 +82,9 @@ def _headline(
         return
     words = found.criterion.words(scenario.swarm, tell.terms.robot)
     told = f"quality {_told(found, unit_of(found.criterion, tell))} {words}".rstrip()
-    if found.criterion.task is not None and len(scenario.swarm):
+    if found.force_closure is ForceClosure.MARGINAL and found.value <= found.noise:
+        told += ", which the decimals of the outline do not tell from 0"
+    elif found.criterion.task is not None and len(scenario.swarm):
         told += f", the least of it {found.weakest_words}"
     report.headline(
         f"{scenario.name}: {told}", "good" if max(found.value, found.bound) > found.noise else "bad"

@@ -6,8 +6,10 @@ from typing import Any
 from swarmgrasp.cli.show.report import Report
 from swarmgrasp.swarm import Newcomer, Robot
 from swarmgrasp.swarm.force_words import force_words, newcomer_words
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI
 from swarmgrasp.verify import Verdict
-from swarmgrasp.words import TIMES, Unit, degrees, list_words, machine_words, percent
+from swarmgrasp.words import TIMES, Unit, list_words, machine_words, percent
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -64,15 +66,21 @@ def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
     )
 
 
+def _telling(problem: dict[str, Any]) -> Telling:
+    """Choose how to tell the answer to a problem: with the prefix of the limits."""
+    limits = [robot["limit"] for robot in problem["swarm"]["robots"]]
+    return Telling.of(SI, 1.0, [problem["newcomer"]["limit"], *limits])
+
+
 def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]]:
     """Return as facts where each robot goes, its quality, and the bound recomputed."""
-    has_task = document["problem"]["criterion"]["task"]
-    facts = []
+    problem, facts = document["problem"], list[tuple[str, str]]()
+    tell = _telling(problem)
+    unit = Unit(1.0, TIMES) if problem["criterion"]["task"] else tell.force
     for claim, bound in zip(document["placements"], verdict.upper_bounds, strict=True):
-        unit = Unit(1.0, TIMES) if has_task else Unit.for_size(claim["quality"], bound)
         robot = Robot.from_data(claim["robot"])
         x, y = robot.contact
-        way = f"{degrees(robot.direction)} deg" if robot.is_ray else force_words(robot)
+        way = tell.direction(robot.direction) if robot.is_ray else force_words(robot, tell)
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
         gap = gap_of(claim["quality"], bound)
         near = "the answer is the best possible, rounding aside"
@@ -128,7 +136,7 @@ def _question(problem: dict[str, Any]) -> str:
     where = "the whole boundary" if zones is None else _count(len(zones), "zone")
     spacing = f"spacing {problem['spacing']:.6g} m" if problem["spacing"] else "no spacing"
     no_go = _count(len(problem["no_go"]), "no-go stretch", "no-go stretches")
-    newcomer = newcomer_words(Newcomer.from_data(problem["newcomer"]))
+    newcomer = newcomer_words(Newcomer.from_data(problem["newcomer"]), _telling(problem))
     return f"a robot of {newcomer}; {where}, {no_go}, {spacing}"
 
 
