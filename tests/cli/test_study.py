@@ -39,6 +39,9 @@ def test_a_study_is_done_told_and_told_again(run, pontoon, tmp_path):
     document = json.loads(said)
     assert (document["runs"], document["plan"]["study"]["kind"]) == (200, "sizes")
     assert [row[0] for row in document["findings"]["rows"]] == [4, 5]
+    status, said, _ = run("study", folder, "--csv", "-")
+    assert said.startswith("robots,runs,with force closure [%],")
+    assert [row.split(",")[0] for row in said.splitlines()[1:]] == ["4", "5"]
 
 
 @pytest.mark.parametrize("kind", ["losses", "together"])

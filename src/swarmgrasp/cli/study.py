@@ -22,6 +22,7 @@ from swarmgrasp.cli.inputs import (
     whole_faults,
 )
 from swarmgrasp.cli.progress import shown_pace
+from swarmgrasp.cli.wording import csv_faults
 from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ def study(
     dask: Annotated[str | None, Parameter(metavar="ADDRESS")] = None,
     report: Annotated[bool, Parameter(negative="")] = False,
     plot: Path | None = None,
+    csv: Dashed | None = None,
     json: Dashed | None = None,
 ) -> None:
     """Do many runs that are alike but for their seeds, and sum them up.
@@ -89,11 +91,13 @@ def study(
         Sum up what is there, and run nothing.
     plot
         Draw what was found to this .png, .svg or .pdf file.
+    csv
+        Also write the table to this .csv file; "-" prints it and nothing else.
     json
         Also write what was found to this .json file; "-" prints it and nothing else.
     """
     given = {"of": of, "runs": runs, "robots": robots, "newcomers": newcomers, "seed": seed}
-    faults = json_faults(json) + output_faults(plot, PICTURES)
+    faults = json_faults(json) + csv_faults(csv, json) + output_faults(plot, PICTURES)
     faults += _number_faults(runs, newcomers, seed, workers) + _robots_faults(robots)
     faults += _clashes(report, workers, dask, folder, given)
     where, plan = _plan(file, folder, faults, given, report)
@@ -112,7 +116,7 @@ def study(
 
         return [save(study_picture(found), plot)]
 
-    deliver(json, found.to_data(), lambda: show(where, found), draw)
+    deliver(json, found.to_data(), lambda: show(where, found), draw, csv=csv)
 
 
 def _plan(

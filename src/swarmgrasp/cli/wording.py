@@ -13,6 +13,14 @@ if TYPE_CHECKING:
     from swarmgrasp.terms import Terms
 
 
+def csv_faults(csv: str | None, json: str | None) -> list[str]:
+    """Return what is wrong with where to write tables, together with where JSON goes."""
+    faults = output_faults(csv, (".csv",))
+    if csv == DASH and json == DASH:
+        faults.append("--csv and --json cannot both be printed; give one of them a file")
+    return faults
+
+
 @Parameter(name="*")
 @dataclass(frozen=True)
 class Wording:
@@ -29,10 +37,7 @@ class Wording:
 
     def faults(self, json: str | None = None) -> list[str]:
         """Return what is wrong with where to write, together with where JSON goes."""
-        faults = output_faults(self.csv, (".csv",))
-        if self.csv == DASH and json == DASH:
-            faults.append("--csv and --json cannot both be printed; give one of them a file")
-        return faults
+        return csv_faults(self.csv, json)
 
     def terms(self, scenario: "Scenario") -> "Terms":
         """Return the terms in which to tell an answer to the question of a file."""
