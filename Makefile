@@ -15,7 +15,7 @@ demo: $(VENV)/installed
 	$(BIN)/swarmgrasp verify demo/deck-barge.json
 
 test: $(VENV)/developing
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 --dist worksteal
 
 # The kernels without Python, under sanitizers, each allocation and each look at the keyboard failing
 # once; what is never freed is counted there, which works under a debugger too.
@@ -30,15 +30,15 @@ build/test-c: $(wildcard tests/c/*.[ch]) $(KERNELS)
 		-o $@ $(filter tests/%.c,$^) $(wildcard src/swarmgrasp/kernels/*.c) -lm
 
 test-long: $(VENV)/developing
-	$(BIN)/python -m pytest -n 2 -m long -o timeout=3600
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m long -o timeout=3600
 
 # The quick tests with the oldest and the newest versions that pyproject.toml allows. That packages
 # have deprecated what other packages of another age use is no fault of ours.
 test-oldest: .venv-oldest/installed
-	.venv-oldest/bin/python -m pytest -q -n 2 -W ignore::DeprecationWarning
+	.venv-oldest/bin/python -m pytest -q -n 2 --dist worksteal -W ignore::DeprecationWarning
 
 test-newest: .venv-newest/installed
-	.venv-newest/bin/python -m pytest -q -n 2 -W ignore::DeprecationWarning
+	.venv-newest/bin/python -m pytest -q -n 2 --dist worksteal -W ignore::DeprecationWarning
 
 lint: $(VENV)/developing
 	$(BIN)/ruff check .

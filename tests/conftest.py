@@ -5,7 +5,7 @@ from hypothesis import settings
 
 from swarmgrasp.cli import main
 
-settings.register_profile("repeatable", deadline=None, derandomize=True)
+settings.register_profile("repeatable", deadline=None, derandomize=True, max_examples=50)
 settings.load_profile("repeatable")
 
 
