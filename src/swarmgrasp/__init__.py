@@ -5,9 +5,11 @@ from swarmgrasp.capability import (
     Capability,
     CapabilityNumbers,
     CapabilityPlacement,
+    ThrustUse,
     capability,
     capability_numbers,
     place_for_capability,
+    thrust_use,
 )
 from swarmgrasp.environment import (
     BLENDERMANN,
@@ -88,6 +90,7 @@ __all__ = [
     "Summary",
     "Swarm",
     "SwarmGraspError",
+    "ThrustUse",
     "Together",
     "Tolerance",
     "Verdict",
@@ -113,6 +116,7 @@ __all__ = [
     "quality",
     "read_answer",
     "sensitivities",
+    "thrust_use",
     "verify_document",
     "wrench_words",
     "wrenches",

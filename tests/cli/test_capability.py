@@ -4,7 +4,9 @@ import re
 
 import pytest
 
+from swarmgrasp import capability_numbers, place_for_capability, thrust_use
 from swarmgrasp.environment import KNOT
+from swarmgrasp.scenario import load_example, load_scenario
 
 PONTOON = """\
 name: Pontoon
@@ -56,7 +58,7 @@ def test_a_current_of_ones_own(run, windy):
     file = windy(", current: {frontal_area: 2, lateral_area: 8, speed: 0.5}")
     winds = []
     for knots in (0, 1, 2):
-        status, said, _ = run("capability", file, "--current", knots, "--json", "-")
+        status, said, _ = run("capability", file, "--current", f"{knots}kn", "--json", "-")
         found = json.loads(said)
         assert status == 0
         assert found["environment"]["current"]["speed"] == pytest.approx(knots * KNOT)
@@ -140,3 +142,97 @@ def test_faults_come_before_any_work(run, pontoon, windy):
     status, _, complaints = run("capability", answer, "--current", 1)
     assert status == 2
     assert "the largest wind held, with no current: --current needs one; ask it" in complaints
+
+
+FULL = ", current: {frontal_area: 2, lateral_area: 8, speed: 0.5}, dynamic_factor: 1.25"
+
+
+def test_numbers_are_told_with_their_weather_and_what_they_are_not(run, windy, tmp_path):
+    """As found in Python; asked again, the answer is the same."""
+    target, picture = tmp_path / "numbers.json", tmp_path / "numbers.svg"
+    file = windy(FULL)
+    status, said, _ = run(
+        "capability", file, "--numbers", "--step", 45, "--json", target, "--plot", picture
+    )
+    found = json.loads(target.read_text())
+    scenario = load_scenario(file)
+    expected = capability_numbers(scenario.swarm, scenario.environment, found["bearings"])
+    assert status == 0
+    assert found["intact"] == expected.intact.tolist()
+    least = min(found["intact"])
+    after = min(found["after_loss"])
+    assert said.startswith(f"Pontoon: holds step {least} of 11 from any bearing, {after} after the")
+    assert "These are no capability numbers by DNV-ST-0111" in said
+    assert "all loads times 1.25\n" in said
+    assert picture.stat().st_size > 10_000
+    again = json.loads(run("capability", target, "--json", "-")[1])
+    assert [again[key] for key in ("intact", "after_loss")] == [
+        found[key] for key in ("intact", "after_loss")
+    ]
+    status, _, complaints = run("capability", windy(), "--numbers")
+    assert (status, "has no current, and every step has one" in complaints) == (2, True)
+
+
+def test_use_is_told_for_the_wind_asked_for(run, windy, tmp_path):
+    """The busiest robot and each robot's share; not held is said with where."""
+    target, picture = tmp_path / "use.json", tmp_path / "use.png"
+    file = windy(FULL)
+    ask = ("capability", file, "--step", 45, "--plot", picture)
+    status, said, _ = run(*ask, "--use", "10kn", "--json", target)
+    found = json.loads(target.read_text())
+    scenario = load_scenario(file)
+    use = thrust_use(scenario.swarm, scenario.environment, 10 * KNOT, found["bearings"])
+    at = use.busiest
+    assert status == 0
+    assert all(found["held"])
+    assert found["speed"] == pytest.approx(10 * KNOT)
+    busiest = f"busiest {use.busiest_at(at)}, {100 * use.largest[at]:.0f} % from {45 * at} deg"
+    assert said.startswith(f"Pontoon: held in 10.0 kn (5.14 m/s) from every bearing; {busiest}")
+    assert json.loads(run("capability", target, "--json", "-")[1])["shares"] == found["shares"]
+    said = run(*ask, "--use", "90kn")[1]
+    assert said.startswith("Pontoon: not held in 90.0 kn (46.3 m/s) from ")
+    status, _, complaints = run(*ask, "--use", "10kN", "--numbers")
+    assert status == 2
+    assert "--numbers and --use each ask something else; keep one" in complaints
+    assert "--use is 10kN: 'kN' is a unit of force, not of speed; did you mean 'kn'?" in complaints
+
+
+def test_before_and_after_a_newcomer(run, windy, tmp_path):
+    """Two capabilities in one table and one picture: without it, and with it where place says."""
+    target, picture = tmp_path / "joined.json", tmp_path / "joined.svg"
+    file = windy(FULL)
+    assert "has no newcomer" in run("capability", file, "--with-newcomer")[2]
+    file.write_text(f"{file.read_text()}newcomer: {{name: G, limit: 1500, attachment: push}}\n")
+    ask = ("capability", file, "--step", 45)
+    told = run(*ask, "--with-newcomer", "--json", target, "--plot", picture)
+    found = json.loads(target.read_text())
+    alone = json.loads(run(*ask, "--json", "-")[1])
+    placed = json.loads(run("place", file, "--json", "-")[1])["placements"][0]["robot"]
+    assert told[0] == 0
+    assert found["before"]["intact"] == alone["intact"]
+    assert found["robot"] == placed
+    assert max(found["after"]["intact"]) > max(alone["intact"])
+    assert "from any bearing with G" in told[1]
+    assert "before [kn]  after [kn]  before, a loss [kn]  after, a loss [kn]" in told[1]
+    assert "without G" in picture.read_text() or picture.stat().st_size > 10_000
+
+
+def test_place_for_capability(run, tmp_path):
+    """The least wind held before and after, an answer that verifies, and no other options."""
+    target = tmp_path / "placed.json"
+    ask = ("place", "harbour-tugs", "--for", "capability")
+    status, said, _ = run(*ask, "--json", target)
+    assert status == 0
+    scenario = load_example("harbour-tugs")
+    found = place_for_capability(scenario.problem(), scenario.environment)
+    assert said.startswith(
+        f"Harbour tugs: the best place for Electra: {found.after / KNOT:.1f} kn ({found.after:.1f} "
+    )
+    assert re.search(r"Least wind held  .* -> .* from [0-9]+ deg \(\+[0-9.]+ %\)", said)
+    assert run("verify", target)[0] == 0
+    status, _, complaints = run(*ask, "--wind", "3", "--robots", "2")
+    assert status == 2
+    assert complaints.splitlines() == [
+        "--wind is of one wind, and --for capability of all: leave it out",
+        "--for capability places one robot: leave out --robots, --together and --where-not",
+    ]

@@ -1,27 +1,43 @@
-"""`swarmgrasp capability`: the wind the robots hold, at every bearing."""
+"""`swarmgrasp capability`: the weather the robots hold, at every bearing."""
 
 import re
-from dataclasses import replace
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
-from swarmgrasp.cli.inputs import PICTURES, blaming, json_faults, output_faults, read_scenario
-from swarmgrasp.cli.question import asked_before, missing
+from swarmgrasp.cli.inputs import (
+    PICTURES,
+    blaming,
+    json_faults,
+    noting,
+    output_faults,
+    read_scenario,
+)
+from swarmgrasp.cli.question import asked_before, check_newcomer
+from swarmgrasp.cli.weather import STILL, Water, speed_of
 from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
-    from swarmgrasp.environment import Environment
-    from swarmgrasp.scenario import Scenario
+    import numpy as np
+    from numpy.typing import NDArray
 
-FASTEST_CURRENT = 100.0
-"""That may be asked for [kn]."""
+    from swarmgrasp.environment import Environment
+    from swarmgrasp.plain import Answer
+    from swarmgrasp.quality import Criterion
+    from swarmgrasp.scenario import Scenario
+    from swarmgrasp.terms import Terms
+
 STEP = 5.0
 """Degrees between the bearings unless told otherwise."""
+WINDS, NUMBERS, USE, JOINED = (
+    "capability", "capability numbers", "thrust use", "capability with newcomer"
+)  # fmt: skip
+"""What may be asked, as answers call it."""
 
 
 def capability(
@@ -31,10 +47,13 @@ def capability(
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
+    numbers: Annotated[bool, Parameter(negative="")] = False,
+    use: Annotated[str | None, Parameter(metavar="SPEED")] = None,
+    with_newcomer: Annotated[bool, Parameter(negative="")] = False,
     step: float | None = None,
-    current: Annotated[float | None, Parameter(metavar="KNOTS")] = None,
     plot: Path | None = None,
     json: Dashed | None = None,
+    water: Water = STILL,
     wording: Wording = FILE,
 ) -> None:
     """Tell the largest wind the robots hold from every bearing, intact and after a loss.
@@ -60,85 +79,195 @@ def capability(
         Ajax,Boreas. Instead of those in the file. No robot is lost besides unless --losing says so.
     worst_case
         In the worst poses that the robots' tolerances allow.
+    numbers
+        Instead of winds the largest step held of those by which DNV-ST-0111 numbers capabilities:
+        wind, sea and current from one bearing. It is no assessment by that standard.
+    use
+        Instead the part of its limit that each robot uses in a wind of this speed, such as 25kn,
+        from every bearing, with all of them.
+    with_newcomer
+        Also with the newcomer, in the place that `swarmgrasp place` finds: before and after.
     step
         Degrees between the bearings, 1 to 90; 5 unless given.
-    current
-        Speed of the current in knots, instead of the scenario's.
     plot
-        Draw the capability plot, a polar diagram with the bow up, to this .png, .svg or
-        .pdf file.
+        Draw the answer to this .png, .svg or .pdf file: a polar diagram with the bow up, or
+        the robots' shares over the bearings.
     json
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units and radians.
     """
-    faults = _number_faults(losing, step, current) + json_faults(json) + wording.faults(json)
+    faults = _option_faults(losing, step, use, numbers=numbers, with_newcomer=with_newcomer)
+    faults += json_faults(json) + wording.faults(json) + water.faults()
     scenario = read_scenario(file, faults + output_faults(plot, PICTURES))
-    environment = _environment(scenario, file, current)
+    before = asked_before(scenario, WINDS, NUMBERS, USE, JOINED)
+    what = _form(scenario, use, numbers=numbers, with_newcomer=with_newcomer)
+    environment = water.environment(scenario, file, "`swarmgrasp capability`")
+    if what == JOINED:
+        check_newcomer(scenario, file, "capability --with-newcomer")
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     import numpy as np
 
-    from swarmgrasp.answer_file import document_of
+    bearings = before.get("bearings") if step is None else None
+    if bearings is None:
+        bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
+    speed = before.get("speed", 0.0) if use is None else speed_of(use, scenario.terms.speed)
+    asked = _Asked(scenario, file, environment, criterion, np.array(bearings))
+    with blaming(file):
+        found = _use(asked, speed) if what == USE else ASK[what](asked)
+    _deliver(asked, found, plot, json, wording)
+
+
+class _Asked(NamedTuple):
+    """A question from the command line."""
+
+    scenario: "Scenario"
+    file: str
+    environment: "Environment"
+    criterion: "Criterion"
+    bearings: "NDArray[np.float64]"
+
+    @property
+    def losing(self) -> int:
+        """How many robots are lost: one unless something else is said."""
+        return self.criterion.losing or int(not self.criterion.failures)
+
+
+class _Found(NamedTuple):
+    """An answer, and how it is told and drawn."""
+
+    answer: "Answer"
+    show: "Callable[[Terms], None]"
+    draw: "Callable[[Path], Path]"
+
+
+def _winds(asked: _Asked) -> _Found:
+    """Find the largest winds held."""
     from swarmgrasp.capability import capability as capability_of
     from swarmgrasp.cli.show.capability import show
 
-    bearings = asked_before(scenario, "capability").get("bearings") if step is None else None
-    if bearings is None:
-        bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
-    with blaming(file):
-        found = capability_of(
-            scenario.swarm, environment, bearings, criterion.losing or int(not criterion.failures),
-            criterion.worst_case, criterion.failures,
-        )  # fmt: skip
+    found = capability_of(
+        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
+        asked.criterion.worst_case, asked.criterion.failures,
+    )  # fmt: skip
+    name = asked.scenario.name
 
-    def draw() -> list[Path]:
-        """Draw the diagram if it is wanted."""
-        if plot is None:
-            return []
+    def draw(path: Path) -> Path:
+        """Draw the diagram."""
         from swarmgrasp.plot import capability_diagram, save
 
-        return [save(capability_diagram(found, scenario.name), plot)]
+        return save(capability_diagram(found, name, robot=asked.scenario.terms.robot), path)
 
-    document, terms = document_of(found, scenario.name), wording.terms(scenario)
-    deliver(json, document, lambda: show(scenario.name, found, terms), draw, csv=wording.csv)
+    return _Found(found, lambda terms: show(name, found, terms), draw)
 
 
-def _number_faults(losing: str | None, step: float | None, current: float | None) -> list[str]:
-    """Return what is wrong with the numbers given as options."""
+def _numbers(asked: _Asked) -> _Found:
+    """Find the largest steps held."""
+    from swarmgrasp.capability import capability_numbers
+    from swarmgrasp.cli.show.capability_numbers import show
+
+    found = capability_numbers(
+        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
+        asked.criterion.worst_case, asked.criterion.failures,
+    )  # fmt: skip
+    name = asked.scenario.name
+
+    def draw(path: Path) -> Path:
+        """Draw the diagram."""
+        from swarmgrasp.plot import numbers_diagram, save
+
+        return save(numbers_diagram(found, name, robot=asked.scenario.terms.robot), path)
+
+    return _Found(found, lambda terms: show(name, found, terms), draw)
+
+
+def _use(asked: _Asked, speed: float) -> _Found:
+    """Find which part of their limits the robots use."""
+    from swarmgrasp.capability import thrust_use
+    from swarmgrasp.cli.show.thrust_use import show
+
+    found = thrust_use(asked.scenario.swarm, asked.environment, speed, asked.bearings)
+    name = asked.scenario.name
+
+    def draw(path: Path) -> Path:
+        """Draw the shares."""
+        from swarmgrasp.plot import save, thrust_use_picture
+
+        return save(thrust_use_picture(found, name, robot=asked.scenario.terms.robot), path)
+
+    return _Found(found, lambda terms: show(name, found, terms), draw)
+
+
+def _joined(asked: _Asked) -> _Found:
+    """Find the largest winds held before and after the newcomer joins."""
+    from swarmgrasp.capability import capability as capability_of
+    from swarmgrasp.capability import capability_joined
+    from swarmgrasp.cli.place import solve
+    from swarmgrasp.cli.show.capability_joined import show
+
+    (placement,) = solve(asked.scenario, asked.file, criterion=asked.scenario.criterion)
+    before = capability_of(
+        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
+        asked.criterion.worst_case, asked.criterion.failures,
+    )  # fmt: skip
+    found = capability_joined(placement, asked.environment, before)
+    name = asked.scenario.name
+
+    def draw(path: Path) -> Path:
+        """Draw both."""
+        from swarmgrasp.plot import capability_diagram, save
+
+        robot = asked.scenario.terms.robot
+        return save(capability_diagram(found.after, name, before=found.before, robot=robot), path)
+
+    return _Found(found, lambda terms: show(name, found, terms), draw)
+
+
+ASK = {WINDS: _winds, NUMBERS: _numbers, JOINED: _joined}
+"""What finds an answer, by what is asked."""
+
+
+def _deliver(
+    asked: _Asked, found: _Found, plot: Path | None, json: str | None, wording: Wording
+) -> None:
+    """Hand over an answer."""
+    from swarmgrasp.answer_file import document_of
+
+    def draw() -> list[Path]:
+        """Draw if that is wanted."""
+        return [] if plot is None else [found.draw(plot)]
+
+    document, terms = document_of(found.answer, asked.scenario.name), wording.terms(asked.scenario)
+    deliver(json, document, lambda: found.show(terms), draw, csv=wording.csv)
+
+
+def _form(scenario: "Scenario", use: str | None, *, numbers: bool, with_newcomer: bool) -> str:
+    """Return what is asked: by an option, or by the answer that is asked again."""
+    if use is not None:
+        return USE
+    if numbers:
+        return NUMBERS
+    if with_newcomer:
+        return JOINED
+    return next((kind for kind in (NUMBERS, USE, JOINED) if asked_before(scenario, kind)), WINDS)
+
+
+def _option_faults(
+    losing: str | None, step: float | None, use: str | None, *, numbers: bool, with_newcomer: bool
+) -> list[str]:
+    """Return what is wrong with the options."""
     faults = []
     # int() would also take 1_0, and cyclopts 1.5 and 0x2
     if losing is not None and not re.fullmatch(r"0*[1-9][0-9]{0,5}", losing):
         faults.append(f"--losing is {losing}; it should be a whole number, at least 1")
     if step is not None and not 1.0 <= step <= 90.0:
         faults.append(f"--step is {step:g}; it should be from 1 to 90 degrees")
-    if current is not None and not 0.0 <= current <= FASTEST_CURRENT:
-        faults.append(f"--current is {current:g}; it should be from 0 to {FASTEST_CURRENT:g} knots")
+    forms = {"--numbers": numbers, "--use": use is not None, "--with-newcomer": with_newcomer}
+    given = [option for option, is_given in forms.items() if is_given]
+    if len(given) > 1:
+        faults.append(f"{' and '.join(given)} each ask something else; keep one")
+    if use is not None:
+        said: list[str] = []
+        with noting(said):
+            speed_of(use, "m/s")
+        faults += (f"--use is {use}: {fault}" for fault in said)
     return faults
-
-
-def _environment(scenario: "Scenario", file: str, current: float | None) -> "Environment":
-    """Return the environment to compute with.
-
-    Raises
-    ------
-    UsageFault
-        If the scenario has none, or no current whose speed could be set.
-    """
-    environment = scenario.environment
-    if environment is None:
-        advice = (
-            "environment: is missing; say what the object shows to the wind, such as "
-            "`environment: {wind: {vessel: offshore supply vessel, frontal_area: 280, "
-            "lateral_area: 700}}`"
-        )
-        raise missing(scenario, file, "environment", "`swarmgrasp capability`", advice)
-    if current is None:
-        return environment
-    if environment.current is None:
-        advice = (
-            "environment.current: is missing, so --current has nothing to set; say what the object "
-            "shows to it, such as `current: {frontal_area: 110, lateral_area: 465}`"
-        )
-        raise missing(scenario, file, "current", "--current", advice)
-    from swarmgrasp.environment import KNOT
-
-    return replace(environment, current=replace(environment.current, speed=current * KNOT))

@@ -2,13 +2,14 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.for_capability import ForCapability, capability_faults, tell_for_capability
 from swarmgrasp.cli.inputs import (
     PICTURES,
     blaming,
@@ -19,7 +20,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import asked_before, check_newcomer
-from swarmgrasp.cli.weather import CALM, Weather
+from swarmgrasp.cli.weather import CALM, Water, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED
 
@@ -49,6 +50,7 @@ def place(
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     gap: float | None = None,
     runners_up: float | None = None,
+    aim: Annotated[Literal["quality", "capability"], Parameter(name="--for")] = "quality",
     where_not: Annotated[bool, Parameter(negative="")] = False,
     plot: Path | None = None,
     json: Dashed | None = None,
@@ -95,6 +97,9 @@ def place(
     where_not
         Also tell of every zone and edge how much of it is left to the newcomer, what takes the
         rest, and the best quality there.
+    aim
+        What is best: the quality, or the least wind held over all bearings, capability: beside the
+        current and the waves of the scenario or of the command line.
     plot
         Write pictures of the plan (NAME.png), the wrenches (NAME-wrenches.png) and
         the landscape of all places (NAME-landscape.png); .png, .svg or .pdf.
@@ -105,6 +110,9 @@ def place(
     """
     faults = _number_faults(robots, gap, runners_up)
     faults += _together_faults(robots, together, effort, runners_up)
+    if aim == "capability":
+        alone = not together and not where_not and (robots or "1").lstrip("0") == "1"
+        faults += capability_faults(weather, alone=alone)
     if where_not and (together or (robots or "1").lstrip("0") != "1"):
         faults.append("--where-not is of one robot: leave out --robots and --together")
     faults += (
@@ -113,8 +121,17 @@ def place(
         + wording.faults(json)
         + output_faults(plot, PICTURES)
     )
-    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
+    scenario = read_scenario(file, faults + weather.faults())
     check_newcomer(scenario, file, "place")
+    if aim == "capability":
+        criterion = criterion_of(scenario, file, losing, worst_case, failures, 1)
+        share = SHARE if runners_up is None else runners_up
+        around = Water.environment(weather, scenario, file, "`swarmgrasp place --for capability`")
+        return tell_for_capability(
+            ForCapability(scenario, file, around, criterion, gap or FINE, share),
+            _beside(plot) if plot else None, json, wording,
+        )  # fmt: skip
+    scenario = weather.on(scenario, file)
     before = asked_before(scenario, "placements", "together")
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))

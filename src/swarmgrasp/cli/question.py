@@ -22,6 +22,9 @@ ABOUT = {
     "forces": "push forces",
     "forces along": "push forces",
     "capability": "the largest wind held",
+    "capability numbers": "the weather held",
+    "thrust use": "thrust use",
+    "capability with newcomer": "the largest wind held",
 }
 """What the questions in answer files are about, by kind of answer."""
 CALLED = {

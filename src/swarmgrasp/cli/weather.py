@@ -60,7 +60,7 @@ class Water:
                 if option.endswith("from"):
                     bearing(text, "deg", 0.0)
                 elif option != "--waves":
-                    _speed(text, "m/s")
+                    speed_of(text, "m/s")
                 elif text != WITH_WIND:
                     _sea(text, "m")
             faults += (f"{option} is {text}: {fault}" for fault in said)
@@ -114,7 +114,7 @@ class Water:
             )
             raise missing(scenario, file, "current", option, advice)
         if self.current is not None:
-            current = replace(current, speed=_speed(self.current, scenario.terms.speed))
+            current = replace(current, speed=speed_of(self.current, scenario.terms.speed))
         if self.current_from is None:
             return current
         return replace(current, bearing=_bearing("--current-from", self.current_from, scenario))
@@ -166,7 +166,7 @@ class Weather(Water, _Wind):
         around = super().environment(scenario, file, needed_by)
         speed, from_ = around.wind.speed, around.wind.bearing
         if self.wind is not None:
-            speed = _speed(self.wind, scenario.terms.speed)
+            speed = speed_of(self.wind, scenario.terms.speed)
         if self.wind_from is not None:
             from_ = _bearing("--from", self.wind_from, scenario)
         if self.wind is None and self.wind_from is None and speed is None:
@@ -208,7 +208,7 @@ CALM = Weather()
 """As the file has it."""
 
 
-def _speed(text: str, unit: str) -> float:
+def speed_of(text: str, unit: str) -> float:
     """Return a speed [m/s]."""
     found = quantity(text, "speed", unit)
     if not 0.0 <= found <= FASTEST:

@@ -96,6 +96,16 @@ class Page:
             line = np.concatenate([line - side, line + side])
         points.append(line)
 
+    def keep_clear_of(self, line: Vector) -> None:
+        """Note a line through points (m, 2) as taken, but for where it is broken by nan."""
+        ends = self.ax.transData.transform(line)
+        ways = np.diff(ends, axis=0)
+        longest = np.nan_to_num(np.hypot(*ways.T)).max(initial=0.0)
+        count = 1 + int(longest / (2.5 * self.point_size))
+        shares = np.arange(count)[:, None] / count
+        samples = (ends[:-1, None] + shares * ways[:, None]).reshape(-1, 2)
+        self.points.append(samples[np.isfinite(samples).all(axis=1)])
+
     def label(
         self,
         text: str,

@@ -54,7 +54,13 @@ def limits_diagram(found: Limits, title: str = "") -> Figure:
         ax.fill(-y, x, facecolor=style.PALE, edgecolor=style.INK, linewidth=0.8, zorder=3)
         for name, speeds in curves.items():
             line = polar.envelope(found.bearings, speeds, top)
-            ax.plot(*line.T, **LOOKS[name], solid_joinstyle="round", zorder=5, gid=name)
+            ax.plot(
+                *polar.within(line, top).T,
+                **LOOKS[name],
+                solid_joinstyle="round",
+                zorder=5,
+                gid=name,
+            )
         polar.label_rings(page, step, top)
         figure = cast(Figure, ax.get_figure(root=True))
         _write_caption(figure, found, curves, title)

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle
+from matplotlib.text import Text
 from numpy.typing import NDArray
 
 from swarmgrasp.environment import KNOT
@@ -31,7 +32,11 @@ ROOM: Final = 1.16
 SPOKES: Final = range(0, 360, 30)
 KNOTS_AT: Final = 45.0
 METRES_AT: Final = 315.0
-"""Bearings [deg] along which the rings are labelled."""
+"""Bearings [deg] near which the rings are labelled."""
+TRIED: Final = tuple(float(sign * off) for off in range(0, 73, 4) for sign in (1, -1))
+"""Degrees off them that are tried."""
+CLEAR: Final = 1.5
+"""Distance [pt] of the labels from curves."""
 QUARTERS: Final = {0: "bow", 90: "starboard", 180: "stern", 270: "port"}
 
 
@@ -94,31 +99,69 @@ def draw_rings(page: Page, step: float, top: float) -> None:
 
 def label_rings(page: Page, step: float, top: float) -> None:
     """Write the speeds on the rings: knots right of the bow, metres per second left of it."""
-    ax = page.ax
+    for radius in np.arange(step, top + 0.5 * step, step).tolist():
+        write_ring(page, radius, f"{radius:g} kn", KNOTS_AT, "left")
+        write_ring(page, radius, f"{style.number(radius * KNOT)} m/s", METRES_AT, "right")
+
+
+def write_ring(page: Page, radius: float, text: str, bearing: float, side: str) -> None:
+    """Write on a ring what it stands for, near a bearing [deg], if it is clear of curves there."""
     back = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8}
-    for radius in np.arange(step, top + 0.5 * step, step):
-        most = "≥ " if radius >= MOST_SHOWN else ""
-        for bearing, side, text in (
-            (KNOTS_AT, "left", f"{most}{radius:g} kn"),
-            (METRES_AT, "right", f"{style.number(radius * KNOT)} m/s"),
-        ):
-            x, y = points(np.radians([bearing]), np.array([radius]))[0].tolist()
-            artist = ax.text(
-                x, y, text, ha=side, va="center", fontsize=7.0, color=style.GREY,
-                bbox=back, zorder=2.5, gid="ring",
-            )  # fmt: skip
-            page.boxes.append(artist.get_window_extent().extents)
+    artist = page.ax.text(
+        0.0, 0.0, text, ha=side, va="center", fontsize=7.0, color=style.GREY, bbox=back,
+        zorder=2.5, gid="ring",
+    )  # fmt: skip
+    prices = []
+    for off in TRIED:
+        artist.set_position(_on_ring(radius, bearing + off))
+        prices.append(_hidden(page, artist) + 1e-3 * abs(off))
+    if min(prices) >= 1.0:  # the other rings tell, being as far apart
+        artist.remove()
+        return
+    artist.set_position(_on_ring(radius, bearing + TRIED[int(np.argmin(prices))]))
+    page.boxes.append(artist.get_window_extent().extents)
+
+
+def _on_ring(radius: float, bearing: float) -> tuple[float, float]:
+    """Return where on a ring a bearing [deg] is."""
+    x, y = points(np.radians([bearing]), np.array([radius]))[0].tolist()
+    return x, y
+
+
+def _hidden(page: Page, artist: Text) -> float:
+    """Return how much of what is drawn a text would hide: samples of lines, and other labels."""
+    left, low, right, high = artist.get_window_extent().extents
+    room = CLEAR * page.point_size
+    found = 0.0
+    for line in page.points:
+        x, y = line.T
+        is_in = (x > left - room) & (x < right + room) & (y > low - room) & (y < high + room)
+        found += float(is_in.sum())
+    return found + 10.0 * sum(
+        left < box[2] and box[0] < right and low < box[3] and box[1] < high for box in page.boxes
+    )
 
 
 def envelope(bearings: Vector, speeds: Vector, top: float) -> Vector:
     """Return an envelope as a closed line (k, 2) [kn], straight between bearings, cut at `top`."""
+    return closed(bearings, speeds / KNOT, top)
+
+
+def closed(bearings: Vector, radii: Vector, top: float) -> Vector:
+    """Return radii at bearings [rad] as a closed line (k, 2), straight between, cut at `top`."""
     bearings, at = np.unique(np.mod(bearings, 2.0 * math.pi), return_index=True)
-    corners = points(bearings, speeds[at] / KNOT)
+    corners = points(bearings, radii[at])
     shares = np.linspace(0.0, 1.0, FINE, endpoint=False)[:, None]
     sides = zip(corners, np.roll(corners, -1, axis=0), strict=True)
     line = np.concatenate([*(p + shares * (q - p) for p, q in sides), corners[:1]])
-    radii = np.maximum(np.hypot(*line.T), 1e-12 * top)
-    return np.asarray(line * np.minimum(1.0, top / radii)[:, None])
+    reached = np.maximum(np.hypot(*line.T), 1e-12 * top)
+    return np.asarray(line * np.minimum(1.0, top / reached)[:, None])
+
+
+def within(line: Vector, top: float) -> Vector:
+    """Return a line with nothing where it was cut at `top`: there no limit is known."""
+    is_cut = np.hypot(*line.T) >= top * (1.0 - 1e-9)
+    return np.where(is_cut[:, None], np.nan, line)
 
 
 def write(figure: Figure, text: str, x: float, y: float, **look: Any) -> None:

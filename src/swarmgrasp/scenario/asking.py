@@ -20,6 +20,7 @@ _OPTIONS = {
     "placements": (list, "a list"),
     "required": (float, "a number"),
     "robots": (list, "a list"),
+    "speed": (float, "a number"),
     "wanted": (list, "a list"),
 }
 """What else answers were asked, and what it is: how many robots, which wrenches, which bearings."""

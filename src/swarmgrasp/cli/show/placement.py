@@ -79,14 +79,11 @@ def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> No
                 f"next {tell.terms.robot} (--robots {enough} goes on from here)",
             ),
         ]
-    placed = _stance(answer)
     report.blank()
     report.facts(
         [
             *why,
-            ("Where", _where(answer, placed)),
-            ("", _spot(answer, placed, tell)),
-            *_way(robot, placed, tell),
+            *place_facts(answer, tell),
             (
                 "Quality",
                 _gain(answer.quality_before, answer.quality, unit)
@@ -99,6 +96,16 @@ def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> No
             *([("Limit now", reason)] if answer.improves else []),
         ]
     )  # fmt: skip
+
+
+def place_facts(answer: Placement, tell: Telling) -> list[tuple[str, str]]:
+    """Tell where a robot goes, and which way it pushes how hard."""
+    placed = _stance(answer)
+    return [
+        ("Where", _where(answer, placed)),
+        ("", _spot(answer, placed, tell)),
+        *_way(answer.robot, placed, tell),
+    ]
 
 
 def _show_sequence(

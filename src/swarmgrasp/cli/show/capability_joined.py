@@ -1,0 +1,87 @@
+"""How `swarmgrasp capability --with-newcomer` tells its answer."""
+
+from swarmgrasp.capability import CapabilityJoined
+from swarmgrasp.cli.show.all_round import CLOCKWISE, bare, degrees, shown, step_note, surroundings
+from swarmgrasp.cli.show.capability import calm_words, numbers, sea_words, wind_text
+from swarmgrasp.cli.show.change import telling_of
+from swarmgrasp.cli.show.placement import place_facts
+from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
+
+
+def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
+    """Write a capability before and after a newcomer for people."""
+    report, tell = Report(), telling_of(terms, found.after.swarm, [])
+    joined, after = found.placement.robot.name, found.after
+    least = float(after.intact.min())
+    said = f"holds {wind_text(after, least, tell)} from any bearing" if least else "does not hold"
+    report.headline(
+        f"{name}: {said}{'' if least else ' every wind'} with {joined}",
+        "good" if least else "caution",
+    )
+    report.blank()
+    report.facts([
+        *place_facts(found.placement, tell),
+        *_change(found, tell),
+        *surroundings(after.environment, tell, worst_case=after.worst_case),
+    ])  # fmt: skip
+    report.blank()
+    less = after.less_by
+    columns = [
+        Column("from [deg]", is_number=True),
+        *(Column(f"{text} [kn]", is_number=True)
+          for text in ("before", "after", f"before, a {less}", f"after, a {less}")),
+    ]  # fmt: skip
+    before = found.before
+    rows = [
+        [
+            bare(after.bearings[i]),
+            *(numbers(one, speeds[i], tell)[0] for one, speeds in (
+                (before, before.intact), (after, after.intact),
+                (before, before.after_loss), (after, after.after_loss),
+            )),
+        ]
+        for i in shown(
+            after.bearings, before.worst, after.worst, before.worst_after_loss,
+            after.worst_after_loss,
+        )
+    ]  # fmt: skip
+    report.table(columns, rows, "bearings")
+    step_note(report, after.bearings, len(rows))
+    report.blank()
+    report.note(CLOCKWISE)
+    report.note(
+        f"The largest winds held beside {calm_words(after)}, before {joined} joins and after; "
+        f"loads are steady, and {sea_words(after)}."
+    )
+
+
+def _change(found: CapabilityJoined, tell: Telling) -> list[tuple[str, str]]:
+    """Tell the least winds, before and after, intact and after a loss."""
+    before, after = found.before, found.after
+    less = "After a failure" if after.failures else f"Without {after.loss_words(tell.terms.robot)}"
+    return [
+        ("Intact", _both(
+            _least(found, before.intact, before.worst, tell),
+            _least(found, after.intact, after.worst, tell),
+        )),
+        (less, _both(
+            _least(found, before.after_loss, before.worst_after_loss, tell),
+            _least(found, after.after_loss, after.worst_after_loss, tell),
+        )),
+    ]  # fmt: skip
+
+
+def _both(before: str, after: str) -> str:
+    """Say what becomes of something."""
+    return f"stays {after}" if before == after else f"{before} -> {after}"
+
+
+def _least(found: CapabilityJoined, speeds: object, index: int, tell: Telling) -> str:
+    """Tell the least of some winds, and where it comes from."""
+    speed = float(speeds[index])  # type: ignore[index]
+    if speed == 0.0:
+        return "none"
+    from_ = degrees(found.after.bearings[index])
+    return f"{wind_text(found.after, speed, tell)} from {from_}"
