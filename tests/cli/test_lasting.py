@@ -7,6 +7,7 @@ import signal
 import pytest
 
 from swarmgrasp.cli.show import together
+from swarmgrasp.placement.place import _Placing
 from swarmgrasp.placement.together.how_many import _Count
 
 
@@ -41,6 +42,15 @@ def test_placing_together_ends_with_the_best_so_far(run, tmp_path, ctrl_c):
     assert found["stopped_early"]
     assert found["quality"] <= found["upper_bound"]
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_placing_one_after_the_other_ends_with_those_placed(run, ctrl_c):
+    """They are an answer of their own."""
+    ctrl_c(_Placing, "placement")
+    status, said, complaints = run("place", "hull-120", "--robots", "5", "--runners-up", "1")
+    assert (status, complaints) == (130, "")
+    assert "Ctrl-C ended the search after 2 of 5 tugs." in said
+    assert said.startswith("Hull of 120 vertices: 2 tugs like ")
 
 
 def test_counting_ends_with_what_is_known(run, ctrl_c):

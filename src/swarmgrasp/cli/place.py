@@ -139,18 +139,21 @@ def place(
     if together:
         steps = None if effort is None else int(effort)
         return _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
-    _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
+    return _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
                    where_not=where_not and count == 1)  # fmt: skip
-    return 0
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
     criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *,
     where_not: bool,
-) -> None:  # fmt: skip
-    """Find and tell robots placed one after the other; what is None is as in the answer read."""
+) -> int:  # fmt: skip
+    """Find and tell robots placed one after the other; what is None is as in the answer read.
+
+    Returns the exit status.
+    """
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.lasting import INTERRUPTED
     from swarmgrasp.cli.pictures import pictures
     from swarmgrasp.cli.show.placement import show
 
@@ -167,10 +170,11 @@ def _tell_sequence(
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(scenario.name, answers, wording.terms(scenario), survey, at_once),
+        lambda: show(scenario.name, answers, wording.terms(scenario), survey, at_once, count),
         lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
         csv=wording.csv,
     )
+    return INTERRUPTED if len(answers) < count else 0
 
 
 def _tell_together(
@@ -253,14 +257,29 @@ def solve(
     ------
     UsageFault
         If the scenario leaves its newcomer no place, or has a robot of its name.
+
+    Returns
+    -------
+    Placements
+        Fewer than asked for if Ctrl-C ended it after some.
     """
+    from swarmgrasp.cli.lasting import stoppable
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import place_sequence
 
-    with blaming(file), shown_progress(robots) as progress:
-        return place_sequence(
-            scenario.problem(criterion), robots, gap=gap, runners_up=runners_up, progress=progress
-        )
+    problem = scenario.problem(criterion)
+    if robots == 1:
+        with blaming(file):
+            return place_sequence(problem, 1, gap=gap, runners_up=runners_up)
+    with blaming(file), stoppable() as is_stopped, shown_progress(robots) as show:
+
+        def progress(done: int) -> bool:
+            """Show how many are placed, and place no more after Ctrl-C."""
+            if show is not None:
+                show(done)
+            return is_stopped()
+
+        return place_sequence(problem, robots, gap=gap, runners_up=runners_up, progress=progress)
 
 
 def _number_faults(robots: str | None, gap: float | None, runners_up: float | None) -> list[str]:

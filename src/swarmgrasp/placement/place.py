@@ -172,7 +172,8 @@ def place_sequence(
     gap, runners_up
         As for `place`.
     progress : callable, optional
-        Called with the number placed so far, after each.
+        Called with the number placed so far, after each. If what it returns is true, no more are
+        placed.
 
     Returns
     -------
@@ -216,8 +217,8 @@ def place_sequence(
                 f"only {index - 1} of {count} robots find a place: {fault}"
             ) from None
         answers.append(placing.placement(runners_up, name))
-        if progress is not None:
-            progress(index)
+        if progress is not None and progress(index):
+            break
     return Placements(answers)
 
 

@@ -31,6 +31,7 @@ def show(
     terms: Terms,
     survey: Sequence[Ground] = (),
     at_once: float = 0.0,
+    asked: int = 1,
 ) -> None:
     """Write the answer for people.
 
@@ -46,6 +47,8 @@ def show(
         Where the newcomer may attach and where not, if that is asked.
     at_once : float [N]
         What several reach that are placed all at once; 0 if that is not known.
+    asked : int
+        How many were to be placed; Ctrl-C ended the search after fewer.
     """
     report, problem = Report(), answers[0].problem
     tell = telling_of(terms, problem.swarm, [answers[-1].upper_bound], problem.newcomer)
@@ -53,6 +56,9 @@ def show(
         _show_one(report, name, answers[0], tell)
     else:
         _show_sequence(report, name, answers, tell, at_once)
+    if asked > len(answers):
+        report.blank()
+        report.sentence(f"Ctrl-C ended the search after {len(answers)} of {terms.robots(asked)}.")
     _show_runners_up(report, answers, tell)
     if survey:
         show_grounds(report, answers[0], survey, tell)
