@@ -19,6 +19,7 @@ from swarmgrasp.environment import (
     Waves,
     Wind,
     WindCoefficients,
+    WindTable,
 )
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.forces import Forces, ForcesAlong, forces, forces_along
@@ -97,6 +98,7 @@ __all__ = [
     "Waves",
     "Wind",
     "WindCoefficients",
+    "WindTable",
     "WrenchSet",
     "Zone",
     "best_move",

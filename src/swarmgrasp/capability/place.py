@@ -156,8 +156,7 @@ class _Asked:
     ) -> None:  # fmt: skip
         self.problem, self.environment, self.bearings = problem, environment, bearings
         self._gap, self._runners_up = gap, runners_up
-        waves = environment.waves
-        self.sea_grows = waves is not None and waves.goes_with_wind
+        self.sea_grows = not environment.grows_with_square
 
     @property
     def calm(self) -> Array:

@@ -55,10 +55,9 @@ class Capability(AllRound):
     def most_told(self) -> float:
         """The wind [m/s] up to which winds were tried: the strongest whose sea is known.
 
-        Infinite where the sea does not go with the wind.
+        Infinite where loads grow with the square of the wind, and nothing had to be tried.
         """
-        waves = self.environment.waves
-        return STRONGEST_SEA if waves is not None and waves.goes_with_wind else math.inf
+        return math.inf if self.environment.grows_with_square else STRONGEST_SEA
 
 
 def capability(
@@ -76,9 +75,10 @@ def capability(
     largest V^2 is their exact quality for the task of the one wrench -w_w beside the load w_c
     (T16), and after the worst loss of k robots (T15), and of named failures (T25).
 
-    Where the sea goes with the wind, the largest wind is the end of those that are held from a calm
-    on: those of the sea's steps and halfway between are tried, and the wind at which holding ends
-    before the first that is not held is found to the last digits.
+    Where the sea goes with the wind, or a table has winds of several speeds, the largest wind is
+    the end of those that are held from a calm on: those of the sea's steps and halfway between are
+    tried, and the wind at which holding ends before the first that is not held is found to the last
+    digits.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def least_wind(
     asked : Criterion
         After what losses and failures, and in which poses; without load and task.
     """
-    if not _sea_grows(environment):
+    if environment.grows_with_square:
         held = np.array([at.speed for at in _held_from(swarm, environment, bearings, asked)])
         return float(held.min()), float(bearings[held.argmin()])
     least = _largest_in_its_sea(swarm, environment, bearings, asked).speed
@@ -182,16 +182,11 @@ def _held_from(
     swarm: Swarm, environment: Environment, bearings: Array, asked: Criterion
 ) -> list[_Held]:
     """Find the largest winds held from bearings (m,)."""
-    if _sea_grows(environment):
+    if not environment.grows_with_square:
         each = bearings[:, None]
         return [_largest_in_its_sea(swarm, environment, bearing, asked) for bearing in each]
     calm = environment.load_in(swarm.outline, bearings, 0.0)
     return _largest(swarm, calm, environment.wind_load(swarm.outline, bearings, 1.0), asked)
-
-
-def _sea_grows(environment: Environment) -> bool:
-    """Tell whether the sea goes with the wind."""
-    return environment.waves is not None and environment.waves.goes_with_wind
 
 
 def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> list[_Held]:

@@ -9,6 +9,7 @@ from swarmgrasp.environment.coefficients import (
 from swarmgrasp.environment.environment import Environment
 from swarmgrasp.environment.loads import AIR, WATER, Current, Wind
 from swarmgrasp.environment.sea import STEPS, STRONGEST_SEA, Step, sea_of
+from swarmgrasp.environment.table import WindTable
 from swarmgrasp.environment.waves import Waves
 from swarmgrasp.units import KNOT, beaufort
 
@@ -26,6 +27,7 @@ __all__ = [
     "Waves",
     "Wind",
     "WindCoefficients",
+    "WindTable",
     "beaufort",
     "sea_of",
     "vessel_type",

@@ -9,6 +9,7 @@ from swarmgrasp.environment.geometry import numbers_in
 from swarmgrasp.environment.limits import BEARING, DYNAMIC_FACTOR, SPEED
 from swarmgrasp.environment.loads import Current, Wind
 from swarmgrasp.environment.sea import STRONGEST_SEA, sea_of
+from swarmgrasp.environment.table import WindTable
 from swarmgrasp.environment.waves import Waves
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.outline import Outline
@@ -23,7 +24,7 @@ class Environment(Plain):
 
     Attributes
     ----------
-    wind : Wind
+    wind : Wind or WindTable
     current : Current, optional
         Still water when left out.
     dynamic_factor : float
@@ -50,7 +51,7 @@ class Environment(Plain):
     [-16636.7, 0.0, 0.0]
     """
 
-    wind: Wind
+    wind: Wind | WindTable
     current: Current | None = None
     dynamic_factor: float = 1.0
     waves: Waves | None = None
@@ -58,7 +59,8 @@ class Environment(Plain):
     def __post_init__(self) -> None:
         """Check the values."""
         faults = DYNAMIC_FACTOR.faults("dynamic factor", self.dynamic_factor)
-        faults += kind_faults(self.wind, Wind, "Wind(...)")
+        if not isinstance(self.wind, WindTable):
+            faults += kind_faults(self.wind, Wind, "Wind(...)")
         if self.current is not None:
             faults += kind_faults(self.current, Current, "Current(...)")
         if self.waves is not None:
@@ -77,6 +79,13 @@ class Environment(Plain):
     def is_steady(self) -> bool:
         """Whether a steady wind is given, so that there is a steady load."""
         return self.wind.speed is not None
+
+    @property
+    def grows_with_square(self) -> bool:
+        """Whether loads grow with the square of the wind, but for those that are there anyway."""
+        if self.waves is not None and self.waves.goes_with_wind:
+            return False
+        return isinstance(self.wind, Wind) or self.wind.grows_with_square
 
     def wind_load(
         self, outline: Outline, bearings: ArrayLike, speeds: ArrayLike

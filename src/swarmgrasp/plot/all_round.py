@@ -15,7 +15,7 @@ from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from swarmgrasp.capability import AllRound
-from swarmgrasp.environment import KNOT, Environment, vessel_type
+from swarmgrasp.environment import KNOT, Environment, WindTable, vessel_type
 from swarmgrasp.plot import polar, style
 from swarmgrasp.plot.arrows import Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
@@ -195,6 +195,8 @@ def below(rows: int, lines: int) -> float:
 def drag_words(environment: Environment) -> str:
     """Say by which coefficients and areas the wind loads the object."""
     wind = environment.wind
+    if isinstance(wind, WindTable):
+        return f"Wind drag: by a table of loads from {len(wind.bearings)} bearings."
     vessel = vessel_type(wind.coefficients)
     drag = f"Blendermann (1994), {vessel}" if vessel else "Blendermann (1994), own coefficients"
     return (

@@ -181,7 +181,9 @@ def _lengthwise(checked: Checked, units: Units, scenario: Scenario) -> Iterator[
     if around is None or wide <= LONGER * long:
         return
     for stream, section in (("wind", around.wind), ("current", around.current)):
-        if section is not None and section.lateral_area > section.frontal_area:
+        if section is None or section.lateral_area is None or section.frontal_area is None:
+            continue
+        if section.lateral_area > section.frontal_area:
             along, across = (f"{size / units.metres(1.0):.4g}" for size in (long, wide))
             yield (
                 ("environment", stream, "lateral_area"),

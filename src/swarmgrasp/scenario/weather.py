@@ -1,5 +1,7 @@
 """Build the environment of a scenario, and find the faults its schema does not see."""
 
+import numpy as np
+
 from swarmgrasp.environment import (
     BLENDERMANN,
     Current,
@@ -8,13 +10,22 @@ from swarmgrasp.environment import (
     Waves,
     Wind,
     WindCoefficients,
+    WindTable,
 )
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
-from swarmgrasp.scenario.weather_schema import CurrentSection, WavesSection, WindSection
+from swarmgrasp.scenario.weather_schema import (
+    CurrentSection,
+    WavesSection,
+    WindSection,
+    WindTableSection,
+)
+from swarmgrasp.swarm.matrix import Axes
+from swarmgrasp.terms import Frame
 
+_DRAG = ("vessel", "coefficients", "frontal_area", "lateral_area")
 _WIND: Path = ("environment", "wind")
 _WAVES: Path = ("environment", "waves")
 
@@ -30,6 +41,17 @@ def check_weather(checked: Checked) -> None:
 
 def _check_wind(section: WindSection, checked: Checked) -> None:
     """Note a wind with no drag, with two, or without speed or bearing."""
+    _check_moving(checked)
+    if checked.has(*_WIND, "table"):
+        for key in (*_DRAG, "density", "lateral_centroid"):
+            if checked.has(*_WIND, key):
+                checked.fault((*_WIND, key), "the table tells all loads already; leave it out")
+        return
+    for key in ("frontal_area", "lateral_area"):
+        if not checked.has(*_WIND, key):
+            seen = "ahead" if key == "frontal_area" else "the side"
+            said = f"is missing; give the area seen from {seen}"
+            checked.fault((*_WIND, key), said, got=False)
     given = [key for key in ("vessel", "coefficients") if checked.has(*_WIND, key)]
     if not given:
         said = (
@@ -42,6 +64,10 @@ def _check_wind(section: WindSection, checked: Checked) -> None:
     vessel = section.vessel
     if vessel is not None and vessel not in BLENDERMANN:
         checked.fault((*_WIND, "vessel"), f"there is no such type of vessel; {_types(vessel)}")
+
+
+def _check_moving(checked: Checked) -> None:
+    """Note a wind without speed or bearing."""
     for key, other, said in (
         ("speed", "from", "a wind also needs from, the bearing it comes from"),
         ("from", "speed", "a wind also needs its speed"),
@@ -96,26 +122,47 @@ def environment_of(checked: Checked, units: Units) -> Environment | None:
     try:
         current = None if section.current is None else _current(section.current, units)
         waves = None if section.waves is None else _waves(section.waves, units)
-        return Environment(_wind(section.wind, units), current, section.dynamic_factor, waves)
+        return Environment(
+            _wind(section.wind, units, checked.file.frame), current, section.dynamic_factor, waves
+        )
     except EnvironmentInvalid as error:  # numbers next to zero, a wind beyond those with a sea
-        checked.fault(("environment",), "; ".join(error.faults), got=False)
+        at: Path = (*_WIND, "table") if checked.has(*_WIND, "table") else ("environment",)
+        for fault in error.faults:
+            checked.fault(at, fault.removeprefix("wind: "), got=False)
         raise checked.faults.error() from error
 
 
-def _wind(section: WindSection, units: Units) -> Wind:
+def _wind(section: WindSection, units: Units, frame: Axes) -> Wind | WindTable:
     """Return the wind in SI units."""
+    if section.table is not None:
+        return _table(section, section.table, units, frame)
     if section.coefficients is None:
         coefficients = BLENDERMANN[section.vessel or ""]
     else:
         coefficients = WindCoefficients(**section.coefficients.model_dump())
     return Wind(
-        frontal_area=units.square_metres(section.frontal_area),
-        lateral_area=units.square_metres(section.lateral_area),
+        frontal_area=units.square_metres(section.frontal_area or 0.0),
+        lateral_area=units.square_metres(section.lateral_area or 0.0),
         coefficients=coefficients,
         lateral_centroid=units.metres(section.lateral_centroid),
         speed=None if section.speed is None else units.metres_per_second(section.speed),
         bearing=None if section.bearing is None else units.radians(section.bearing),
         density=section.density,
+    )
+
+
+def _table(section: WindSection, table: WindTableSection, units: Units, frame: Axes) -> WindTable:
+    """Return the loads of winds in SI units, in our frame."""
+    rows = np.array(table.rows)
+    metre, newton = units.metres(1.0), units.newtons(1.0)
+    rows *= [units.metres_per_second(1.0), units.radians(1.0), newton, newton, newton * metre]
+    axes = Frame(mirrored=(table.frame or frame) == "NED")
+    rows[:, 2:] = axes.wrench_from_file(rows[:, 2:])
+    return WindTable.from_rows(
+        rows,
+        about=None if table.about is None else units.point(table.about),
+        speed=None if section.speed is None else units.metres_per_second(section.speed),
+        bearing=None if section.bearing is None else units.radians(section.bearing),
     )
 
 

@@ -5,14 +5,19 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Field
 
 from swarmgrasp.environment import AIR, BLENDERMANN, WATER
-from swarmgrasp.scenario.fields import Area, Coordinate, Label, Number, Section
-from swarmgrasp.scenario.measures import BEARING, Measure
+from swarmgrasp.scenario.fields import STRONGEST, Area, Coordinate, Label, Number, Point, Section
+from swarmgrasp.scenario.measures import BEARING, Measure, Row
 
 FASTEST = 1e3
 """Largest speed, in the file's unit."""
 
 Speed = Annotated[Number, Field(ge=0, le=FASTEST), Measure("speed")]
 Bearing = Annotated[Number, Field(ge=-1e6, le=1e6), Measure(BEARING)]
+LoadRow = Annotated[
+    list[Annotated[Number, Field(ge=-STRONGEST, le=STRONGEST)]],
+    Field(min_length=5, max_length=5),
+    Row(("speed", "angle", "force", "force", "torque")),
+]
 Coefficient = Annotated[Number, Field(gt=0, le=10)]
 Density = Annotated[Number, Field(gt=0, le=1e5), Measure("density")]
 
@@ -45,19 +50,50 @@ CENTROID = "How far the centre of the lateral area is forward of midship [units.
 COMES_FROM = "comes from, clockwise from the bow: 90 degrees is starboard [units.angle]."
 
 
+class WindTableSection(Section):
+    """The loads of winds by speed and bearing."""
+
+    rows: list[LoadRow] = Field(
+        min_length=2,
+        description="Speed and bearing of a wind, clockwise from the bow, and the surge, sway and "
+        "yaw that it exerts; every speed with the same bearings [units.speed, units.angle, "
+        "units.force, units.force, units.force times units.length].",
+        examples=[[[10, 0, -9, 0, 0], [10, 90, 0, 40, 0], [10, 180, 9, 0, 0]]],
+    )
+    about: Point | None = Field(
+        None,
+        description="The point that yaw moments are about, in the coordinates of the vertices; "
+        "midship, the middle of the outline's extent, when left out [units.length].",
+        examples=[[0, 0]],
+    )
+    frame: Literal["ENU", "NED"] | None = Field(
+        None,
+        description="ENU: sway to port, yaw counter-clockwise; NED: sway to starboard, yaw "
+        "clockwise. That of the file when left out; surge is forward.",
+    )
+
+
 class WindSection(Section):
     """What the object shows to the wind, and perhaps a steady wind.
 
-    Exactly one of `vessel` and `coefficients` gives the drag.
+    Exactly one of `vessel` and `coefficients` gives the drag, beside the areas; or a `table` the
+    loads.
     """
 
     model_config = ConfigDict(
         json_schema_extra={
-            "oneOf": [{"required": ["vessel"]}, {"required": ["coefficients"]}],
+            "oneOf": [
+                {"required": ["vessel", "frontal_area", "lateral_area"]},
+                {"required": ["coefficients", "frontal_area", "lateral_area"]},
+                {"required": ["table"]},
+            ],
             "dependentRequired": {"from": ["speed"], "speed": ["from"]},
         }
     )
 
+    table: WindTableSection | None = Field(
+        None, description="The loads themselves, instead of all that says drag and areas."
+    )
     vessel: Label | None = Field(
         None,
         description="A type of vessel, for Blendermann's coefficients (1994).",
@@ -67,10 +103,13 @@ class WindSection(Section):
     coefficients: WindCoefficientsSection | None = Field(
         None, description="The coefficients themselves, instead of `vessel`."
     )
-    frontal_area: Area = Field(
-        description="Area above the water seen from ahead [units.length squared].", examples=[6]
+    frontal_area: Area | None = Field(
+        None,
+        description="Area above the water seen from ahead [units.length squared].",
+        examples=[6],
     )
-    lateral_area: Area = Field(
+    lateral_area: Area | None = Field(
+        None,
         description="Area above the water seen from the side [units.length squared].",
         examples=[20],
     )

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
-from swarmgrasp.environment import Current, Environment, Waves, Wind, vessel_type
+from swarmgrasp.environment import Current, Environment, Waves, Wind, WindTable, vessel_type
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.files import write_whole
 from swarmgrasp.outline import Outline, Stretch
@@ -285,11 +285,7 @@ class _File:
     def environment(self, around: Environment) -> dict[str, Any]:
         """Return wind, current and waves."""
         told = unusual(around)
-        told["wind"] = self.weather(around.wind)
-        vessel = vessel_type(around.wind.coefficients)
-        if vessel:
-            told["wind"] = {"vessel": vessel, **told["wind"]}
-            del told["wind"]["coefficients"]
+        told["wind"] = self.wind(around.wind)
         if around.current:
             told["current"] = self.weather(around.current)
         if around.waves:
@@ -308,7 +304,25 @@ class _File:
 
         return simulation_keys(scenario.simulation, self.angle)
 
-    def weather(self, part: Wind | Current | Waves) -> dict[str, Any]:
+    def wind(self, wind: Wind | WindTable) -> dict[str, Any]:
+        """Return a wind: what it meets, or the table of its loads."""
+        told = self.weather(wind)
+        if isinstance(wind, Wind):
+            vessel = vessel_type(wind.coefficients)
+            if vessel:
+                told = {"vessel": vessel, **told}
+                del told["coefficients"]
+            return told
+        about = told.pop("about", None)
+        rows = [
+            [speed, self.angle(bearing), *map(self.force, load)]
+            for speed, loads in zip(wind.speeds, wind.loads, strict=True)
+            for bearing, load in zip(wind.bearings, loads, strict=True)
+        ]
+        moving: dict[str, Any] = {key: told[key] for key in ("speed", "from") if key in told}
+        return {"table": {"rows": rows, **_given(about=about)}, **moving}
+
+    def weather(self, part: Wind | WindTable | Current | Waves) -> dict[str, Any]:
         """Return what wind, current or waves meet, and how they come from where."""
         told = unusual(part)
         if part.bearing is not None:

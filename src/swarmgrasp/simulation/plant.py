@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.environment import Current, Environment
+from swarmgrasp.environment import Current, Environment, Wind
 from swarmgrasp.environment.limits import BEARING, Range
 from swarmgrasp.errors import SimulationInvalid, SwarmInvalid, refuse
 from swarmgrasp.frozen import Frozen, read_only
@@ -166,9 +166,10 @@ class Plant(Frozen):
     @cached_property
     def _afloat(self) -> Array:
         """What the kernel is told of the object."""
-        current = self.environment.current
+        wind, current = self.environment.wind, self.environment.current
         assert isinstance(current, Current)
-        return read_only(afloat_row(self.whole, self.swarm.outline, self.environment.wind, current))
+        assert isinstance(wind, Wind)
+        return read_only(afloat_row(self.whole, self.swarm.outline, wind, current))
 
     @cached_property
     def _drivers(self) -> Array:

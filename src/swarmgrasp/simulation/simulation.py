@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from swarmgrasp.environment import Environment
+from swarmgrasp.environment import Environment, WindTable
 from swarmgrasp.environment.limits import Range
 from swarmgrasp.errors import SimulationInvalid, SwarmGraspError
 from swarmgrasp.frozen import Frozen
@@ -159,6 +159,11 @@ class Simulation(Frozen, Plain):
             faults.append(
                 "the environment has no current, and so nothing tells the drag of the water; give "
                 "it Current(frontal_area, lateral_area): its speed may be 0"
+            )
+        if isinstance(self.environment.wind, WindTable):
+            faults.append(
+                "the environment has a table of wind loads, and a run in time knows none; give it "
+                "Wind(frontal_area, lateral_area, coefficients)"
             )
         if self.environment.waves is not None:
             faults.append(

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.cli.show.report import Report
-from swarmgrasp.environment import KNOT, Environment, Waves, vessel_type
+from swarmgrasp.environment import KNOT, Environment, Waves, WindTable, vessel_type
 from swarmgrasp.telling import Telling
 from swarmgrasp.units import SPEEDS
 
@@ -96,10 +96,21 @@ def rounded(value: float) -> str:
 def drag(environment: Environment, tell: Telling) -> tuple[str, str]:
     """Tell the wind drag."""
     wind = environment.wind
+    if isinstance(wind, WindTable):
+        return ("Wind drag", _table_words(wind, tell))
     vessel = vessel_type(wind.coefficients)
     by = f"Blendermann's for {vessel!r}" if vessel else "the scenario's coefficients"
     areas = f"{tell.area(wind.frontal_area)} ahead and {tell.area(wind.lateral_area)} abeam"
     return ("Wind drag", f"{by}, {areas}")
+
+
+def _table_words(table: WindTable, tell: Telling) -> str:
+    """Say what table the loads of winds are of."""
+    winds = speed_text(table.speeds[0], tell)
+    if not table.grows_with_square:
+        winds = f"{len(table.speeds)} speeds, {winds} to {speed_text(table.speeds[-1], tell)}"
+    sides = ", mirrored for port" if table.is_of_one_side else ""
+    return f"by a table of {len(table.bearings)} bearings at {winds}{sides}"
 
 
 def surroundings(

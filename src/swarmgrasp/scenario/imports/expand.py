@@ -11,6 +11,7 @@ from swarmgrasp.scenario.faults import Faults, Mark
 from swarmgrasp.scenario.faults import Path as Keys
 from swarmgrasp.scenario.imports.allocation import Matrix, read_allocation
 from swarmgrasp.scenario.imports.hull import Hull
+from swarmgrasp.scenario.imports.loads import read_loads
 from swarmgrasp.scenario.imports.outlines import DETECT, Wish, read_outline
 from swarmgrasp.scenario.imports.robots import read_robots
 from swarmgrasp.scenario.imports.source import Source
@@ -70,6 +71,7 @@ def expand(root: Node, faults: Faults, folder: Path | None) -> Taken:
         matrix = _allocation(root, faults, folder)
         said += matrix.said if matrix else ()
         stand_ins |= set() if matrix else {("allocation",)}
+    _loads(root, faults, folder)
     if _names_file(root, "robots") and not _robots(root, faults, folder):
         stand_ins.add(("robots",))
     return Taken(stand_ins, said, bow)
@@ -131,6 +133,27 @@ def _allocation(root: Node, faults: Faults, folder: Path | None) -> Matrix | Non
         if value and key not in held:
             held[key] = noded(value, node.mark)
     return found
+
+
+def _loads(root: Node, faults: Faults, folder: Path | None) -> None:
+    """Put the rows of a file into the table of a wind; after a fault, drop the environment."""
+    keys: Keys = ("environment", "wind", "table")
+    wind: Any = root.find(keys[:-1])
+    table = wind.value.get("table") if isinstance(wind.value, dict) else None
+    if table is not None and isinstance(table.value, str):
+        node = Node(table.mark, {_FILE: table}, key_marks={_FILE: table.mark})
+        wind.value["table"] = table = node
+    if table is None or not isinstance(table.value, dict) or _FILE not in table.value:
+        return
+    held = table.value
+    if "rows" in held:
+        faults.add(table.key_marks[_FILE], (*keys, _FILE), "rows and file each say it; keep one")
+    path = _path(held.pop(_FILE), (*keys, _FILE), faults, folder)
+    found = None if path is None else read_loads(Source(path, faults, keys))
+    if found is None:
+        del root.value["environment"]  # type: ignore[union-attr, arg-type]
+    elif "rows" not in held:
+        held["rows"] = noded(found, table.mark)
 
 
 def _robots(root: Node, faults: Faults, folder: Path | None) -> bool:

@@ -58,6 +58,15 @@ class AllocationFile(Section):
     )
 
 
+class LoadsFile(Section):
+    """A load table in a file; the point and the frame of its moments stand here."""
+
+    file: str = Field(
+        description=f"{_PATH} CSV, in columns speed, bearing, Fx, Fy and Mz.",
+        examples=["loads.csv"],
+    )
+
+
 def with_files(schema: dict[str, Any]) -> dict[str, Any]:
     """Return the JSON schema of a scenario that may take parts from files."""
     held = schema["properties"]
@@ -74,6 +83,11 @@ def with_files(schema: dict[str, Any]) -> dict[str, Any]:
     told = AllocationFile.model_json_schema()
     told["properties"] |= {name: beside[name] for name in ("limits", "names", "frame")}
     held["allocation"]["anyOf"].append(told)
+    own = schema["$defs"]["WindTableSection"]["properties"]
+    told = LoadsFile.model_json_schema()
+    told["properties"] |= {name: own[name] for name in ("about", "frame")}
+    name = {"type": "string", "description": "The file of a load table.", "examples": ["loads.csv"]}
+    schema["$defs"]["WindSection"]["properties"]["table"]["anyOf"] += [told, name]
     schema["required"] = ["outline"]
     schema["anyOf"] = [{"required": ["robots"]}, {"required": ["allocation"]}]
     return schema
