@@ -34,14 +34,14 @@ class Held:
         What the robots that are there in the worst case do against the load.
     unheld : tuple of str
         The robots and groups after whose loss, alone, it is not held.
-    is_known : bool
-        Whether those have been looked for.
+    tried : int
+        How many have been left out, one at a time, to find those; 0 if that was not asked.
     """
 
     found: Quality
     answer: Forces
     unheld: tuple[str, ...]
-    is_known: bool
+    tried: int
 
     @property
     def is_missed(self) -> bool:
@@ -70,7 +70,7 @@ def held_of(found: Quality, lost: Sequence[Loss] | None) -> Held:
         for loss in lost or ()
         if loss.quality == 0.0 and misses(_against(loss.after.worst_swarm, load))
     ]
-    return Held(found, _against(found.worst_swarm, load), tuple(unheld), lost is not None)
+    return Held(found, _against(found.worst_swarm, load), tuple(unheld), len(lost or ()))
 
 
 def _against(swarm: Swarm, load: tuple[float, float, float]) -> Forces:
@@ -96,11 +96,13 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
         return f"nothing to spare when {said}, weakest {found.weakest_words}"
     else:
         said += f", with nothing to spare {found.weakest_words}"
+    one = f"any one {tell.machines(1, bool(scenario.swarm.rare.groups))}"
     if held.unheld:
         few = len(held.unheld) <= MOST_NAMED
         who = either_words(held.unheld) if few else f"any of {len(held.unheld)} {robots}"
+        who = one if len(held.unheld) == held.tried > 1 else who
         return f"{said}. Not held after losing {who}."
-    return f"{said}. Held after losing any one {tell.terms.robot}." if held.is_known else said
+    return f"{said}. Held after losing {one}." if held.tried else said
 
 
 def drift_words(answer: Forces) -> str:

@@ -84,10 +84,14 @@ class Table:
     def csv_text(self) -> str:
         r"""Return it with commas between; shares as plain numbers of percent.
 
+        Of headings that are alike the later ones are numbered.
+
         Examples
         --------
         >>> Table("tugs", [Column("tug"), Column("share")], [["Ajax", "12.3 %"]]).csv_text()
         'tug,share [%]\nAjax,12.3\n'
+        >>> Table("winds", [Column("[m/s]"), Column("[m/s]")], [["3", "4"]]).csv_text()
+        '[m/s],[m/s] (2)\n3,4\n'
         """
         names, cells = [column.name for column in self.columns], [list(row) for row in self.rows]
         for k, name in enumerate(names):
@@ -95,6 +99,10 @@ class Table:
                 names[k] = f"{name} [%]"
                 for row in cells:
                     row[k] = row[k].removesuffix(PERCENT)
+        names = [
+            f"{name} ({names[: k + 1].count(name)})" if name in names[:k] else name
+            for k, name in enumerate(names)
+        ]
         out = io.StringIO(newline="")
         csv.writer(out, lineterminator="\n").writerows([names, *cells])
         return out.getvalue()
