@@ -101,6 +101,21 @@ class Telling:
         """Return a point [m, m] in the file's frame."""
         return self.length.point(self.terms.frame.to_file(point).tolist())
 
+    def arc(self, arc_length: float, perimeter: float) -> float:
+        """Return an arc length [m] as the file counts it, from the first vertex its way round.
+
+        Examples
+        --------
+        >>> frames = Frame(), Frame(mirrored=True)
+        >>> [Telling.of(Terms(frame=frame), 9.0, []).arc(5.0, 12.0) for frame in frames]
+        [5.0, 7.0]
+        """
+        return perimeter - arc_length if self.terms.frame.mirrored and arc_length else arc_length
+
+    def along(self) -> str:
+        """Return the small print on arc lengths."""
+        return f"Along the outline: {_sense(self.terms.frame)} from its first vertex."
+
     def degrees(self, direction: float) -> str:
         """Return a direction [rad] in the file's frame in degrees, or as a bearing, never -0."""
         if self.terms.bearings:
@@ -161,7 +176,7 @@ class Telling:
         radians = " for the file's radians" * (terms.angle == "rad")
         x, y = (_side(frame, axis) for axis in ((1.0, 0.0), (0.0, 1.0)))
         lies = f"x {x}, y {y}" if x and y else f"the bow towards {_bow(frame)}"
-        sense = "clockwise" if frame.mirrored else "counter-clockwise"
+        sense = _sense(frame)
         ways = f"degrees {sense} from +x"
         if terms.bearings:
             from_ = "north" if frame.heading is not None else "the bow"
@@ -183,5 +198,9 @@ def _side(frame: Frame, axis: tuple[float, float]) -> str:
 
 def _bow(frame: Frame) -> str:
     """Return the direction of the bow in a file's frame."""
-    sense = "clockwise" if frame.mirrored else "counter-clockwise"
-    return f"{math.degrees(frame.bow):.4g} deg {sense} from +x"
+    return f"{math.degrees(frame.bow):.4g} deg {_sense(frame)} from +x"
+
+
+def _sense(frame: Frame) -> str:
+    """Return which way a file's angles turn."""
+    return "clockwise" if frame.mirrored else "counter-clockwise"

@@ -1,11 +1,13 @@
 """One scenario in any units, in any frame, as numbers or with their units, is one question."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 from swarmgrasp import quality
+from swarmgrasp.cli import main
 from swarmgrasp.scenario import Scenario, parse_scenario, scenario_text
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS
 
@@ -195,3 +197,21 @@ def test_a_scenario_is_one_question_in_any_terms(seed: int) -> None:
     assert_same(again, plain)
     assert (again.terms.robot, again.terms.frame.heading) == ("tug", plain.terms.frame.heading)
     assert quality(scenario.swarm).value == pytest.approx(quality(plain.swarm).value, rel=1e-9)
+
+
+def test_where_an_answer_says_it_goes_the_file_puts_it(tmp_path, capsys) -> None:
+    """The arc length told of a place, written as `at` of a robot, is that place: in any frame."""
+    for frame in ("ENU", "NED"):
+        path = tmp_path / f"{frame}.yaml"
+        head = f"frame: {frame}\noutline: {{vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}}\n"
+        path.write_text(
+            head + "robots: []\nnewcomer: {limit: 5, attachment: push, half_angle: 0}\n"
+            "zones: [{from: 5, to: 5.5}]\n"
+        )
+        assert main(["place", str(path)]) == 0
+        told = re.search(r"contact \((\S+), (\S+)\) m, (\S+) m along", capsys.readouterr().out)
+        assert told is not None
+        x, y, arc = map(float, told.groups())
+        again = parse_scenario(head + f"robots: [{{at: {arc}, direction: inward, limit: 5}}]")
+        contact = again.terms.frame.to_file(again.swarm.robots[0].contact)
+        assert contact.tolist() == pytest.approx([x, y], abs=1e-3)

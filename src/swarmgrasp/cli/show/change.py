@@ -81,7 +81,9 @@ def along_column(tell: Telling) -> Column:
 def spot(outline: Outline, robot: Robot, tell: Telling) -> list[str]:
     """Return x, y, the arc length, the direction and what it is off the normal, for a table."""
     placed = stance(outline, robot)
-    along = "" if placed.arc_length is None else tell.length.number(placed.arc_length)
+    along = ""
+    if placed.arc_length is not None:
+        along = tell.length.number(tell.arc(placed.arc_length, outline.perimeter))
     return [*tell.xy(robot.contact), along, heading(robot, tell), placed.short]
 
 

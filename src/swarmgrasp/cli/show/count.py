@@ -1,7 +1,7 @@
 """How `swarmgrasp count` tells its answer."""
 
 from swarmgrasp.cli.show.change import change, show_robots, telling_of, unit_of
-from swarmgrasp.cli.show.report import ALONG, Report
+from swarmgrasp.cli.show.report import Report
 from swarmgrasp.placement import HowMany
 from swarmgrasp.terms import Terms
 
@@ -34,4 +34,4 @@ def show(name: str, found: HowMany, terms: Terms, *, is_stopped: bool = False) -
     report.facts(facts)
     if found.answer is not None:
         show_robots(report, found.answer, tell)
-    report.small_print(problem.swarm, tell, ALONG)
+    report.small_print(problem.swarm, tell, tell.along())

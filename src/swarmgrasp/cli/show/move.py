@@ -8,7 +8,7 @@ from swarmgrasp.cli.show.change import (
     telling_of,
     unit_of,
 )
-from swarmgrasp.cli.show.report import ALONG, Column, Report
+from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.placement import Move
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.force_words import force_words
@@ -42,7 +42,7 @@ def show(name: str, found: Move, terms: Terms) -> None:
     report.blank()
     report.facts(facts)
     _table(report, found, unit, tell)
-    report.small_print(swarm, tell, ALONG)
+    report.small_print(swarm, tell, tell.along())
 
 
 def _pose_words(found: Move, robot: Robot, tell: Telling) -> str:

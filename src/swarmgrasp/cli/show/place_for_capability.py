@@ -6,7 +6,7 @@ from swarmgrasp.capability import CapabilityPlacement
 from swarmgrasp.cli.show.all_round import CLOCKWISE, degrees, speed_text, surroundings
 from swarmgrasp.cli.show.change import spot, spot_columns, telling_of
 from swarmgrasp.cli.show.placement import place_facts
-from swarmgrasp.cli.show.report import ALONG, Column, Report
+from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.environment import beaufort
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
@@ -45,7 +45,7 @@ def show(name: str, found: CapabilityPlacement, terms: Terms) -> None:
     step = math.degrees(found.bearings[1] - found.bearings[0]) if len(found.bearings) > 1 else 0.0
     report.note(f"Wind from {len(found.bearings)} bearings, every {step:.4g} degrees.")
     report.note(CLOCKWISE)
-    report.small_print(problem.swarm, tell, ALONG)
+    report.small_print(problem.swarm, tell, tell.along())
 
 
 def _wind(speed: float, tell: Telling) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from swarmgrasp.cli.show.change import spot, spot_columns, telling_of, unit_of
 from swarmgrasp.cli.show.grounds import show_grounds
-from swarmgrasp.cli.show.report import ALONG, Column, Report
+from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.placement import Placement
 from swarmgrasp.placement.grounds import Ground
 from swarmgrasp.quality import quality
@@ -62,7 +62,7 @@ def show(
     _show_runners_up(report, answers, tell)
     if survey:
         show_grounds(report, answers[0], survey, tell)
-    report.small_print(problem.swarm, tell, ALONG)
+    report.small_print(problem.swarm, tell, tell.along())
 
 
 def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> None:
@@ -211,7 +211,8 @@ def _spot(answer: Placement, placed: Stance, tell: Telling) -> str:
     point = tell.point(answer.robot.contact)
     if placed.arc_length is None:
         return f"contact {point}"
-    return f"contact {point}, {tell.length.text(placed.arc_length)} along the outline"
+    arc = tell.arc(placed.arc_length, answer.problem.swarm.outline.perimeter)
+    return f"contact {point}, {tell.length.text(arc)} along the outline"
 
 
 def _way(robot: Robot, placed: Stance, tell: Telling) -> list[tuple[str, str]]:

@@ -24,7 +24,6 @@ STYLES: dict[Mood, str] = {
 }
 GAP = "  "
 PERCENT = " %"
-ALONG = "Along the outline: counter-clockwise from its first vertex."
 
 
 def clean(text: str) -> str:

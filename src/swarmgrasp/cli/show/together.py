@@ -3,7 +3,7 @@
 import math
 
 from swarmgrasp.cli.show.change import change, proven, show_robots, telling_of, unit_of
-from swarmgrasp.cli.show.report import ALONG, Mood, Report
+from swarmgrasp.cli.show.report import Mood, Report
 from swarmgrasp.placement import Problem, Together
 from swarmgrasp.terms import Terms
 
@@ -39,4 +39,4 @@ def show(name: str, found: Together, terms: Terms, *, is_stopped: bool = False) 
     facts += [("Limit now" if found.improves else "Why", found.reason_in(terms))]
     report.facts(facts)
     show_robots(report, found, tell)
-    report.small_print(problem.swarm, tell, ALONG)
+    report.small_print(problem.swarm, tell, tell.along())
