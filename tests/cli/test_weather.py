@@ -71,6 +71,13 @@ def test_quality_and_forces_answer_for_the_weather(run, barge):
     assert total == pytest.approx([-part for part in found["load"][:2]], rel=1e-6)
 
 
+def test_the_answer_names_the_weather(run, barge):
+    """In its first line, whatever is asked."""
+    weather = ("--wind", "25", "--from", "60")
+    for command, *more in (["place"], ["move"], ["count", "--quality", "1e3"]):
+        assert run(command, barge, *more, *weather)[1].startswith("Barge in 25 kn from 60 deg: ")
+
+
 def test_compass_points_need_a_heading(run, barge):
     """With the bow to the north-east, a wind from NE is one from ahead."""
     status, _, complaints = run("quality", barge, "--wind", "20", "--from", "NE")
@@ -102,7 +109,7 @@ def test_faults_are_told_together(run, barge):
         (("--from", "20"), "--wind is missing: how fast the wind is"),
         (("--current", "1"), "--current-from is missing: where the current comes from"),
         (("--waves-from", "1"), "--waves-from is of no sea: give --waves"),
-        (("--wind", "70kn", "--from", "0", "--waves", "wind"), "--wind: the wind's speed is 36."),
+        (("--wind", "70kn", "--from", "0", "--waves", "wind"), "--waves: the wind's speed is 36."),
     ):
         status, _, complaints = run("quality", barge, *options)
         assert status == 2
@@ -112,6 +119,14 @@ def test_faults_are_told_together(run, barge):
     barge.write_text(BARGE.partition("environment")[0])
     status, _, complaints = run("place", barge, "--wind", "20", "--from", "0")
     assert (status, "environment: is missing; say what" in complaints) == (2, True)
+
+
+def test_weather_is_taken_as_a_whole(run, barge):
+    """A storm of the file, whose sea nobody knows, does not keep a breeze from having one."""
+    barge.write_text(BARGE.replace("1600", "1600, speed: 80, from: 1"))
+    said = run("quality", barge, "--wind", "10", "--from", "60", "--waves", "wind")[1]
+    assert said.startswith("Barge: held in 10 kn from 60 deg")
+    assert run("capability", barge, "--waves", "wind", "--step", "90")[0] == 0
 
 
 def test_a_load_of_the_file_gives_way_and_is_told(run, barge):

@@ -111,7 +111,7 @@ def count(
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, terms, is_stopped=stopped),
+        lambda: show(weather.title(scenario, terms), found, terms, is_stopped=stopped),
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0

@@ -66,9 +66,10 @@ def move(
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.show.move import show
 
+    terms = wording.terms(scenario)
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, wording.terms(scenario)),
+        lambda: show(weather.title(scenario, terms), found, terms),
         csv=wording.csv,
     )

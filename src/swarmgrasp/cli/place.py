@@ -136,16 +136,21 @@ def place(
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
     criterion = criterion_of(scenario, file, losing, worst_case, failures, count)
+    title = weather.title(scenario, wording.terms(scenario))
     if together:
         steps = None if effort is None else int(effort)
-        return _tell_together(scenario, file, count, gap, steps, criterion, plot, json, wording)
-    return _tell_sequence(scenario, file, count, gap, runners_up, criterion, plot, json, wording,
-                   where_not=where_not and count == 1)  # fmt: skip
+        return _tell_together(
+            scenario, file, count, gap, steps, criterion, plot, json, wording, title=title
+        )
+    return _tell_sequence(
+        scenario, file, count, gap, runners_up, criterion, plot, json, wording, title=title,
+        where_not=where_not and count == 1,
+    )  # fmt: skip
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
-    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *,
+    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *, title: str,
     where_not: bool,
 ) -> int:  # fmt: skip
     """Find and tell robots placed one after the other; what is None is as in the answer read.
@@ -170,7 +175,7 @@ def _tell_sequence(
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(scenario.name, answers, wording.terms(scenario), survey, at_once, count),
+        lambda: show(title, answers, wording.terms(scenario), survey, at_once, count),
         lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
         csv=wording.csv,
     )
@@ -179,7 +184,7 @@ def _tell_sequence(
 
 def _tell_together(
     scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
-    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording,
+    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *, title: str,
 ) -> int:  # fmt: skip
     """Find and tell robots placed all at once; what is None is as in the answer read.
 
@@ -209,7 +214,7 @@ def _tell_together(
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, terms, is_stopped=stopped),
+        lambda: show(title, found, terms, is_stopped=stopped),
         lambda: pictures_together(_beside(plot), found) if plot else [],
         csv=wording.csv,
     )

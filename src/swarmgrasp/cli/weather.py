@@ -11,8 +11,9 @@ from swarmgrasp.cli.show.report import complain
 from swarmgrasp.units import bearing, quantity
 
 if TYPE_CHECKING:
-    from swarmgrasp.environment import Current, Environment, Waves
+    from swarmgrasp.environment import Current, Environment, Waves, Wind, WindTable
     from swarmgrasp.scenario import Scenario
+    from swarmgrasp.terms import Terms
 
 WITH_WIND = "wind"
 """What --waves says for the sea that goes with the wind."""
@@ -92,13 +93,21 @@ class Water:
             )
             raise missing(scenario, file, "environment", needed_by, advice)
         faults: list[str] = []
+        wind, current, waves = around.wind, around.current, around.waves
         with noting(faults):
-            around = replace(around, current=self._current(scenario, file, around.current))
+            wind = self._wind(scenario, wind)
         with noting(faults):
-            around = replace(around, waves=self._waves(scenario, around.waves))
+            current = self._current(scenario, file, current)
+        with noting(faults):
+            waves = self._waves(scenario, waves)
         if faults:
             raise UsageFault(faults)
-        return around
+        with blaming("--waves" if self.waves else source_of(file)):
+            return replace(around, wind=wind, current=current, waves=waves)
+
+    def _wind(self, scenario: "Scenario", wind: "Wind | WindTable") -> "Wind | WindTable":  # noqa: ARG002
+        """Return what the object shows to the wind; its own speed and bearing play no part."""
+        return replace(wind, speed=None, bearing=None)
 
     def _current(
         self, scenario: "Scenario", file: str, current: "Current | None"
@@ -164,19 +173,20 @@ class Weather(Water, _Wind):
             As for `Water`, or if nothing says where the wind comes from, or how fast it is.
         """
         around = super().environment(scenario, file, needed_by)
-        speed, from_ = around.wind.speed, around.wind.bearing
+        return around if around.is_steady else _without_wind(around)
+
+    def _wind(self, scenario: "Scenario", wind: "Wind | WindTable") -> "Wind | WindTable":
+        """Return the wind to compute with."""
+        speed, from_ = wind.speed, wind.bearing
         if self.wind is not None:
             speed = speed_of(self.wind, scenario.terms.speed)
         if self.wind_from is not None:
             from_ = _bearing("--from", self.wind_from, scenario)
-        if self.wind is None and self.wind_from is None and speed is None:
-            return _without_wind(around)
-        if from_ is None:
+        if from_ is None and speed is not None:
             raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
-        if speed is None:
+        if speed is None and from_ is not None:
             raise UsageFault("--wind is missing: how fast the wind is, such as --wind 25kn")
-        with blaming("--wind"):
-            return replace(around, wind=replace(around.wind, speed=speed, bearing=from_))
+        return replace(wind, speed=speed, bearing=from_)
 
     def on(self, scenario: "Scenario", file: str) -> "Scenario":
         """Return a scenario whose criterion is to hold the object in this weather, if it is given.
@@ -200,6 +210,16 @@ class Weather(Water, _Wind):
         return replace(
             scenario, environment=around, criterion=replace(criterion, load=(surge, sway, yaw))
         )
+
+    def title(self, scenario: "Scenario", terms: "Terms") -> str:
+        """Return the scenario's name, and in which weather it is asked about if that was given."""
+        if not self.given:
+            return scenario.name
+        from swarmgrasp.cli.show.change import telling_of
+        from swarmgrasp.cli.show.held import weather_words
+
+        tell = telling_of(terms, scenario.swarm, [])
+        return f"{scenario.name} {weather_words(scenario, scenario.criterion.load, tell)}"
 
 
 STILL = Water()

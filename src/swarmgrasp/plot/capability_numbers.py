@@ -10,7 +10,7 @@ from swarmgrasp.environment import KNOT, STEPS
 from swarmgrasp.plot import all_round, polar, style
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
 
-HEADINGS: Final = ("", "least step held", "wind", "waves", "from", "lost")
+HEADINGS: Final = ("", "least held", "wind", "waves", "from", "lost")
 LAST: Final = len(STEPS) - 1
 """Number of the largest step."""
 NUMBERS_AT: Final = 45.0
@@ -98,5 +98,5 @@ def _small_print(found: CapabilityNumbers) -> list[str]:
         "Steps 1 to 11 of DNV-ST-0111: Beaufort winds, their sea and a current, all from there.",
         all_round.drag_words(found.environment),
         f"Loads times {factor:g}{beside}{poses}. No assessment by that standard:",
-        "without its thrust losses and power balance, and by nobody it has approved.",
+        "its thrust losses and its power balance are not counted.",
     ]
