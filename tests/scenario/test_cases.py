@@ -131,3 +131,43 @@ def test_a_basin_in_degrees_of_the_globe_is_read_with_a_warning() -> None:
     with pytest.warns(ScenarioWarning, match="longitude and latitude"):
         scenario = load_scenario(CASES / "basin-longitude-latitude.yaml")
     assert scenario.swarm.outline.extent == pytest.approx(0.00437, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "change", "said"),
+    [
+        ("utf-8", ("", ""), None),
+        ("utf-8-sig", ("", ""), None),
+        ("utf-8", ("\n", "\r\n"), None),
+        ("latin-1", ("Barge", "Bargé"), "6:7: not UTF-8 (byte 0xe9); save it as UTF-8"),
+        ("utf-16", ("", ""), "1:1: not UTF-8 (byte 0xff); save it as UTF-8"),
+        (
+            "utf-8",
+            ("  - {name: a", "\t- {name: a"),
+            "4:1: not valid YAML: a tab stands where spaces should; indent with spaces",
+        ),
+        (
+            "utf-8",
+            ("limit: 60tf", "limit: 60,5"),
+            "5:22: newcomer: a key should be text (got 5); decimals go after a point",
+        ),
+        (
+            "utf-8",
+            ("robots:", "name: Barge: loaded\nrobots:"),
+            "3:12: not valid YAML: a colon makes a key here; put a text with a colon in quotes",
+        ),
+    ],
+)
+def test_files_as_editors_save_them(
+    tmp_path: Path, encoding: str, change: tuple[str, str], said: str | None
+) -> None:
+    """They are read, or refused in one line that says what to do."""
+    path = tmp_path / "barge.yaml"
+    text = (CASES / "barge-quantities.yaml").read_text(encoding="utf-8") + "# Barge\n"
+    path.write_bytes(text.replace(*change).encode(encoding) if change[0] else text.encode(encoding))
+    if said is None:
+        assert len(load_scenario(path).swarm) == 1
+        return
+    with pytest.raises(ScenarioInvalid) as caught:
+        load_scenario(path)
+    assert caught.value.faults == (f"{path}:{said}",)
