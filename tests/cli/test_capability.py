@@ -213,7 +213,7 @@ def test_before_and_after_a_newcomer(run, windy, tmp_path):
     assert found["robot"] == placed
     assert max(found["after"]["intact"]) > max(alone["intact"])
     assert "from any bearing with G" in told[1]
-    assert "before [kn]  after [kn]  before, a loss [kn]  after, a loss [kn]" in told[1]
+    assert "before [kn]  after [kn]  loss, before [kn]  loss, after [kn]" in told[1]
     assert "without G" in picture.read_text() or picture.stat().st_size > 10_000
 
 

@@ -128,19 +128,19 @@ def numbers(found: Capability, speed: float, tell: Telling) -> list[str]:
     """Return a wind [m/s] in knots, in the second unit and as Beaufort."""
     if speed == 0.0:
         return ["none", "", ""]
-    most, size = _most(found), SPEEDS[second_unit(tell)]
-    if speed >= most:
-        return [f">{rounded(most / KNOT)}", f">{most / size:.1f}", str(beaufort(most + 0.1))]
+    limit, size = most(found), SPEEDS[second_unit(tell)]
+    if speed >= limit:
+        return [f">{rounded(limit / KNOT)}", f">{limit / size:.1f}", str(beaufort(limit + 0.1))]
     return [decimals(speed / KNOT), decimals(speed / size), str(beaufort(speed))]
 
 
-def _most(found: Capability) -> float:
+def most(found: Capability) -> float:
     """Return the wind [m/s] from which on winds are told as more than that."""
     return min(MOST_SHOWN * KNOT, found.most_told)
 
 
 def wind_text(found: Capability, speed: float, tell: Telling) -> str:
     """Return a wind [m/s] as text."""
-    if speed >= _most(found):
-        return f"more than {rounded(_most(found) / KNOT)} kn"
+    if speed >= most(found):
+        return f"more than {rounded(most(found) / KNOT)} kn"
     return f"{speed_text(speed, tell)[:-1]}, Beaufort {beaufort(speed)})"

@@ -2,7 +2,7 @@
 
 from swarmgrasp.capability import CapabilityJoined
 from swarmgrasp.cli.show.all_round import CLOCKWISE, bare, degrees, shown, step_note, surroundings
-from swarmgrasp.cli.show.capability import calm_words, numbers, sea_words, wind_text
+from swarmgrasp.cli.show.capability import calm_words, most, numbers, sea_words, wind_text
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.placement import place_facts
 from swarmgrasp.cli.show.report import Column, Report
@@ -27,13 +27,24 @@ def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
         *surroundings(after.environment, tell, worst_case=after.worst_case),
     ])  # fmt: skip
     report.blank()
+    _show_bearings(report, found, tell)
+    report.blank()
+    report.note(CLOCKWISE)
+    report.note(
+        f"The largest winds held beside {calm_words(after)}, before {joined} joins and after; "
+        f"loads are steady, and {sea_words(after)}."
+    )
+
+
+def _show_bearings(report: Report, found: CapabilityJoined, tell: Telling) -> None:
+    """Write the table of bearings, before and after."""
+    before, after = found.before, found.after
     less = after.less_by
     columns = [
         Column("from [deg]", is_number=True),
         *(Column(f"{text} [kn]", is_number=True)
-          for text in ("before", "after", f"before, a {less}", f"after, a {less}")),
+          for text in ("before", "after", f"{less}, before", f"{less}, after")),
     ]  # fmt: skip
-    before = found.before
     rows = [
         [
             bare(after.bearings[i]),
@@ -49,12 +60,6 @@ def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
     ]  # fmt: skip
     report.table(columns, rows, "bearings")
     step_note(report, after.bearings, len(rows))
-    report.blank()
-    report.note(CLOCKWISE)
-    report.note(
-        f"The largest winds held beside {calm_words(after)}, before {joined} joins and after; "
-        f"loads are steady, and {sea_words(after)}."
-    )
 
 
 def _change(found: CapabilityJoined, tell: Telling) -> list[tuple[str, str]]:
@@ -83,5 +88,5 @@ def _least(found: CapabilityJoined, speeds: object, index: int, tell: Telling) -
     speed = float(speeds[index])  # type: ignore[index]
     if speed == 0.0:
         return "none"
-    from_ = degrees(found.after.bearings[index])
+    from_ = degrees(found.after.bearings[index]) if speed < most(found.after) else "any bearing"
     return f"{wind_text(found.after, speed, tell)} from {from_}"
