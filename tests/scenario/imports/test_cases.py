@@ -97,7 +97,9 @@ def test_arrays_of_numpy_and_bare_numbers(tmp_path: Path) -> None:
         with pytest.raises(ScenarioInvalid, match="limits: is missing"):
             convert(tmp_path / name)
     np.save(tmp_path / "c.npy", np.array([{}]), allow_pickle=True)
-    (tmp_path / "d.npy").write_bytes(b"\x93NUMPY\x01\x00junk")
+    (tmp_path / "d.npy").write_bytes(
+        (tmp_path / "a.npy").read_bytes().replace(b"(3, 4)", b"(3, 4[")
+    )
     np.save(tmp_path / "e.npy", rows[:2])
     np.save(tmp_path / "f.npy", rows * math.nan)
     for name, said in (

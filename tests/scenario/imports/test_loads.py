@@ -77,6 +77,10 @@ def test_winds_of_several_speeds_are_interpolated(tmp_path: Path) -> None:
         (TABLE.replace("20;45", "21;45"), "the wind of 10.2889 m/s from 45 deg is missing"),
         (TABLE + "20;90;0;-41;-60\n", "stands twice, with other loads"),
         (TABLE.replace("Mz", "Mx"), "unknown column 'mx'"),
+        (
+            TABLE.replace("[kn]", "[knZ]"),
+            "loads.csv:1: environment.wind.table: the column 'wind sp",
+        ),
         ("20,0,1,2,3\n20,1.5,1,2,3\n", "leave a gap from 85.94 to 0 deg"),
         ("20,0,1,2\n", "has 4 cells"),
         ("0,0,1,2,3\n0,90,1,2,3\n0,180,1,2,3\n", "the first speed is 0"),
@@ -104,6 +108,8 @@ def test_tables_are_checked_and_go_with_no_drag() -> None:
     )
     table = parse_scenario(text % "").environment.wind
     assert table.is_of_one_side
+    with pytest.raises(ScenarioInvalid, match=r"table\.rows: is missing; give rows"):
+        parse_scenario(text.replace(rows, "about: [0, 0]") % "")
     with pytest.raises(ScenarioInvalid) as refused:
         parse_scenario(text % ", vessel: ferry, frontal_area: 3, speed: 3")
     assert len(refused.value.faults) == 3

@@ -252,6 +252,11 @@ def test_halves_of_hulls(tmp_path: Path) -> None:
             '<!DOCTYPE a [<!ENTITY b "c">]>\n<svg>&b;</svg>',
             ["a.svg:1: outline: defines entities"],
         ),
+        (
+            "a.svg",
+            SVG + '><path d="M0,0 L9,0 C1e308,9 -1e308,9 0,9 A1e999 2 0 0 1 0 0"/></svg>',
+            ["the shape number 1 "],
+        ),
         ("a.svg", "<html/>", ["should be a drawing in SVG"]),
         (
             "a.svg",
@@ -329,6 +334,9 @@ def test_robots_from_a_table(tmp_path: Path) -> None:
         "tugs.csv:3: robots.1.contact: ",
         "tugs.csv:3: robots.1.direction",
     ]
+    table.write_text("name [m],x,y,limit [ft]\na,10,3,2\n")
+    with pytest.raises(ScenarioInvalid, match=r"'ft' is a unit of length.*\n.*'name' has no unit"):
+        load_scenario(path)
     table.write_text("name,x,limt\na,10,3\n")
     with pytest.raises(ScenarioInvalid, match="did you mean 'limit'") as caught:
         load_scenario(path)

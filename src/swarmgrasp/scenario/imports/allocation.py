@@ -1,6 +1,7 @@
 """Allocation matrices from files: CSV, JSON, YAML or NumPy's own."""
 
 import json
+import warnings
 from dataclasses import dataclass, field
 from io import BytesIO
 from pathlib import Path
@@ -12,7 +13,7 @@ from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.ranges import array_of, shown
 from swarmgrasp.scenario.document import read_document
 from swarmgrasp.scenario.faults import Faults
-from swarmgrasp.scenario.imports.cells import Cells, read_cells
+from swarmgrasp.scenario.imports.cells import Cells, check_units, read_cells
 from swarmgrasp.scenario.imports.source import Source
 
 AXES = ("fx", "fy", "mz")
@@ -105,8 +106,9 @@ def _of_numpy(source: Source) -> Matrix | None:
     if raw is None:
         return None
     try:
-        found = np.load(BytesIO(raw), allow_pickle=False)
-    except (ValueError, OSError, EOFError, MemoryError, SyntaxError, TypeError) as error:
+        with warnings.catch_warnings(action="ignore"):
+            found = np.load(BytesIO(raw), allow_pickle=False)
+    except Exception as error:  # NumPy stumbles in many ways over a wrong header
         source.fault(f"cannot be read as an array of NumPy: {shown(str(error))}")
         return None
     return _checked(source, found if isinstance(found, np.ndarray) else None)
@@ -166,11 +168,15 @@ def _of_table(source: Source) -> Matrix | None:
 
 def _by_columns(source: Source, cells: Cells, above: list[str]) -> Matrix | None:
     """Read a table of a thruster a line."""
+    before = len(source.faults)
+    check_units(cells, {"limit": "force", "limits": "force", "max": "force", "least": "force",
+                        "min": "force"}, source)  # fmt: skip
     strange = [h.name for h, known in zip(cells.headings, above, strict=True) if not known]
+    sound = len(source.faults) == before
     twice = {name for name in above if name and above.count(name) > 1}
     for name in (*strange, *sorted(twice)):
         source.fault(f"has a column {name!r} too many; known: name, Fx, Fy, Mz, limit, least", 1)
-    if strange or twice:
+    if strange or twice or not sound:
         return None
     lists = {name: [row.cells[k] for row in cells.rows] for k, name in enumerate(above)}
     units = {name: h.unit for name, h in zip(above, cells.headings, strict=True)}

@@ -3,12 +3,14 @@
 import csv
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.ranges import nearest_name, shown
 from swarmgrasp.scenario.imports.source import MOST_ROWS, Source
+from swarmgrasp.units import quantity
 
 _NUMBER = re.compile(r"[-+\u2212]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?")
 _COMMA = re.compile(r"[-+\u2212]?\d*,\d+([eE][-+]?\d+)?(\s*[^\d\s,;][^,;]*)?")
@@ -131,6 +133,27 @@ def check_headings(cells: Cells, known: Sequence[str], source: Source) -> None:
         elif heading.name in seen:
             source.fault(f"there are two columns called {shown(heading.name)}; keep one", 1)
         seen.add(heading.name)
+
+
+def check_units(cells: Cells, kinds: Mapping[str, str], source: Source) -> None:
+    """Note units in headings that are none of what their columns measure.
+
+    Parameters
+    ----------
+    cells : Cells
+    kinds : mapping of str to str
+        What columns measure, by their names; others measure nothing.
+    source : Source
+    """
+    for heading in cells.headings:
+        kind = kinds.get(heading.name, "")
+        if heading.unit and not kind:
+            source.fault(f"the column {shown(heading.name)} has no unit; leave it out", 1)
+        elif heading.unit:
+            try:
+                quantity(f"1 {heading.unit}", kind)
+            except QuantityInvalid as error:
+                source.fault(f"the column {shown(heading.name)}: {'; '.join(error.faults)}", 1)
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from swarmgrasp.ranges import shown
-from swarmgrasp.scenario.imports.cells import check_headings, read_cells
+from swarmgrasp.scenario.imports.cells import check_headings, check_units, read_cells
 from swarmgrasp.scenario.imports.source import Source
 
 _CALLED = {
@@ -14,6 +14,8 @@ _CALLED = {
     "tz": "mz",
 }  # fmt: skip
 """What people call the columns."""
+_KINDS = {"speed": "speed", "bearing": "angle", "fx": "force", "fy": "force", "mz": "torque"}
+"""What the columns measure."""
 COLUMNS = ("speed", "bearing", "fx", "fy", "mz")
 
 
@@ -28,6 +30,7 @@ def read_loads(source: Source) -> list[list[float | str]] | None:
         return None
     before = len(source.faults)
     check_headings(cells, list(_CALLED), source)
+    check_units(cells, {name: _KINDS[column] for name, column in _CALLED.items()}, source)
     called = [_CALLED.get(h.name, h.name) for h in cells.headings] or list(COLUMNS)
     missing = [name for name in COLUMNS if name not in called]
     if missing and len(source.faults) == before:

@@ -4,14 +4,20 @@ import re
 from typing import Any
 
 from swarmgrasp.scenario.document import Node, resolve
-from swarmgrasp.scenario.imports.cells import Cells, Row, check_headings, read_cells
+from swarmgrasp.scenario.imports.cells import Cells, Row, check_headings, check_units, read_cells
 from swarmgrasp.scenario.imports.source import Source
 
 KEYS = (
     "name", "x", "y", "theta", "at", "edge", "along", "direction", "limit", "ahead", "astern",
-    "least", "steers", "friction", "mounted", "two_way", "group", "length", "beam",
+    "least", "steers", "friction", "mounted", "two_way", "lever", "group", "length", "beam",
 )  # fmt: skip
 """Columns that a table of robots may have: x and y are the contact."""
+_KINDS = {
+    **dict.fromkeys(("x", "y", "at", "along", "lever", "length", "beam"), "length"),
+    **dict.fromkeys(("theta", "direction", "steers"), "angle"),
+    **dict.fromkeys(("limit", "ahead", "astern", "least"), "force"),
+}
+"""What they measure."""
 _TEXTS = ("name", "group", "edge")
 """Columns of text: "7" is a name there."""
 _BOTH = {"x": "y", "y": "x", "ahead": "astern", "astern": "ahead"}
@@ -32,6 +38,7 @@ def read_robots(source: Source) -> list[Node] | None:
         return None
     before = len(source.faults)
     check_headings(cells, KEYS, source)
+    check_units(cells, _KINDS, source)
     names = [heading.name for heading in cells.headings]
     for name in names:
         other = _BOTH.get(name)

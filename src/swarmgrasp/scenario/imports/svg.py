@@ -95,7 +95,14 @@ def read_svg(source: Source, part: str = "", tolerance: float | None = None) -> 
         source.fault(f"the shape {name} has no extent", line)
         return None
     within = FINE * extent if tolerance is None else tolerance
-    points, is_closed, has_curves = _flattened(path, within)
+    try:
+        points, is_closed, has_curves = _flattened(path, within)
+        is_finite = all(math.isfinite(value) for point in points for value in point)
+    except (ArithmeticError, ValueError):  # svgelements takes any word for a number
+        is_finite = False
+    if not is_finite:
+        source.fault(f"the shape {name} holds numbers that are not finite", line)
+        return None
     if len(points) > MOST_CORNERS:
         source.fault(
             f"the shape {name} has more than {MOST_CORNERS} corners; allow more tolerance", line
