@@ -21,7 +21,9 @@ from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED, STRONGEST
 
 if TYPE_CHECKING:
+    from swarmgrasp.placement import HowMany, Problem
     from swarmgrasp.quality import Criterion
+    from swarmgrasp.terms import Terms
 
 MOST = 20
 """Robots tried unless told otherwise."""
@@ -86,26 +88,15 @@ def count(
         raise UsageFault("--quality is missing; give the quality required, such as 600e3")
     tried = before.get("most", MOST) if most is None else int(most)
     criterion = criterion_of(scenario, file, losing, worst_case, failures, tried)
-    from swarmgrasp.cli.lasting import INTERRUPTED, stoppable
-    from swarmgrasp.cli.progress import shown_search
-    from swarmgrasp.placement import how_many
     from swarmgrasp.placement.together.effort import EFFORT
 
     required = before["required"] if quality is None else _required(quality, criterion)
     steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     terms = wording.terms(scenario)
-    with blaming(file), stoppable() as is_stopped, shown_search("counting") as tell:
-
-        def progress(count: int, enough: int) -> bool:
-            """Tell how far the search is, and end it on Ctrl-C."""
-            known = f"{enough} are enough" if enough <= tried else f"at most {tried}"
-            tell(f"trying {terms.robots(count)}, {known}")
-            return is_stopped()
-
-        problem = scenario.problem(criterion)
-        found = how_many(problem, required, most=tried, effort=steps, progress=progress)
-        stopped = is_stopped() and not found.is_proven
+    with blaming(file):
+        found, stopped = _counted(scenario.problem(criterion), required, tried, steps, terms)
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.lasting import INTERRUPTED
     from swarmgrasp.cli.show.count import show
 
     deliver(
@@ -115,6 +106,26 @@ def count(
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0
+
+
+def _counted(
+    problem: "Problem", required: float, most: int, effort: int, terms: "Terms"
+) -> "tuple[HowMany, bool]":
+    """Search, showing how far that is; return what is found, and whether Ctrl-C ended it."""
+    from swarmgrasp.cli.lasting import stoppable
+    from swarmgrasp.cli.progress import shown_search
+    from swarmgrasp.placement import how_many
+
+    with stoppable() as is_stopped, shown_search("counting") as tell:
+
+        def progress(count: int, enough: int) -> bool:
+            """Tell how far the search is, and end it on Ctrl-C."""
+            known = f"{enough} are enough" if enough <= most else f"at most {most}"
+            tell(f"trying {terms.robots(count)}, {known}")
+            return is_stopped()
+
+        found = how_many(problem, required, most=most, effort=effort, progress=progress)
+        return found, is_stopped() and not found.is_proven
 
 
 def _required(text: str, criterion: "Criterion") -> float:
