@@ -2,8 +2,8 @@
 
 import os
 import secrets
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 NO_FILE = "there is no such file"
@@ -67,6 +67,13 @@ def scratch_for(target: Path) -> Iterator[Path]:
         scratch.replace(target)
     finally:
         scratch.unlink(missing_ok=True)
+
+
+def write_together(contents: Mapping[Path, bytes]) -> None:
+    """Write several files: if one cannot be written, none takes its place."""
+    with ExitStack() as all_of_them:
+        for target, content in contents.items():
+            all_of_them.enter_context(scratch_for(target)).write_bytes(content)
 
 
 def write_whole(path: str | Path, content: bytes, *, durable: bool = False) -> None:

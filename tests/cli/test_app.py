@@ -25,7 +25,7 @@ def test_help_lists_commands_and_exit_status(run):
     status, said, _ = run("--help")
     assert status == 0
     assert all(f"\n {command} " in said for command in COMMANDS)
-    assert "Exit status: 0 done; 1 an answer was refused (verify, judge)" in said
+    assert "Exit status: 0 done; 1 an answer was refused (verify, judge, report)" in said
     able_to_fail = ("paper", "agents curve", "agents simulate", "agents demo", "agents ask")
     assert all(
         command in " ".join(said.split("Exit status")[1].split()) for command in able_to_fail

@@ -66,7 +66,7 @@ def test_a_report_is_whole_and_refers_to_nothing_else(tmp_path, monkeypatch):
     text = (folder / "paper.md").read_text("utf-8")
     pictures = re.findall(r"\]\(([^)]+)\)", text)
     assert set(pictures) == {path.name for path in written.paths if path.suffix == ".png"}
-    assert "✗ not so in this run: Two and two are five & &lt;more>." in text
+    assert "✗ not so in this run: Two and two are five &amp; &lt;more>." in text
 
 
 def test_nothing_is_left_behind_when_it_fails(tmp_path, monkeypatch):

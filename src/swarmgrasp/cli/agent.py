@@ -13,8 +13,8 @@ from cyclopts import Parameter
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, noting, read_scenario
 from swarmgrasp.cli.lasting import end_on_signals, say
-from swarmgrasp.cli.show.report import clean
 from swarmgrasp.files import target_faults
+from swarmgrasp.texts import clean
 
 if TYPE_CHECKING:
     from swarmgrasp.agents.network import NetworkSettings, Process, Transport

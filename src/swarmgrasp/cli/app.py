@@ -24,6 +24,7 @@ from swarmgrasp.cli.paper import paper
 from swarmgrasp.cli.place import place
 from swarmgrasp.cli.plot import plot
 from swarmgrasp.cli.quality import quality
+from swarmgrasp.cli.report import report
 from swarmgrasp.cli.schema import schema
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.simulate import simulate
@@ -33,8 +34,8 @@ from swarmgrasp.errors import SwarmGraspError
 
 WRONG_INPUT = 2
 COMMANDS = (
-    place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, agent,
-    paper, examples, convert, schema,
+    place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, report,
+    agent, paper, examples, convert, schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
@@ -56,10 +57,10 @@ directions clockwise from the bow. JSON is in SI units and radians.
 """
 
 STATUS = """
-Exit status: 0 done; 1 an answer was refused (verify, judge), an object was not held (simulate), a
-statement does not hold (paper, agents curve), an invariant broke (agents simulate), places differ
-(agents demo) or a robot cannot do what is asked (agents ask); 2 wrong input or usage; 130
-interrupted with Ctrl-C.
+Exit status: 0 done; 1 an answer was refused (verify, judge, report), an object was not held
+(simulate), a statement does not hold (paper, agents curve), an invariant broke (agents simulate),
+places differ (agents demo) or a robot cannot do what is asked (agents ask); 2 wrong input or usage;
+130 interrupted with Ctrl-C.
 """
 
 
@@ -114,7 +115,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         )
         return WRONG_INPUT
     except SwarmGraspError as error:
-        complain(error.faults)
+        complain(map(shown, error.faults))
         return WRONG_INPUT
     except KeyboardInterrupt:
         return INTERRUPTED

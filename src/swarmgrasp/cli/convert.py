@@ -73,9 +73,10 @@ def convert(
     force
         Overwrite an existing file.
     """
-    from swarmgrasp.cli.show.report import clean, complain, told_written
+    from swarmgrasp.cli.show.report import complain, told_written
     from swarmgrasp.files import write_whole
     from swarmgrasp.scenario import convert as converted
+    from swarmgrasp.texts import clean
 
     faults = output_faults(out, (".yaml", ".yml"))
     if out != DASH and not faults and os.path.lexists(out) and not force:

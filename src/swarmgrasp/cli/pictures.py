@@ -10,6 +10,7 @@ from swarmgrasp.errors import ForceSetUnsupported, WrenchSetTooLarge
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from swarmgrasp.pages.page import Drawing
     from swarmgrasp.placement import Placement, Together
     from swarmgrasp.quality import Criterion
     from swarmgrasp.swarm import Swarm
@@ -81,3 +82,11 @@ def _figure(
         after = answers[-1].swarm_after if answers else None
         return wrench_sets(swarm, after, criterion=criterion)
     return landscape(answers[0])
+
+
+def drawing(name: str, figure: "Figure", caption: str) -> "Drawing":
+    """Return a picture as a part of a page."""
+    from swarmgrasp.pages.page import Drawing
+    from swarmgrasp.plot import svg
+
+    return Drawing(f"{name}.svg", svg(figure, name, caption), caption)

@@ -23,21 +23,14 @@ def csv_faults(csv: str | None, json: str | None) -> list[str]:
 
 @Parameter(name="*")
 @dataclass(frozen=True)
-class Wording:
-    """How an answer is told; JSON is in SI units and radians however that is."""
+class Phrasing:
+    """The terms in which an answer is told."""
 
     units: Literal["file", "si"] = "file"
     """Units of the answer: the file's, or si for metres, newtons and metres per second."""
     bearings: Annotated[bool, Parameter(negative="")] = False
     """Tell directions as bearings, degrees clockwise from the bow, or from north where the file
     gives the heading."""
-    csv: Dashed | None = None
-    """Also write the tables to this .csv file, each further one beside it; "-" prints the first and
-    nothing else. Units are those of the answer."""
-
-    def faults(self, json: str | None = None) -> list[str]:
-        """Return what is wrong with where to write, together with where JSON goes."""
-        return csv_faults(self.csv, json)
 
     def terms(self, scenario: "Scenario") -> "Terms":
         """Return the terms in which to tell an answer to the question of a file."""
@@ -49,5 +42,21 @@ class Wording:
         return replace(terms, length=SI.length, force=SI.force, speed=SI.speed, angle=SI.angle)
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Wording(Phrasing):
+    """How an answer is told; JSON is in SI units and radians however that is."""
+
+    csv: Dashed | None = None
+    """Also write the tables to this .csv file, each further one beside it; "-" prints the first and
+    nothing else. Units are those of the answer."""
+
+    def faults(self, json: str | None = None) -> list[str]:
+        """Return what is wrong with where to write, together with where JSON goes."""
+        return csv_faults(self.csv, json)
+
+
+AS_FILED = Phrasing()
+"""As the file has it."""
 FILE = Wording()
 """As the file has it."""

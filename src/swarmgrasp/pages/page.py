@@ -1,30 +1,55 @@
-"""The report as blocks, and as Markdown or as one HTML page."""
+"""A page as blocks, and as Markdown or as one HTML page."""
 
 import base64
 import html
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 from matplotlib.figure import Figure
 
 from swarmgrasp.pages.statements import Statement
+from swarmgrasp.texts import clean
 
 HOLDS, FAILS = "✓", "✗ not so in this run:"
+MOST_WHOLE = 20
+"""Rows up to which a table is not broken across printed pages."""
 STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 46em; margin: 2em auto;
-  padding: 0 1em; }
-h1, h2 { line-height: 1.2; } h2 { margin-top: 2em; border-top: 1px solid #ddd; padding-top: 1em; }
-figure { margin: 1.5em 0; } img { max-width: 100%; height: auto; }
-figcaption, footer { color: #6e6e6e; font-size: 0.9em; }
-.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.85em; }
-th, td { border-bottom: 1px solid #ddd; padding: 0.3em 0.7em; text-align: right;
+:root { color-scheme: light dark; --ink: #222; --soft: #6e6e6e; --line: #ddd; --paper: #fff;
+  --good: #00775a; --caution: #8a5a00; --bad: #b34700; }
+@media screen and (prefers-color-scheme: dark) { :root { --ink: #e4e4e4; --soft: #a2a2a2;
+  --line: #454545; --paper: #181a1c; --good: #4cc9a4; --caution: #e8b04a; --bad: #ff9a5c; } }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
+  max-width: 46em; margin: 2em auto; padding: 0 1em; overflow-wrap: break-word; }
+h1, h2, h3 { line-height: 1.2; }
+h2 { margin-top: 2em; border-top: 1px solid var(--line); padding-top: 1em; }
+h3 { font-size: 1em; margin: 1.5em 0 0.5em; }
+figure { margin: 1.5em 0; } img, svg { max-width: 100%; height: auto; }
+figure svg { background: #fff; }
+figcaption, footer, .note { color: var(--soft); font-size: 0.9em; }
+.note { margin: 0.4em 0; }
+.strong { font-weight: 600; } .good { color: var(--good); } .caution { color: var(--caution); }
+.bad { color: var(--bad); }
+.wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.85em;
+  margin: 0.8em 0; }
+th, td { border-bottom: 1px solid var(--line); padding: 0.3em 0.7em; text-align: left;
   vertical-align: top; }
-th:first-child, td:first-child, .words th, .words td { text-align: left; }
-ul { list-style: none; padding-left: 0; } li { padding-left: 1.6em; text-indent: -1.6em;
-  margin: 0.4em 0; }
-li b { display: inline-block; min-width: 1.6em; text-indent: 0; color: #009e73; }
-li.fails b { color: #d55e00; }
-@media print { figure, tr, li { break-inside: avoid; } }
+th.number, td.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number { white-space: nowrap; }
+.facts th { font-weight: 600; white-space: nowrap; } .facts th, .facts td { border: 0;
+  padding: 0.15em 1em 0.15em 0; }
+.blanks { width: 100%; } .blanks td { height: 2.6em; }
+.checks { list-style: none; padding-left: 0; } .checks li { padding-left: 1.6em;
+  text-indent: -1.6em; }
+li { margin: 0.4em 0; }
+li b { display: inline-block; min-width: 1.6em; text-indent: 0; color: var(--good); }
+li.fails b { color: var(--bad); }
+@page { size: A4; margin: 16mm 15mm; }
+@media print { body { font-size: 10pt; max-width: none; margin: 0; padding: 0; }
+  .wide { overflow: visible; } h1, h2, h3, p.strong { break-after: avoid; }
+  h2 { margin-top: 1.2em; padding-top: 0.6em; } thead { display: table-header-group; }
+  figure, tr, li, .whole { break-inside: avoid; } }
 """
 
 
@@ -46,17 +71,56 @@ class Heading:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Plain text."""
+    """Plain text: as it is, in a colour that says how good it is to hear, or as small print."""
 
     text: str
+    tone: Literal["", "strong", "good", "caution", "bad", "note"] = ""
 
     def markdown(self) -> str:
         """Return it as Markdown."""
-        return _escaped(self.text)
+        mark = {"": "", "note": "*"}.get(self.tone, "**")
+        return f"{mark}{_escaped(self.text)}{mark}"
 
     def html(self) -> str:
         """Return it as HTML."""
-        return f"<p>{html.escape(self.text)}</p>"
+        strong = "" if self.tone in ("", "strong", "note") else "strong "
+        kind = f' class="{strong}{self.tone}"' if self.tone else ""
+        return f"<p{kind}>{_safe(self.text)}</p>"
+
+
+@dataclass(frozen=True)
+class Points:
+    """Sentences, each with a mark before it."""
+
+    sentences: Sequence[str]
+
+    def markdown(self) -> str:
+        """Return them as Markdown."""
+        return "\n".join(f"- {_escaped(sentence)}" for sentence in self.sentences)
+
+    def html(self) -> str:
+        """Return them as HTML."""
+        return "\n".join(["<ul>", *(f"<li>{_safe(each)}</li>" for each in self.sentences), "</ul>"])
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Labelled facts; an empty label continues the one above."""
+
+    rows: Sequence[tuple[str, str]]
+
+    def markdown(self) -> str:
+        """Return them as Markdown."""
+        body = [f"| {_cell(label)} | {_cell(fact)} |" for label, fact in self.rows]
+        return "\n".join(["| | |", "| --- | --- |", *body])
+
+    def html(self) -> str:
+        """Return them as HTML."""
+        rows = [
+            f'<tr><th scope="row">{_safe(label)}</th><td>{_safe(fact)}</td></tr>'
+            for label, fact in self.rows
+        ]
+        return "\n".join(['<table class="facts whole"><tbody>', *rows, "</tbody></table>"])
 
 
 @dataclass(frozen=True)
@@ -73,36 +137,56 @@ class Findings:
         """Return them as HTML."""
         rows = [
             f'<li class="{"holds" if one.holds else "fails"}"><b>{_mark(one)}</b> '
-            f"{html.escape(one.text)}</li>"
+            f"{_safe(one.text)}</li>"
             for one in self.statements
         ]
-        return "\n".join(["<ul>", *rows, "</ul>"])
+        return "\n".join(['<ul class="checks">', *rows, "</ul>"])
 
 
 @dataclass(frozen=True)
 class Table:
-    """A table, of numbers but for its first column, or of words."""
+    """A table.
+
+    Attributes
+    ----------
+    heads : sequence of str
+    rows : sequence of sequence of str
+    numbers : collection of int, optional
+        The columns of numbers; all but the first when left out.
+    is_blank : bool
+        Whether its cells are to be filled in by hand.
+    """
 
     heads: Sequence[str]
     rows: Sequence[Sequence[str]]
-    of_words: bool = False
+    numbers: Collection[int] | None = None
+    is_blank: bool = False
+
+    def _is_number(self, column: int) -> bool:
+        """Tell whether a column is of numbers."""
+        return column > 0 if self.numbers is None else column in self.numbers
 
     def markdown(self) -> str:
         """Return it as Markdown."""
-        marks = ["---"] + ["---" if self.of_words else "---:"] * (len(self.heads) - 1)
-        body = [[_escaped(cell).replace("|", "\\|") for cell in row] for row in self.rows]
-        return "\n".join("| " + " | ".join(row) + " |" for row in (self.heads, marks, *body))
+        marks = ["---:" if self._is_number(k) else "---" for k in range(len(self.heads))]
+        cells = [[_cell(cell) for cell in row] for row in (self.heads, *self.rows)]
+        return "\n".join("| " + " | ".join(row) + " |" for row in (cells[0], marks, *cells[1:]))
 
     def html(self) -> str:
         """Return it as HTML."""
-        head = "".join(f"<th>{html.escape(cell)}</th>" for cell in self.heads)
-        rows = [
-            "<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>"
-            for row in self.rows
-        ]
-        kind = ' class="words"' if self.of_words else ""
-        lines = f'<div class="wide"><table{kind}>', f"<tr>{head}</tr>", *rows, "</table></div>"
-        return "\n".join(lines)
+        kind = ("blanks " * self.is_blank) + ("whole" * (len(self.rows) <= MOST_WHOLE))
+        kind = f' class="{kind.strip()}"' if kind else ""
+        rows = [self._row("td", row) for row in self.rows]
+        return "\n".join([
+            f'<div class="wide"><table{kind}><thead>', self._row("th", self.heads),
+            "</thead><tbody>", *rows, "</tbody></table></div>",
+        ])  # fmt: skip
+
+    def _row(self, tag: str, cells: Sequence[str]) -> str:
+        """Return a row as HTML."""
+        kinds = [' class="number"' if self._is_number(k) else "" for k in range(len(cells))]
+        told = zip(kinds, cells, strict=True)
+        return "<tr>" + "".join(f"<{tag}{k}>{_safe(c)}</{tag}>" for k, c in told) + "</tr>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,12 +204,29 @@ class Picture:
     def html(self, content: bytes) -> str:
         """Return it as HTML with its PNG inside."""
         data = base64.b64encode(content).decode()
-        caption = html.escape(self.caption)
+        caption = _safe(self.caption)
         image = f'<img src="data:image/png;base64,{data}" alt="{caption}">'
         return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
 
 
-Block = Heading | Paragraph | Findings | Table | Picture
+@dataclass(frozen=True)
+class Drawing:
+    """A picture as SVG, the name of its file beside Markdown, and what it shows."""
+
+    name: str
+    svg: str = field(repr=False)
+    caption: str
+
+    def markdown(self) -> str:
+        """Return it as Markdown, as a file beside the page."""
+        return f"![{_escaped(self.caption)}]({self.name})\n\n{_escaped(self.caption)}"
+
+    def html(self) -> str:
+        """Return it as HTML with its SVG inside."""
+        return f"<figure>{self.svg}<figcaption>{_safe(self.caption)}</figcaption></figure>"
+
+
+Block = Heading | Paragraph | Points | Facts | Findings | Table | Picture | Drawing
 
 
 def markdown(blocks: Sequence[Block]) -> str:
@@ -147,7 +248,7 @@ def html_page(title: str, blocks: Sequence[Block], pictures: Mapping[str, bytes]
     head = (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{html.escape(title)}</title><style>{STYLE}</style></head><body>"
+        f"<title>{_safe(title)}</title><style>{STYLE}</style></head><body>"
     )
     return "\n".join([head, *body, "</body></html>"]) + "\n"
 
@@ -157,6 +258,33 @@ def _mark(statement: Statement) -> str:
     return HOLDS if statement.holds else FAILS
 
 
+def _safe(text: str) -> str:
+    """Return text without what HTML would take for markup."""
+    return html.escape(clean(text))
+
+
+_MARKUP = re.compile(r"([\\`*_\[\]|~$])")
+"""What Markdown takes for markup within a line."""
+_BLOCK = re.compile(r"^(\s*)([#+>-]|\d+(?=[.)]))")
+"""What Markdown takes for a heading, a list or a quotation at the beginning of a line."""
+
+
 def _escaped(text: str) -> str:
-    """Return text without what Markdown would take for markup."""
-    return text.replace("<", "&lt;").replace("*", "\\*").replace("_", "\\_")
+    r"""Return text without what Markdown would take for markup.
+
+    Examples
+    --------
+    >>> print(_escaped("# a*b_c <i> & [x](y)"))
+    \# a\*b\_c &lt;i> &amp; \[x\](y)
+    """
+    return _BLOCK.sub(lambda found: _item(found[1], found[2]), _cell(text))
+
+
+def _item(space: str, mark: str) -> str:
+    """Return the mark of a heading, a list or a quotation as text."""
+    return f"{space}&#{ord(mark[0])};{mark[1:]}" if mark[0].isdigit() else f"{space}\\{mark}"
+
+
+def _cell(text: str) -> str:
+    """Return text without what Markdown would take for markup within a line."""
+    return _MARKUP.sub(r"\\\1", clean(text).replace("&", "&amp;").replace("<", "&lt;"))

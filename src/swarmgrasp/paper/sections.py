@@ -115,7 +115,7 @@ def _published(found: Measured) -> list[Block]:
         here = f"Algorithm 1 {seconds(theirs[name])}, certified optimum {seconds(ours[name])}"
         rows.append([f"Fig. 6: C in C N², {name}", f"{fitted} s", here, "least squares"])
     heads = ["what", f"the paper ({MACHINE})", "here", "as"]
-    return [Heading("The paper's numbers beside ours"), Table(heads, rows, of_words=True)]
+    return [Heading("The paper's numbers beside ours"), Table(heads, rows, numbers=())]
 
 
 def _construction(found: Measured) -> list[Block]:
@@ -329,7 +329,7 @@ def _misprints(found: Measured) -> list[Block]:
             f"{found.size.misprints} draws of {MISPRINTED} robots, with a newcomer that may push "
             f"{FREE}."
         ),
-        Table(["where", "printed", "meant", "what comes of it"], rows, of_words=True),
+        Table(["where", "printed", "meant", "what comes of it"], rows, numbers=()),
     ]
 
 

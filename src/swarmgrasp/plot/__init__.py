@@ -5,7 +5,7 @@ from swarmgrasp.plot.capability_numbers import numbers_diagram
 from swarmgrasp.plot.forces import forces_plan
 from swarmgrasp.plot.landscape import landscape
 from swarmgrasp.plot.plan import plan
-from swarmgrasp.plot.save import save
+from swarmgrasp.plot.save import save, svg
 from swarmgrasp.plot.sensitivity import sensitivity_plan
 from swarmgrasp.plot.study import study_picture
 from swarmgrasp.plot.thrust_use import thrust_use_picture
@@ -20,6 +20,7 @@ __all__ = [
     "save",
     "sensitivity_plan",
     "study_picture",
+    "svg",
     "thrust_use_picture",
     "wrench_sets",
 ]

@@ -1,16 +1,21 @@
-"""Writing a picture to a file: all of it or nothing."""
+"""Writing a picture to a file, all of it or nothing; or as a part of a page."""
 
+import io
 import os
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
+from xml.sax.saxutils import escape
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from swarmgrasp.errors import SwarmGraspError, refuse
 from swarmgrasp.files import scratch_for, target_faults
 from swarmgrasp.plot import style
+from swarmgrasp.texts import clean
 
 PIXELS_PER_INCH: Final = 240
 """Sharp in print at column width, and light."""
@@ -66,3 +71,36 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     except OSError as fault:
         raise PictureNotSaved(f"{target}: cannot be written: {fault.strerror or fault}") from fault
     return target
+
+
+def svg(figure: Figure, name: str, title: str) -> str:
+    """Return a picture as SVG that can stand within a page, its text as text.
+
+    The same picture gives the same text.
+
+    Parameters
+    ----------
+    figure : Figure
+    name : str
+        A word of letters and digits, which tells its parts from those of other pictures on the
+        page.
+    title : str
+        What it shows, for those who do not see it.
+
+    Returns
+    -------
+    str
+        An element `svg` that refers to nothing outside it.
+    """
+    out = io.StringIO()
+    nothing = dict.fromkeys(("Creator", "Date", "Format", "Type"))
+    for text in figure.findobj(Text):
+        text.set_text(re.sub(r"[^\n\xa0]+", lambda part: clean(part[0]), text.get_text()))
+    look = mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "none"})
+    with look, style.quietly():
+        figure.savefig(out, format="svg", metadata=nothing)
+    drawn = out.getvalue()
+    drawn = drawn[drawn.index("<svg") :].strip()
+    drawn = re.sub(r'(\bid="|href="#|url\(#)', rf"\1{name}-", drawn)
+    tag, rest = drawn.split(">", 1)
+    return f'{tag} role="img">\n <title>{escape(title)}</title>{rest}'

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from swarmgrasp.cli.lasting import say
-from swarmgrasp.cli.show.report import clean
+from swarmgrasp.texts import clean
 
 REFUSES = 1
 """Exit status when a robot cannot do what is wished now."""

@@ -13,7 +13,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, output_faults, read_scenario
 from swarmgrasp.cli.lasting import say
-from swarmgrasp.cli.show.report import clean
+from swarmgrasp.texts import clean
 from swarmgrasp.words import Lengths, Unit, list_words, turned
 
 if TYPE_CHECKING:

@@ -65,7 +65,7 @@ def show(
         _show_losses(report, swarm, lost, tell, unit_of(criterion, tell))
     if criterion.worst_case:
         _show_robots(report, found.worst_swarm, POSES, tell)
-    _show_robots(report, swarm, _title(criterion, tell), tell)
+    _show_robots(report, swarm, _title(criterion, tell, bool(lost)), tell)
     if slopes is not None:
         show_sensitivities(report, slopes, tell)
     report.small_print(swarm, tell)
@@ -160,12 +160,12 @@ def _noise(found: Quality, unit: Unit) -> list[tuple[str, str]]:
     return [("", f"{decimals} to {unit.text(found.noise)} only")]
 
 
-def _title(criterion: Criterion, tell: Telling) -> str:
+def _title(criterion: Criterion, tell: Telling, has_losses: bool) -> str:
     """Return the title of the robots' table, which other tables may stand before."""
     robots = f"The {tell.terms.several}"
     if criterion.worst_case:
         return f"{robots} as they are meant to be"
-    return robots if criterion.losing or criterion.failures else ""
+    return robots if has_losses else ""
 
 
 def _efficiency(swarm: Swarm, found: Quality, tell: Telling) -> tuple[str, str]:

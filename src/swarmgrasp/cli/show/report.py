@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from swarmgrasp.texts import clean
+
 if TYPE_CHECKING:
     from rich.console import Console
 
@@ -24,19 +26,6 @@ STYLES: dict[Mood, str] = {
 }
 GAP = "  "
 PERCENT = " %"
-
-
-def clean(text: str) -> str:
-    r"""Return text on one line without control characters, so that no name can play tricks.
-
-    Examples
-    --------
-    >>> clean("Zoë\n\x1b[31m")
-    'Zoë\\n\\x1b[31m'
-    """
-    if text.isprintable():
-        return text
-    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
 def complain(faults: Iterable[str]) -> None:
@@ -107,12 +96,57 @@ class Table:
         return out.getvalue()
 
 
-_TABLES: ContextVar[list[Table] | None] = ContextVar("tables", default=None)
-"""Where the tables of a report go that is not written."""
+@dataclass(frozen=True)
+class Line:
+    """A line as it was told.
+
+    Attributes
+    ----------
+    kind : {"headline", "sentence", "note"}
+    text : str
+    mood : {"", "good", "caution", "bad"}
+    """
+
+    kind: Literal["headline", "sentence", "note"]
+    text: str
+    mood: Mood = ""
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Labelled facts as they were told; an empty label continues the one above.
+
+    Attributes
+    ----------
+    rows : sequence of tuple of str
+    """
+
+    rows: Sequence[tuple[str, str]]
+
+
+_TOLD: ContextVar[list[Line | Facts | Table] | None] = ContextVar("told", default=None)
+"""Where goes what is told, if it is not written."""
+
+
+def told_by(show: Callable[[], None]) -> list[Line | Facts | Table]:
+    """Return what is told, piece by piece, and write nothing.
+
+    Examples
+    --------
+    >>> told_by(lambda: Report().headline("barge: held", "good"))
+    [Line(kind='headline', text='barge: held', mood='good')]
+    """
+    told: list[Line | Facts | Table] = []
+    token = _TOLD.set(told)
+    try:
+        show()
+    finally:
+        _TOLD.reset(token)
+    return told
 
 
 def tables_of(show: Callable[[], None]) -> list[Table]:
-    """Return the tables of what is told, and tell nothing.
+    """Return the tables of what is told, and write nothing.
 
     Examples
     --------
@@ -120,13 +154,7 @@ def tables_of(show: Callable[[], None]) -> list[Table]:
     >>> found[0].name, found[0].rows
     ('tugs', [['Ajax']])
     """
-    tables: list[Table] = []
-    token = _TABLES.set(tables)
-    try:
-        show()
-    finally:
-        _TABLES.reset(token)
-    return tables
+    return [piece for piece in told_by(show) if isinstance(piece, Table)]
 
 
 class Report:
@@ -134,32 +162,32 @@ class Report:
 
     def __init__(self) -> None:
         self._console: Console | None = None
-        self._tables = _TABLES.get()
-        if self._tables is None and sys.stdout.isatty():
+        self._told = _TOLD.get()
+        if self._told is None and sys.stdout.isatty():
             from rich import console
 
             self._console = console.Console(highlight=False, markup=False, emoji=False)
 
     def headline(self, text: str, mood: Mood = "") -> None:
         """Write what matters most."""
-        self._line(text, STYLES[mood])
+        self._line(Line("headline", text, mood), STYLES[mood])
 
     def sentence(self, text: str) -> None:
         """Write a sentence."""
-        self._line(text)
+        self._line(Line("sentence", text))
 
     def note(self, text: str) -> None:
         """Write small print."""
-        self._line(text, "dim")
+        self._line(Line("note", text), "dim")
 
-    def _line(self, text: str, style: str = "") -> None:
+    def _line(self, line: Line, style: str = "") -> None:
         """Write a line."""
-        if self._tables is not None:
-            return
-        if self._console is None:
-            print(clean(text))
+        if self._told is not None:
+            self._told.append(line)
+        elif self._console is None:
+            print(clean(line.text))
         else:
-            self._console.print(clean(text), style=style)
+            self._console.print(clean(line.text), style=style)
 
     def blank(self) -> None:
         """Write an empty line."""
@@ -173,7 +201,8 @@ class Report:
 
     def facts(self, rows: Sequence[tuple[str, str]]) -> None:
         """Write labelled facts; an empty label continues the one above."""
-        if self._tables is not None:
+        if self._told is not None:
+            self._told.append(Facts(rows))
             return
         if self._console is None:
             self._write_columns([[label, fact] for label, fact in rows], [False, False])
@@ -191,8 +220,8 @@ class Report:
         self, columns: Sequence[Column], rows: Sequence[Sequence[str]], name: str = "rows"
     ) -> None:
         """Write a table, whose rows are called by a name."""
-        if self._tables is not None:
-            self._tables.append(Table(name, columns, rows))
+        if self._told is not None:
+            self._told.append(Table(name, columns, rows))
             return
         if self._console is None:
             cells = [[column.name for column in columns], *map(list, rows)]

@@ -1,0 +1,7 @@
+"""One sheet about one job, to be read, printed and signed."""
+
+from swarmgrasp.report.assumptions import assumptions
+from swarmgrasp.report.question import question
+from swarmgrasp.report.sheet import Origin, Section, Sheet
+
+__all__ = ["Origin", "Section", "Sheet", "assumptions", "question"]
