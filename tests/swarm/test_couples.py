@@ -7,7 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from swarmgrasp import Newcomer, Outline, Problem, Robot, Swarm, forces, losses, place, quality
+from swarmgrasp import (
+    Newcomer,
+    Outline,
+    Problem,
+    Robot,
+    Swarm,
+    Tolerance,
+    forces,
+    losses,
+    place,
+    quality,
+)
 from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.forces import Forces
 from swarmgrasp.scenario import parse_scenario, scenario_text
@@ -101,11 +112,17 @@ def test_couples_keep_through_all_that_is_done_to_swarms() -> None:
     half = replace(GYRO, tolerance=None, name="half", limit=5e5, reverse_limit=5e5)
     unsure = Swarm(HULL, [*ship(), replace(half, limit=1e6, reverse_limit=5e5)], 38.1)
     sure = Swarm(HULL, [*ship(), half], 38.1)
-    from swarmgrasp import Tolerance
-
     doubtful = unsure.with_tolerance(Tolerance(direction=0.0, least_limit=190e3))
     assert doubtful["half"].tolerance.least_limit == 190e3
     assert quality(doubtful, worst_case=True).value < quality(sure).value
+    one_way = replace(GYRO, reverse_limit=0.0)
+    pushing = [Robot((38.1, y), math.pi + turn, 3e5) for y in (-8, 8) for turn in (-0.5, 0.5)]
+    for swarm in (Swarm(HULL, [*pushing, one_way]), ship().with_robot(one_way)):
+        weaker = swarm.with_tolerance(Tolerance(least_limit=2e5))
+        worst = quality(weaker, worst_case=True)
+        assert worst.worst_swarm["gyro"].limit == 2e5
+        assert worst.worst_swarm["gyro"].contact == (0, 0)
+        assert quality(worst.worst_swarm).value == pytest.approx(worst.value, rel=1e-6, abs=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """Robots that push along one ray each, in the kernels' terms."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -116,7 +118,10 @@ class Rays:
         found: dict[int, Robot | None] = {}
         for i, spread in self.spreads.items():
             found[i] = None
-            if spread is not None:
+            if spread is not None and i in self._swarm.rare.couples:
+                limit = spread.limit * float(self._swarm.nearness[i])
+                found[i] = replace(self._swarm.robots[i], limit=limit, tolerance=None)
+            elif spread is not None:
                 contact, direction = spread.worst(self._swarm.outline.origin, covector)
                 label, mounted = self._swarm.names[i], bool(self._swarm.mounted[i])
                 group = self._swarm.rare.groups.get(i, "")

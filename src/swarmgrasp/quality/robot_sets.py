@@ -286,8 +286,11 @@ class RobotSets:
                 direction = _worst_turn(poses, scaled, x, y)
             if not self._swarm.tolerances[i].is_adrift:
                 contact = robot.contact
+            if robot.lever:
+                contact, direction = robot.contact, robot.direction
+            limit = poses.limit * float(self._swarm.nearness[i])
             found[i] = replace(
-                robot, contact=contact, direction=direction, limit=poses.limit, tolerance=None
+                robot, contact=contact, direction=direction, limit=limit, tolerance=None
             )
         return found
 

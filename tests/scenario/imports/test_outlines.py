@@ -216,6 +216,7 @@ def test_halves_of_hulls(tmp_path: Path) -> None:
         ("a.csv", "1,0,0\n2,60,0\n3,60,20\n", ["a.csv:1: outline: counts its lines"]),
         ("a.csv", "x,z\n0,0\n", ["no column of y"]),
         ("a.csv", "x [stone],y [stone]\n0,0\n1,0\n1,1", ["'stone', which is no unit of length"]),
+        ("a.csv", "0,0\n1,0\n1e308,1\n", ["a.csv:3: outline: (1e+308, 1) m is too far"]),
         ("a.csv", "", ["is empty"]),
         ("a.csv", b"\x00\x01\xff\xfe" * 9, ["is no text"]),
         ("a.csv", "0,0\n1,1\n", ["has 2 corners"]),

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from swarmgrasp.errors import PackageMissing
+from swarmgrasp.scenario.fields import FARTHEST
 from swarmgrasp.scenario.imports.csv_outline import read_csv_outline
 from swarmgrasp.scenario.imports.dxf import read_dxf
 from swarmgrasp.scenario.imports.earth import looks_like_degrees, on_the_plane
@@ -75,7 +76,9 @@ def read_outline(source: Source, unit: str, wish: Wish | None = None) -> Hull | 
         source.fault("; ".join(error.faults))
         return None
     hull = hull and _in_unit(hull, source, unit, wanted)
-    hull = hull and _whole(hull, source, wanted)
+    if hull is None or not _is_near(hull, source, unit):
+        return None
+    hull = _whole(hull, source, wanted)
     if hull is None or len(source.faults) > faults_before:
         return None
     if len(hull.points) < 3:
@@ -162,6 +165,17 @@ def _projected(hull: Hull, source: Source, unit: str) -> Hull | None:
     factor = 1.0 / size(unit, "length")
     points = [(round(x, 4) * factor, round(y, 4) * factor) for x, y in flat.points]
     return replace(hull, points=points).with_word(said)
+
+
+def _is_near(hull: Hull, source: Source, unit: str) -> bool:
+    """Tell whether no corner is farther than a scenario can have it; note the first that is."""
+    far = next((i for i, p in enumerate(hull.points) if not max(map(abs, p)) <= FARTHEST), None)
+    if far is None:
+        return True
+    x, y = hull.points[far]
+    line = hull.lines[far] if hull.lines else 0
+    source.fault(f"({x:.6g}, {y:.6g}) {unit} is too far; at most {FARTHEST:g} {unit}", line)
+    return False
 
 
 def _whole(hull: Hull, source: Source, wish: Wish) -> Hull | None:
