@@ -131,6 +131,7 @@ def canonical(word: str, quantity: str) -> str | None:
     found = unit_name(word, quantity)
     if found or word in _VAGUE or any(word in spellings(other) for other in PLAIN):
         return found
+    word = "_".join(word.split())  # as the library has nautical miles
     return None if known_size(word, _SI[quantity]) is None else word
 
 
