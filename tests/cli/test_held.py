@@ -109,3 +109,18 @@ def test_rounding_of_the_outline_is_no_quality(run, tmp_path):
     path.write_text(f"outline: {{vertices: {ring}}}\nrobots: [{', '.join(robots)}]\n")
     first = run("quality", path)[1].splitlines()[0]
     assert first.endswith(" kN, which the decimals of the outline do not tell from 0")
+
+
+def test_nobody_holds_nothing(run, tmp_path):
+    """All of the load is left over, and drives the object; nobody is told to ask for a task."""
+    path = tmp_path / "adrift.yaml"
+    path.write_text(
+        "outline: {vertices: [[-2, -1], [2, -1], [2, 1], [-2, 1]]}\n"
+        "robots: []\ncriterion: {load: [0, 5, 0]}\n"
+    )
+    said = run("quality", path)[1]
+    assert said.startswith(
+        "adrift: not held against the load: out of reach by 5.0000 N, which leaves the object "
+        "moving to port\n"
+    )
+    assert "criterion: {task" not in said

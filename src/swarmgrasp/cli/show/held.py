@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from swarmgrasp.cli.show.change import unit_of
 from swarmgrasp.environment import Environment, Waves
+from swarmgrasp.errors import ForcesNotProven
 from swarmgrasp.forces import Forces, forces
 from swarmgrasp.outline import Outline
 from swarmgrasp.quality import Loss, Quality
@@ -30,8 +31,9 @@ class Held:
     ----------
     found : Quality
         Of the swarm by a criterion with a load.
-    answer : Forces
-        What the robots that are there in the worst case do against the load.
+    answer : Forces or None
+        What the robots that are there in the worst case do against the load; None where the
+        quality says that they hold it.
     unheld : tuple of str
         The robots and groups after whose loss, alone, it is not held.
     tried : int
@@ -39,14 +41,14 @@ class Held:
     """
 
     found: Quality
-    answer: Forces
+    answer: Forces | None
     unheld: tuple[str, ...]
     tried: int
 
     @property
     def is_missed(self) -> bool:
         """Whether the load is out of reach."""
-        return self.found.value == 0.0 and misses(self.answer)
+        return self.answer is not None and misses(self.answer)
 
 
 def misses(answer: Forces) -> bool:
@@ -54,8 +56,8 @@ def misses(answer: Forces) -> bool:
     return answer.shortfall > SAME * float(np.linalg.norm(answer.load * answer.swarm.scale))
 
 
-def held_of(found: Quality, lost: Sequence[Loss] | None) -> Held:
-    """Tell whether a load is held.
+def held_of(found: Quality, lost: Sequence[Loss] | None) -> Held | None:
+    """Tell whether a load is held; None if rounding hides that.
 
     Parameters
     ----------
@@ -65,12 +67,16 @@ def held_of(found: Quality, lost: Sequence[Loss] | None) -> Held:
         What each loss leaves beside the load; None if that was not asked.
     """
     load = found.criterion.load
-    unheld = [
-        loss.name
-        for loss in lost or ()
-        if loss.quality == 0.0 and misses(_against(loss.after.worst_swarm, load))
-    ]
-    return Held(found, _against(found.worst_swarm, load), tuple(unheld), len(lost or ()))
+    try:
+        answer = None if found.value > 0.0 else _against(found.worst_swarm, load)
+        unheld = [
+            loss.name
+            for loss in lost or ()
+            if loss.quality == 0.0 and misses(_against(loss.after.worst_swarm, load))
+        ]
+    except ForcesNotProven:
+        return None
+    return Held(found, answer, tuple(unheld), len(lost or ()))
 
 
 def _against(swarm: Swarm, load: tuple[float, float, float]) -> Forces:
@@ -87,7 +93,7 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     said = f"held {weather_words(scenario, criterion.load, tell)}"
     if words := replace(criterion, load=(0.0, 0.0, 0.0)).words(scenario.swarm, tell.terms.robot):
         said += f" {words}"
-    if held.is_missed:
+    if held.answer is not None and held.is_missed:
         short = tell.force.text(held.answer.shortfall)
         return f"not {said}: out of reach by {short}, {drift_words(held.answer)}"
     if found.value > 0.0:

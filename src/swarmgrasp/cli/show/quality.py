@@ -107,17 +107,22 @@ def _closure(swarm: Swarm, found: Quality, tell: Telling) -> list[tuple[str, str
         intact = quality_of(swarm).force_closure
         words = criterion.words(swarm, tell.terms.robot)
         facts = [("Force closure", f"intact {intact}; {words} {said}")]
-    if closure is ForceClosure.NO and criterion.is_nominal and bool(swarm.mounted.all()):
+    if closure is ForceClosure.NO and criterion.is_nominal and _is_vessel(swarm):
         facts.append(("", "of a vessel that is not to go every way, ask for what it is to do: "
                           "criterion: {task: {polytope: [[FX, FY, TZ], ...]}}"))  # fmt: skip
     return facts
 
 
+def _is_vessel(swarm: Swarm) -> bool:
+    """Tell whether there are thrusters on board, and nothing else."""
+    return len(swarm) > 0 and bool(swarm.mounted.all())
+
+
 def _missed(held: Held, tell: Telling) -> list[tuple[str, str]]:
     """Tell by how much a load is out of reach, and where it drives the object."""
-    if not held.is_missed:
-        return []
     answer = held.answer
+    if answer is None or not held.is_missed:
+        return []
     left = _parts(answer.swarm, (-answer.missing).tolist(), tell)
     short = tell.force.text(answer.shortfall)
     return [("Out of reach", f"by {short} in the metric: {left} of torque are left over")]
