@@ -180,11 +180,11 @@ def assert_same(one: Scenario, other: Scenario) -> None:
         assert apart <= 1e-12 * max(abs(first), size), path
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(3))
 def test_a_scenario_is_one_question_in_any_terms(seed: int) -> None:
     """Units, quantities, frame and bow change nothing of it, nor of the quality."""
     plain = parse_scenario(written(np.random.default_rng(0), seed, 0.0, mirrored=False))
-    for turn in range(4):
+    for turn in range(3):
         rng = np.random.default_rng([seed, turn])
         for mirrored in (False, True):
             bow = float(rng.choice([0.0, 0.5 * math.pi, rng.uniform(-3.0, 3.0)]))

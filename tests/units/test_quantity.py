@@ -13,15 +13,15 @@ from swarmgrasp.units import PLAIN, beaufort, beaufort_speed, quantity, size, sp
 AS_PINT = {"°": "degree", "in": "inch", "kip": "kip", "t": "metric_ton", "tf": "force_metric_ton"}
 
 
-@pytest.mark.parametrize("of", PLAIN)
-def test_the_sizes_kept_here_are_those_of_the_library(of: str) -> None:
+def test_the_sizes_kept_here_are_those_of_the_library() -> None:
     """Each is the float nearest to the exact one, or one beside it."""
     registry = pint.UnitRegistry()
-    si = {"force": "newton", "mass": "kilogram"}.get(of, "")
-    for name, held in PLAIN[of].items():
-        told = registry.Quantity(1.0, AS_PINT.get(name, name))
-        told = told.to(si) if si else told.to_base_units()
-        assert held == pytest.approx(told.magnitude, rel=4e-16)
+    for of, sizes in PLAIN.items():
+        si = {"force": "newton", "mass": "kilogram"}.get(of, "")
+        for name, held in sizes.items():
+            told = registry.Quantity(1.0, AS_PINT.get(name, name))
+            told = told.to(si) if si else told.to_base_units()
+            assert held == pytest.approx(told.magnitude, rel=4e-16)
 
 
 @pytest.mark.parametrize(
