@@ -135,7 +135,7 @@ class Simulation(Frozen, Plain):
         faults += [f"{shown(name)} has two actuators; leave out one" for name in twice]
         faults += [
             f"{self.problem.swarm.names[i]} exerts a couple, and a run in time knows none: "
-            "give it as two thrusters of one group"
+            "leave it out of this question"
             for i in self.problem.swarm.rare.couples
         ]
         return faults + [fault for event in self.events for fault in self._sent_faults(event)]
