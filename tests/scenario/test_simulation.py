@@ -15,6 +15,7 @@ from swarmgrasp.simulation.control import Control
 from swarmgrasp.simulation.events import Change, Follow, Leave, Lose, Move, Send
 from swarmgrasp.simulation.hull import Hull
 from swarmgrasp.simulation.weather import Weather
+from swarmgrasp.swarm import Body, Newcomer
 
 WIND = "wind: {vessel: ferry, frontal_area: 1, lateral_area: 2, speed: 1, from: 0}"
 CURRENT = "current: {frontal_area: 1, lateral_area: 8}"
@@ -109,12 +110,28 @@ def test_a_simulation_is_written_and_read_back() -> None:
     - {at: 0.1, lose: Ajax, noticed: 5}
     - {at: 65, send: newcomer, as: Zoe, away: 40, from: 1, speed: 0.3, make_fast: 6}
     - {at: 66, send: newcomer}
+    - {at: 67, send: {name: Gyges, limit: 30, attachment: push}, away: 40}
+    - {at: 68, send: {limit: {ahead: 5, astern: 3}, length: 2, beam: 1}}
+    - {at: 69, send: {name: Ida, limit: 7, attachment: pull, half_angle: 0.5, steers: true}}
+    - {at: 70, send: {name: Leda, limit: 7, attachment: push, friction: 0.3}}
+    - {at: 71, send: {name: Medon, limit: 2, mounted: true, steers: true, two_way: true}}
+    - {at: 72, send: {name: Nireus, limit: 2}}
     - {at: 80, leave: Zoe}
     - {at: 90, move: [10, 20, 0.3]}
     - {at: 95, follow: [[50, 0], [50, 20]], speed: 0.2}
     - {at: 97, wind: {speed: 3, from: 2}, current: {speed: 0.1}}"""
     )
     assert first.simulation.hull.damping[1] == (0.0, 2.0, 0.5)
+    assert [event.newcomer for event in first.simulation.events if isinstance(event, Send)] == [
+        Newcomer(2.0, name="Zoe"),
+        None,
+        Newcomer(30.0, "push", name="Gyges"),
+        Newcomer(5.0, reverse_limit=3.0, body=Body(2.0, 1.0)),
+        Newcomer(7.0, "pull", 0.5, "Ida", steers=True),
+        Newcomer(7.0, "push", name="Leda", friction=0.3),
+        Newcomer(2.0, name="Medon", mounted=True, steers=True, reverse_limit=2.0),
+        Newcomer(2.0, name="Nireus"),
+    ]
     measured = scenario("{weather: {series: [[0, 10, 1], [60, 20, 2]]}}")
     for asked in (first, measured):
         again = parse_scenario(scenario_text(asked))
@@ -162,8 +179,30 @@ FAULTS = {
         "5:23: simulation.events.0: leave at 600 s: the run ends at 600 s; it should be before"
     ),
     "{events: [{at: 5, send: Hetor}]}": (
-        "5:37: simulation.events.0.send: 'Hetor' should be 'newcomer' or 'Hector'; another name is "
-        "given by `as`"
+        "5:37: simulation.events.0.send: 'Hetor' should be 'newcomer' or 'Hector', or say what "
+        "comes: {name: Hetor, limit: ..}; another name alone is given by `as`"
+    ),
+    "{events: [{at: 5, send: 7}]}": (
+        "5:37: simulation.events.0.send: should be a newcomer's name, or a mapping of keys to "
+        "values (got 7)"
+    ),
+    "{events: [{at: 5, send: {name: Zoe}}, {at: 6, leave: Zoe}]}": (
+        "5:37: simulation.events.0.send.limit: is missing; give the largest force"
+    ),
+    "{events: [{at: 5, send: {limit: 7, half_angle: 1}}]}": (
+        "5:60: simulation.events.0.send.half_angle: goes with attachment: push or pull only; a "
+        "free one pushes in any direction (got 1)"
+    ),
+    "{events: [{at: 5, send: {limit: 7, friction: 1}}]}": (
+        "5:58: simulation.events.0.send.friction: goes with attachment: push only; a finger pushes "
+        "along the normal (got 1)"
+    ),
+    "{events: [{at: 5, send: {limit: 7, length: 1}}]}": (
+        "5:56: simulation.events.0.send.length: goes with beam; give both or neither (got 1)"
+    ),
+    "{events: [{at: 5, send: {limit: 7}, as: Zoe}]}": (
+        "5:53: simulation.events.0.as: goes with a newcomer that is sent by its name; write its "
+        "own in send"
     ),
     "{events: [{lose: Ajax}]}": (
         "5:23: simulation.events.0.at: is missing; give the time since the start [s]"
@@ -251,9 +290,20 @@ def test_nobody_is_sent_where_there_is_no_newcomer() -> None:
             "a.yaml",
         )
     assert list(caught.value.faults) == [
-        "a.yaml:4:37: simulation.events.0.send: there is no newcomer; say what it can exert, by "
+        "a.yaml:4:37: simulation.events.0.send: there is no newcomer; say here what comes, or by "
         "the key newcomer"
     ]
+
+
+def test_another_kind_is_sent_where_there_is_no_newcomer() -> None:
+    """Whom an event describes need not be the one to place; units are those of the file."""
+    asked = parse_scenario(
+        f"units: {{force: kN, angle: deg}}\n{HEAD.rpartition('newcomer')[0]}{AROUND}"
+        "simulation: {events: [{at: 1, send: {limit: 3 t, attachment: push, half_angle: 30}}]}"
+    )
+    (sent,) = asked.simulation.events
+    assert sent.newcomer == Newcomer(3 * 9806.65, "push", math.radians(30))
+    assert parse_scenario(scenario_text(asked)) == asked
 
 
 def test_the_file_on_the_page_is_read_and_written() -> None:

@@ -11,9 +11,10 @@ from swarmgrasp.scenario.criteria import check_criterion, criterion_of
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forces_of
 from swarmgrasp.scenario.locate import Locator, Place
+from swarmgrasp.scenario.newcomer import half_angle_of, newcomer_of
 from swarmgrasp.scenario.quantities import precision_of
 from swarmgrasp.scenario.scenario import Scenario
-from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, ZoneSection
+from swarmgrasp.scenario.schema import RobotSection, ZoneSection
 from swarmgrasp.scenario.slips import slips_of
 from swarmgrasp.scenario.speech import frame_of, terms_of
 from swarmgrasp.scenario.tolerances import check_reaches, check_tolerances, tolerance_of
@@ -21,7 +22,7 @@ from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.ways import NO_LENGTH, NO_WIDTH, body_of, well_said
 from swarmgrasp.scenario.weather import check_weather, environment_of
-from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
+from swarmgrasp.swarm import Robot, Swarm, Zone
 from swarmgrasp.swarm.names import filled
 
 SMALLEST_EXTENT = 1e-6
@@ -70,12 +71,12 @@ def build(checked: Checked, default_name: str) -> Scenario:
     except SwarmGraspError as error:  # by rounding only: all of it is checked above
         checked.fault((), "; ".join(error.faults), got=False)
         raise checked.faults.error() from error
-    environment = environment_of(checked, units)
+    environment, own = environment_of(checked, units), file.newcomer
     scenario = Scenario(
         name=file.name or plain_name(default_name),
         description=file.description,
         swarm=swarm,
-        newcomer=_newcomer(checked, units),
+        newcomer=None if own is None else newcomer_of(own, ("newcomer",), checked, units),
         zones=zones if file.zones is not None else None,
         no_go=no_go,
         spacing=units.metres(file.spacing),
@@ -259,34 +260,6 @@ def _direction(
     return math.remainder(inward + turn, 2.0 * math.pi)
 
 
-def _newcomer(checked: Checked, units: Units) -> Newcomer | None:
-    """Return the robot to place, if the file has one."""
-    section = checked.file.newcomer
-    if section is None:
-        return None
-    try:
-        return Newcomer(
-            attachment=section.attachment,
-            half_angle=_half_angle(section, units),
-            name=section.name,
-            tolerance=tolerance_of(section, checked, units),
-            steers=section.steers,
-            mounted=section.mounted,
-            body=body_of(section, units),
-            **forces_of(section, units),
-        )
-    except RobotInvalid as error:  # numbers next to zero only
-        checked.fault(("newcomer",), "; ".join(error.faults), got=False)
-        raise checked.faults.error() from error
-
-
-def _half_angle(section: NewcomerSection | ZoneSection, units: Units) -> float | None:
-    """Return a half angle [rad], or None if there is none."""
-    if section.half_angle is None:
-        return None
-    return min(units.radians(section.half_angle), math.pi / 2.0)  # 90 deg, rounding aside
-
-
 # -- zones --------------------------------------------------------------------------------
 
 
@@ -310,7 +283,7 @@ def _zone(section: ZoneSection, path: Path, locator: Locator) -> Zone | None:
     stretch = _zone_stretch(section, path, locator)
     if stretch is None or locator.checked.faults:
         return None
-    return Zone(stretch, section.attachment, _half_angle(section, units), range_)
+    return Zone(stretch, section.attachment, half_angle_of(section, units), range_)
 
 
 def _area(

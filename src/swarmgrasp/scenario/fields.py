@@ -2,7 +2,14 @@
 
 from typing import Annotated
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    StringConstraints,
+)
 from pydantic_core import PydanticCustomError
 
 from swarmgrasp.ranges import name_fault
@@ -39,6 +46,15 @@ Label = Annotated[str, StringConstraints(max_length=200), AfterValidator(_plain)
 
 Word = Annotated[str, StringConstraints(min_length=1, max_length=200), AfterValidator(_plain)]
 """A name that something has to have."""
+
+
+def _kind(value: object) -> str:
+    """Tell text from anything else."""
+    return "word" if isinstance(value, str) else "value"
+
+
+BY_KIND = Discriminator(_kind)
+"""Chooses a branch of what may be a word or something else."""
 
 
 class Section(BaseModel):

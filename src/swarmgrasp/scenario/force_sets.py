@@ -5,7 +5,8 @@ from typing import TypedDict
 
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_schema import BothWaysSection
-from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
+from swarmgrasp.scenario.schema import RobotSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.swarm.robot import SHORTEST
@@ -34,14 +35,14 @@ class OwnForces(TypedDict, total=False):
 
 
 def check_force_sets(checked: Checked, units: Units) -> None:
-    """Note what does not go together in the forces of the robots and of the newcomer."""
+    """Note what does not go together in the forces of the robots and of newcomers."""
     for i, robot in enumerate(checked.file.robots):
         path: Path = ("robots", i)
         if checked.is_known(*path):
             _check_robot(robot, path, checked, units)
+    for section, path in checked.newcomers():
+        _check_newcomer(section, path, checked)
     newcomer = checked.file.newcomer
-    if newcomer is not None and checked.is_known("newcomer"):
-        _check_newcomer(newcomer, ("newcomer",), checked)
     if newcomer is not None and checked.is_sound("newcomer", "mounted"):
         _check_where(newcomer.mounted, checked)
 

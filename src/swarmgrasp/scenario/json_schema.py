@@ -50,6 +50,7 @@ _EXAMPLE = {
         "events": [
             {"at": 60, "lose": "Ajax", "noticed": 5},
             {"at": 65, "send": "newcomer", "away": 40, "speed": 0.5, "make_fast": 10},
+            {"at": 70, "send": {"name": "Gyges", "limit": 30, "attachment": "push"}},
             {"at": 200, "move": [1, 0, 5]},
             {"at": 250, "wind": {"speed": 2}, "current": {"from": 90}},
         ],

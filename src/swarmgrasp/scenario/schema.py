@@ -5,12 +5,13 @@ What depends on the outline or on the file's units is checked in `build`.
 
 from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Discriminator, Field, Tag
+from pydantic import ConfigDict, Field, Tag
 from pydantic.config import JsonDict, JsonValue
 
 from swarmgrasp.scenario.allocation import AllocationSection
 from swarmgrasp.scenario.criterion_schema import CriterionSection
 from swarmgrasp.scenario.fields import (
+    BY_KIND,
     Angle,
     AnyAngle,
     Coordinate,
@@ -28,36 +29,34 @@ from swarmgrasp.scenario.force_schema import (
     TWO_WAY,
     Corner,
     Friction,
-    Limit,
     RobotLimit,
     SectorRanges,
     Steers,
 )
 from swarmgrasp.scenario.measures import AXIS, HEADING, Measure
+from swarmgrasp.scenario.newcomer_schema import (
+    ATTACHMENT,
+    BEAM,
+    BODY_LENGTH,
+    HALF_ANGLE,
+    NewcomerSection,
+)
 from swarmgrasp.scenario.simulation_schema import SimulationSection
 from swarmgrasp.scenario.terms_schema import UnitsSection, Words
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.weather_schema import EnvironmentSection
 from swarmgrasp.swarm.robot import Attachment
 
-
-def _kind(value: object) -> str:
-    """Tell text from anything else, to choose a branch of "word or value"."""
-    return "word" if isinstance(value, str) else "value"
-
-
-_ByKind = Discriminator(_kind)
-
 Direction = Annotated[
-    Annotated[Literal["inward", "outward"], Tag("word")] | Annotated[Angle, Tag("value")], _ByKind
+    Annotated[Literal["inward", "outward"], Tag("word")] | Annotated[Angle, Tag("value")], BY_KIND
 ]
 Origin = Annotated[
-    Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], _ByKind
+    Annotated[Literal["centroid"], Tag("word")] | Annotated[Point, Tag("value")], BY_KIND
 ]
 Edge = Annotated[
     Annotated[Label, Tag("word")]
     | Annotated[int, Field(strict=True, ge=0, le=10**6), Tag("value")],
-    _ByKind,
+    BY_KIND,
 ]
 
 CONTACT = "Contact [x, y] on the boundary, in the frame of the vertices [units.length]."
@@ -67,19 +66,6 @@ EDGE = "An edge by name, or by index from 0: edge i runs from vertex i to i + 1 
 ALONG = "Distance along `edge` from its counter-clockwise start [units.length]."
 FROM = "Where the stretch starts: along `edge`, or as arc length without one [units.length]."
 TO = "Where the stretch ends, counter-clockwise from its start [units.length]."
-ATTACHMENT = "Force into the object (push), out of it (pull), or in any direction (free)."
-HALF_ANGLE = (
-    "Greatest angle between the force and the normal, 0 to a right angle, which is the default; "
-    "0 means exactly along the normal [units.angle]."
-)
-
-
-BODY_LENGTH = (
-    "How far it reaches from its contact, away from the object; with the line, if it pulls on one. "
-    "Goes with `beam`: a newcomer's body is kept clear of the object and of others' "
-    "[units.length]."
-)
-BEAM = "Its width; goes with `length` [units.length]."
 
 
 def _ways(*keys: list[JsonValue]) -> list[JsonValue]:
@@ -221,43 +207,6 @@ class RobotSection(Section):
     beam: Length | None = Field(None, description=BEAM, examples=[10])
     tolerance: ToleranceSection | None = Field(
         None, description="How far the robot may be from all this; instead of the file's own."
-    )
-
-
-class NewcomerSection(Section):
-    """The robot to place."""
-
-    model_config = ConfigDict(
-        json_schema_extra={"dependentRequired": {"length": ["beam"], "beam": ["length"]}}
-    )
-
-    name: Label = Field("", description="A label.", examples=["Hector"])
-    limit: Limit = Field(description=LIMIT, examples=[60])
-    attachment: Attachment = Field("free", description=ATTACHMENT)
-    half_angle: AnyAngle | None = Field(
-        None,
-        description=HALF_ANGLE + " Not for a free attachment.",
-        json_schema_extra={"minimum": 0, "maximum": 90},
-        examples=[0.5],
-    )
-    steers: bool = Field(
-        False,
-        strict=True,
-        description="Steers at any time within the whole sector of its attachment, or any way if "
-        "it is free; otherwise it keeps the one direction that is best.",
-    )
-    two_way: bool = Field(False, strict=True, description=TWO_WAY)
-    friction: Friction | None = Field(
-        None, description=FRICTION + " Its attachment is push.", examples=[0.5]
-    )
-    mounted: bool = Field(
-        False, strict=True, description="Goes anywhere inside the outline; its attachment is free."
-    )
-    length: Length | None = Field(None, description=BODY_LENGTH, examples=[30])
-    beam: Length | None = Field(None, description=BEAM, examples=[10])
-    tolerance: ToleranceSection | None = Field(
-        None,
-        description="How far it may end up from where it is placed; instead of the file's own.",
     )
 
 

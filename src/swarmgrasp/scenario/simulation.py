@@ -13,6 +13,8 @@ from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
 from swarmgrasp.ranges import nearest_name
 from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.newcomer import newcomer_of
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
 from swarmgrasp.scenario.simulation_schema import (
     ActuatorSection,
     ControlSection,
@@ -87,7 +89,10 @@ def simulation_of(
             tuple((each.name, _actuator(each, units, actuator)) for each in section.robots.others),
             _weather(section.weather, units),
             _control(section.control, units),
-            tuple(_event(event, problem.newcomer, units) for event in section.events),
+            tuple(
+                _event(event, _sent(event, i, problem.newcomer, checked, units), units)
+                for i, event in enumerate(section.events)
+            ),
             section.duration,
             section.step,
             section.seed,
@@ -191,12 +196,14 @@ def _check_each_event(
     found = {}
     for i, event in enumerate(section.events):
         path: Path = (*_HERE, "events", i)
-        make: Callable[[], Event] = partial(_event, event, newcomer, units)
+        sent = _named(event, newcomer)
+        make: Callable[[], Event] = partial(_event, event, sent, units)
         if not _is_event_said(event, i, checked) or not checked.is_sound(*path):
-            if event.send is None or not checked.is_sound(*path, "as"):
+            is_named = checked.is_sound(*path, "as") and checked.is_sound(*path, "send", "name")
+            if event.send is None or not is_named:
                 continue
             at = event.at if checked.is_sound(*path, "at") else 0.0  # there from the start, perhaps
-            make = partial(Send, at, _called(newcomer, event.name))  # others may name it
+            make = partial(Send, at, sent)  # others may name it
         made = _made(checked, path, make)
         if made is not None:
             found[i] = made
@@ -247,15 +254,20 @@ def _kind_faults(
         return [("follow", "also needs speed")]
     if kind == "current" and around and not around.current and checked.is_known("environment"):
         return [("current", "there is no current in the environment; say what the object shows it")]
-    if event.send is None or not checked.is_known("newcomer"):
+    if isinstance(event.send, NewcomerSection) and checked.has(*path, "as"):
+        return [("as", "goes with a newcomer that is sent by its name; write its own in send")]
+    if not isinstance(event.send, str) or not checked.is_known("newcomer"):
         return []
     if file.newcomer is None:
-        return [("send", "there is no newcomer; say what it can exert, by the key newcomer")]
+        return [("send", "there is no newcomer; say here what comes, or by the key newcomer")]
     known = [_NEWCOMER, *filter(None, [file.newcomer.name])]
     if event.send in known:
         return []
     wanted = " or ".join(map(repr, known))
-    said = f"{event.send!r} should be {wanted}; another name is given by `as`"
+    said = (
+        f"{event.send!r} should be {wanted}, or say what comes: {{name: {event.send}, limit: ..}}; "
+        "another name alone is given by `as`"
+    )
     return [("send", said)]
 
 
@@ -328,7 +340,7 @@ def _control(section: ControlSection, units: Units) -> Control:
     return Control(**terms)
 
 
-def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
+def _event(section: EventSection, sent: Newcomer | None, units: Units) -> Event:
     """Return what happens at an instant."""
     at = section.at
     if section.lose is not None:
@@ -336,7 +348,7 @@ def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
     if section.leave is not None:
         return Leave(at, section.leave)
     if section.send is not None:
-        return _send(section, newcomer, units)
+        return _send(section, sent, units)
     if section.move is not None:
         x, y, heading = (*section.move, 0.0)[:3]
         return Move(at, *units.point((x, y)), units.turned(heading))
@@ -348,7 +360,7 @@ def _event(section: EventSection, newcomer: Newcomer, units: Units) -> Event:
     )
 
 
-def _send(section: EventSection, newcomer: Newcomer, units: Units) -> Send:
+def _send(section: EventSection, sent: Newcomer | None, units: Units) -> Send:
     """Return the sending of a newcomer."""
     terms = section.model_dump(include={"away", "speed", "make_fast", "bearing"}, exclude_none=True)
     for key, told in (
@@ -358,12 +370,23 @@ def _send(section: EventSection, newcomer: Newcomer, units: Units) -> Send:
     ):
         if key in terms:
             terms[key] = told(terms[key])
-    return Send(section.at, _called(newcomer, section.name), **terms)
+    return Send(section.at, sent, **terms)
 
 
-def _called(newcomer: Newcomer, name: str | None) -> Newcomer | None:
-    """Return a newcomer under another name, or None for the problem's own."""
-    return None if name is None else replace(newcomer, name=name)
+def _sent(
+    section: EventSection, index: int, newcomer: Newcomer, checked: Checked, units: Units
+) -> Newcomer | None:
+    """Return who is sent, None for the problem's own newcomer."""
+    if isinstance(section.send, NewcomerSection):
+        return newcomer_of(section.send, (*_HERE, "events", index, "send"), checked, units)
+    return _named(section, newcomer)
+
+
+def _named(section: EventSection, newcomer: Newcomer) -> Newcomer | None:
+    """Return who is sent by its right name, None for the problem's own newcomer."""
+    if isinstance(section.send, NewcomerSection):
+        return Newcomer(name=section.send.name)
+    return None if section.name is None else replace(newcomer, name=section.name)
 
 
 def _stream(name: str, section: StreamSection | None, units: Units) -> dict[str, float]:

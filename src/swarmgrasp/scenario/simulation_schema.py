@@ -2,10 +2,11 @@
 
 from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import ConfigDict, Field, Tag
 
 from swarmgrasp.ranges import MOST_SEED
 from swarmgrasp.scenario.fields import (
+    BY_KIND,
     FARTHEST,
     Angle,
     Distance,
@@ -16,6 +17,7 @@ from swarmgrasp.scenario.fields import (
     Section,
 )
 from swarmgrasp.scenario.measures import BEARING, Measure, Row
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
 from swarmgrasp.scenario.weather_schema import COMES_FROM, Bearing, Speed
 
 LONGEST = 1e6
@@ -40,6 +42,8 @@ Aim = Annotated[
     Field(min_length=2, max_length=3),
     Row(("length", "length", "angle")),
 ]
+Sent = Annotated[Annotated[Label, Tag("word")] | Annotated[NewcomerSection, Tag("value")], BY_KIND]
+"""A newcomer by its name, or one of another kind by what it can exert."""
 Winds = Annotated[Three, Row(("time", "speed", BEARING))]
 
 
@@ -187,6 +191,8 @@ class EventSection(Section):
                 "from": ["send"],
                 "make_fast": ["send"],
             },
+            "if": {"required": ["as"]},
+            "then": {"properties": {"send": {"type": "string"}}},
         }
     )
 
@@ -202,8 +208,11 @@ class EventSection(Section):
     leave: Label | None = Field(
         None, description="The robot that lets go as planned.", examples=["Ajax"]
     )
-    send: Label | None = Field(
-        None, description="`newcomer`, or the newcomer's name: it comes to help."
+    send: Sent | None = Field(
+        None,
+        description="Who comes to help: `newcomer`, or the newcomer's name; or another kind of "
+        "robot, by the keys of a newcomer.",
+        examples=["newcomer", {"name": "Gyges", "limit": 30, "attachment": "push"}],
     )
     name: Label | None = Field(
         None, alias="as", description="Its name, if it is another of the newcomer's kind."

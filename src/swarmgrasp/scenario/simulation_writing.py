@@ -1,6 +1,7 @@
 """Write a simulation by the keys of a scenario file."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from swarmgrasp.plain import plain
@@ -11,12 +12,15 @@ from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Mov
 from swarmgrasp.simulation.hull import NO_DAMPING, Hull
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.weather import Weather
+from swarmgrasp.swarm import Newcomer
 
 Angle = Callable[[float], float]
 """Writes an angle [rad] in the file's unit."""
+Kind = Callable[[Newcomer], dict[str, Any]]
+"""Writes a newcomer by the keys of a file."""
 
 
-def simulation_keys(simulation: Simulation, angle: Angle) -> dict[str, Any]:
+def simulation_keys(simulation: Simulation, angle: Angle, kind: Kind) -> dict[str, Any]:
     """Return a simulation by the keys of a file in SI units but for its angles.
 
     Parameters
@@ -24,7 +28,10 @@ def simulation_keys(simulation: Simulation, angle: Angle) -> dict[str, Any]:
     simulation : Simulation
     angle : callable
         Writes an angle [rad] in the file's unit.
+    kind : callable
+        Writes a newcomer by the keys of a file.
     """
+    usual = simulation.problem.newcomer
     return {
         "hull": _hull(simulation.hull),
         "duration": simulation.duration,
@@ -33,7 +40,7 @@ def simulation_keys(simulation: Simulation, angle: Angle) -> dict[str, Any]:
         "robots": _robots(simulation, angle),
         "weather": _weather(simulation.weather, angle),
         "control": _control(simulation.control, angle),
-        "events": [_event(event, angle) for event in simulation.events],
+        "events": [_event(event, usual, angle, kind) for event in simulation.events],
     }
 
 
@@ -80,17 +87,15 @@ def _control(control: Control, angle: Angle) -> dict[str, Any]:
     return told
 
 
-def _event(event: Event, angle: Angle) -> dict[str, Any]:
+def _event(event: Event, usual: Newcomer, angle: Angle, kind: Kind) -> dict[str, Any]:
     """Return what happens at an instant."""
     if isinstance(event, Lose):
         told: dict[str, Any] = {"lose": event.robot, "noticed": event.noticed}
     elif isinstance(event, Leave):
         told = {"leave": event.robot}
     elif isinstance(event, Send):
-        told = {"send": "newcomer", **unusual(event)}
-        if event.newcomer is not None:
-            del told["newcomer"]
-            told["as"] = event.newcomer.name
+        told = {**_sent(event.newcomer, usual, kind), **unusual(event)}
+        told.pop("newcomer", None)
         if "bearing" in told:
             told["from"] = angle(told.pop("bearing"))
     elif isinstance(event, Move):
@@ -100,6 +105,15 @@ def _event(event: Event, angle: Angle) -> dict[str, Any]:
     else:
         told = _change(event, angle)
     return {"at": event.at, **{key: value for key, value in told.items() if key != "at"}}
+
+
+def _sent(newcomer: Newcomer | None, usual: Newcomer, kind: Kind) -> dict[str, Any]:
+    """Return who is sent: the file's newcomer, another one like it, or another kind."""
+    if newcomer is None:
+        return {"send": "newcomer"}
+    if newcomer.name and newcomer == replace(usual, name=newcomer.name):
+        return {"send": "newcomer", "as": newcomer.name}
+    return {"send": kind(newcomer)}
 
 
 def _change(event: Change, angle: Angle) -> dict[str, Any]:

@@ -214,8 +214,10 @@ def _limits(checked: Checked, units: Units) -> Iterator[Slip]:
         (largest(robot), ("robots", i), robot.name or f"robot {i + 1}")
         for i, robot in enumerate(file.robots)
     ]
-    if file.newcomer is not None:
-        forces.append((largest(file.newcomer), ("newcomer",), file.newcomer.name or "the newcomer"))
+    forces += [
+        (largest(section), path, section.name or "the newcomer")
+        for section, path in checked.newcomers()
+    ]
     if not forces:
         return
     (least, path, _), (most, _, strongest) = min(forces), max(forces)

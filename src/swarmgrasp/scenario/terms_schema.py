@@ -2,9 +2,9 @@
 
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field, Tag
 
-from swarmgrasp.scenario.fields import Section, Word
+from swarmgrasp.scenario.fields import BY_KIND, Section, Word
 from swarmgrasp.scenario.measures import Unit
 from swarmgrasp.units import PLAIN
 
@@ -12,11 +12,6 @@ from swarmgrasp.units import PLAIN
 def _one_of(quantity: str) -> str:
     """Say which units of a quantity a file may be in."""
     return f"One of {', '.join(PLAIN[quantity])}, as people spell them."
-
-
-def _kind(value: object) -> str:
-    """Tell text from anything else, to choose a branch of "word or mapping"."""
-    return "word" if isinstance(value, str) else "value"
 
 
 class UnitsSection(Section):
@@ -38,7 +33,5 @@ class WordsSection(Section):
     robot: Word = Field(description="One robot.", examples=["tug"])
 
 
-Words = Annotated[
-    Annotated[Word, Tag("word")] | Annotated[WordsSection, Tag("value")], Discriminator(_kind)
-]
+Words = Annotated[Annotated[Word, Tag("word")] | Annotated[WordsSection, Tag("value")], BY_KIND]
 """What robots are called, or a mapping that says so."""

@@ -4,7 +4,8 @@ import math
 
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import largest
-from swarmgrasp.scenario.schema import NewcomerSection, RobotSection
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
+from swarmgrasp.scenario.schema import RobotSection
 from swarmgrasp.scenario.tolerance_schema import ToleranceSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
@@ -75,12 +76,11 @@ def tolerance_of(
 
 
 def _holders(checked: Checked) -> list[tuple[RobotSection | NewcomerSection, Path]]:
-    """Return the robots and the newcomer, each with its path."""
+    """Return the robots and the newcomers, each with its path."""
     file = checked.file
     holders: list[tuple[RobotSection | NewcomerSection, Path]] = []
     holders += [(robot, ("robots", i)) for i, robot in enumerate(file.robots)]
-    holders += [] if file.newcomer is None else [(file.newcomer, ("newcomer",))]
-    return holders
+    return [*holders, *checked.newcomers()]
 
 
 def _ends(given: float | list[float] | None) -> tuple[float, float]:

@@ -16,6 +16,7 @@ from pydantic import BaseModel, ValidationError
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.hints import key_hint, value_hint
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
 from swarmgrasp.scenario.quantities import in_numbers
 from swarmgrasp.scenario.schema import ScenarioFile
 
@@ -80,6 +81,20 @@ class Checked:
         """Tell whether a key is written in the document, sound or not."""
         holder = self.root.find(path[:-1]).value
         return isinstance(holder, dict) and path[-1] in holder
+
+    def newcomers(self) -> list[tuple[NewcomerSection, Path]]:
+        """Return the newcomer and all others that are sent, each with its path, if it is known."""
+        simulation = self.file.simulation
+        events = [] if simulation is None else simulation.events
+        found: list[tuple[NewcomerSection | str | None, Path]] = [
+            (self.file.newcomer, ("newcomer",)),
+            *((event.send, ("simulation", "events", i, "send")) for i, event in enumerate(events)),
+        ]
+        return [
+            (section, path)
+            for section, path in found
+            if isinstance(section, NewcomerSection) and self.is_known(*path)
+        ]
 
     def fault(self, path: Path, sentence: str, *, got: bool = True) -> None:
         """Note a fault at the value a path leads to, and show the value."""
@@ -224,6 +239,7 @@ _OR = {
     ("load", "word", "literal_error"): "should be [fx, fy, tz] or",
     ("origin", "word", "literal_error"): "should be [x, y] or",
     ("words", "value", "model_type"): "should be a word, such as tug, or",
+    ("send", "value", "model_type"): "should be a newcomer's name, or",
     ("steers", "value", "float_type"): "should be 'any', or",
     ("steers", "word", "literal_error"): "should be an angle or",
 }

@@ -4,7 +4,8 @@ They run whatever is wrong with the outline, so that its faults hide no others.
 """
 
 from swarmgrasp.scenario.faults import Path
-from swarmgrasp.scenario.schema import NewcomerSection, RobotSection, StretchSection, ZoneSection
+from swarmgrasp.scenario.newcomer_schema import NewcomerSection
+from swarmgrasp.scenario.schema import RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.swarm import Body
@@ -27,9 +28,9 @@ def well_said(checked: Checked, units: Units) -> frozenset[Path]:
     file = checked.file
     _check_names(checked)
     _check_edge_names(checked)
-    if file.newcomer is not None:
-        _check_half_angle(file.newcomer, ("newcomer",), checked, units)
-        _check_body(("newcomer",), checked)
+    for section, path in checked.newcomers():
+        _check_half_angle(section, path, checked, units)
+        _check_body(path, checked)
     found = []
     for i, robot in enumerate(file.robots):
         _check_body(("robots", i), checked)

@@ -302,7 +302,7 @@ class _File:
             return None
         from swarmgrasp.scenario.simulation_writing import simulation_keys
 
-        return simulation_keys(scenario.simulation, self.angle)
+        return simulation_keys(scenario.simulation, self.angle, self.newcomer)
 
     def wind(self, wind: Wind | WindTable) -> dict[str, Any]:
         """Return a wind: what it meets, or the table of its loads."""
