@@ -6,10 +6,14 @@ import re
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
 
-from shown import assert_same
+from shown import assert_same, assert_within
+from swarmgrasp import plot
+from swarmgrasp.cli import main
 
-PAGES = sorted((Path(__file__).parent.parent / "docs").glob("*.md"))
+DOCS = Path(__file__).parent.parent / "docs"
+PAGES = sorted([*DOCS.glob("*.md"), *DOCS.glob("how-to/*.md")])
 SHOWN = re.compile(r"```python\n(.*?)```\n\nprints\n\n```text\n(.*?)```", re.DOTALL)
 
 
@@ -24,3 +28,18 @@ def test_the_code_of_a_page_prints_what_it_shows(page):
         with contextlib.redirect_stdout(printed):
             exec(code, names)
         assert_same(shown, printed.getvalue())
+
+
+def test_the_ten_questions_are_answered_as_their_page_shows(tmp_path, monkeypatch, capsys):
+    """Its commands run one after the other, in one folder."""
+    monkeypatch.chdir(tmp_path)
+    for slow in ("plan", "forces_plan", "capability_diagram"):  # tested where they are at home
+        monkeypatch.setattr(plot, slow, lambda *_, **__: Figure())
+    text = (DOCS / "how-to" / "ten-questions.md").read_text("utf-8")
+    assert [int(number) for number in re.findall(r"^## (\d+)\.", text, re.MULTILINE)] == [
+        *range(1, 11)
+    ]
+    for block in re.findall(r"```console\n(.*?)```", text, re.DOTALL):
+        command, _, shown = block.partition("\n")
+        assert main(command.removeprefix("$ swarmgrasp ").split()) == 0
+        assert_within(shown, capsys.readouterr().out)

@@ -290,3 +290,21 @@ def test_wrenches_take_leading_axes():
     for i, j in np.ndindex(2, 3):
         one = wrenches(arms[i], directions[j], np.array(2.0))
         np.testing.assert_array_equal(table[i, j], one)
+
+
+def test_measured_contacts_are_moved_to_the_nearest_boundary_point_or_refused():
+    """Within `snap`; mounted robots stay; how far the others are off is told, of all of them."""
+    outline, measured = Outline(SQUARE), [(1.3, 0.4), (-0.2, 0.8), (1.2, -1.4), (0.1, 0.2)]
+    mounted = [False, False, False, True]
+    swarm = Swarm.from_arrays(outline, measured, [0.0] * 4, mounted=mounted, snap=0.5)
+    right = [(1.0, 0.4), (-0.2, 1.0), (1.0, -1.0), (0.1, 0.2)]
+    assert np.allclose(swarm.contacts, right, rtol=0, atol=1e-15)
+    with pytest.raises(RobotOffBoundary) as refused:
+        Swarm.from_arrays(outline, measured, [0.0] * 4, mounted=mounted, snap=0.25)
+    assert [fault.partition(" m off")[0] for fault in refused.value.faults] == [
+        "R1 at (1.3, 0.4) m is 0.3", "R3 at (1.2, -1.4) m is 0.447",
+    ]  # fmt: skip
+    assert all("snap moves it by 0.25 m at most" in fault for fault in refused.value.faults)
+    for wrong in (-0.1, math.nan, "0.5", [0.5]):
+        with pytest.raises(RobotInvalid, match="the snap is"):
+            Swarm.from_arrays(outline, measured, [0.0] * 4, snap=wrong)

@@ -188,6 +188,42 @@ def check_contacts(
         raise RobotOffBoundary(faults + _others(len(off)))
 
 
+def snapped(outline: Outline, columns: Columns, names: Names, snap: float) -> Columns:
+    """Return columns whose contacts are moved to the boundary, if no more than so far.
+
+    Those of mounted robots stay where they are.
+
+    Parameters
+    ----------
+    outline : Outline
+    columns : Columns
+    names : Names
+    snap : float [m]
+
+    Raises
+    ------
+    RobotOffBoundary
+        If robots are farther off; the first ten are described, the others counted.
+    """
+    distances, arc_lengths = outline.nearest(columns.contacts)
+    moved = ~(columns.mounted | (distances <= outline.tolerance))
+    spots = {
+        i: outline.at_arc_length(float(arc_lengths[i])) for i in np.flatnonzero(moved).tolist()
+    }
+    far = [i for i in spots if not distances[i] <= max(snap, outline.tolerance)]
+    if far:
+        raise RobotOffBoundary([
+            f"{names[i]} at "
+            f"{outline.off_boundary(columns.contacts[i], spots[i], float(distances[i]))}; snap "
+            f"moves it by {snap:g} m at most: measure again, or give a larger snap"
+            for i in far[:MOST_LISTED]
+        ] + _others(len(far)))  # fmt: skip
+    contacts = np.array(columns.contacts)
+    for i, spot in spots.items():
+        contacts[i] = spot.point
+    return columns._replace(contacts=contacts)
+
+
 def _arrays(*values: ArrayLike) -> list[NDArray[np.generic]]:
     """Return values as arrays of numbers, or of flags."""
     arrays, faults = [], []

@@ -26,6 +26,7 @@ from swarmgrasp.ranges import (
     WEAKEST,
     items,
     kind_faults,
+    length_faults,
     number,
     numbers,
     shown,
@@ -40,6 +41,7 @@ from swarmgrasp.swarm.columns import (
     columns_of,
     couple_of,
     robot_of,
+    snapped,
 )
 from swarmgrasp.swarm.force_set import (
     ForceSets,
@@ -154,6 +156,7 @@ class Swarm(Frozen, Plain):
         steers: ArrayLike = 0.0,
         frictions: ArrayLike = 0.0,
         leasts: ArrayLike = 0.0,
+        snap: float = 0.0,
     ) -> "Swarm":
         """Make a swarm of nameless robots from arrays, which are copied.
 
@@ -175,6 +178,9 @@ class Swarm(Frozen, Plain):
         steers : float or (n,) [rad]
         frictions : float or (n,)
             As for `Robot`; a friction of 0 is none.
+        snap : float [m]
+            By how much contacts that were measured may be off the boundary; they are moved to
+            its nearest point. Those of mounted robots stay.
 
         Raises
         ------
@@ -182,7 +188,7 @@ class Swarm(Frozen, Plain):
             If an array has the wrong shape or type, or values are outside their range; the
             first ten robots at fault are described, the others counted.
         MetricInvalid, RobotOffBoundary
-            As for any `Swarm`.
+            As for any `Swarm`; a robot farther off than `snap`, with how far it is.
 
         Examples
         --------
@@ -196,8 +202,12 @@ class Swarm(Frozen, Plain):
         columns = checked_columns(
             contacts, directions, limits, mounted, reverse_limits, steers, frictions, leasts
         )
-        swarm = cls.__new__(cls)
         names = numbered(len(columns.limits))
+        refuse((RobotInvalid, length_faults(snap, "snap")))
+        if snap > 0.0:
+            check_outline(outline)
+            columns = snapped(outline, columns, names, snap)
+        swarm = cls.__new__(cls)
         swarm._fill(outline, columns, names, Rare(), characteristic_length, force_weights)
         return swarm
 
