@@ -95,6 +95,7 @@ def draw_hull(page: Page, found: AllRound, top: float, newcomer: str = "") -> No
     kinds = {r.name: "lost" if (r.group or r.name) in lost else "robot" for r in swarm}
     if newcomer:
         kinds[newcomer] = "newcomer"
+    taken: list[Vector] = []
     colours = {"robot": style.INK, "lost": style.VERMILION, "newcomer": style.GREEN}
     for gid, colour in colours.items():
         chosen = [r for r in swarm if kinds[r.name] == gid]
@@ -105,11 +106,11 @@ def draw_hull(page: Page, found: AllRound, top: float, newcomer: str = "") -> No
         ax.add_collection(
             PolyCollection(areas, **shade, linewidth=0.6, zorder=3.5, gid=f"{gid}-area")
         )
-        for line in () if many else [*map(np.array, ends), *areas]:
-            page.keep_clear_of(np.asarray(line, dtype=float))
+        taken += [] if many else [*map(np.array, ends), *areas]
     corners = placed(np.vstack([outline.vertices, outline.vertices[:1]]))
-    for share in (1.0, 0.75, 0.5, 0.25):  # and what it hides
-        page.keep_clear_of(share * corners)
+    taken += [share * corners for share in (1.0, 0.75, 0.5, 0.25)]  # and what it hides
+    broken = [np.vstack([line, np.full((1, 2), np.nan)]) for line in taken]
+    page.keep_clear_of(np.vstack(broken))
 
 
 def draw_curve(page: Page, bearings: Vector, curve: Curve, top: float, *, fill: bool) -> None:

@@ -267,10 +267,10 @@ class Page:
 
     def _crossed(self, anchor: Vector, centre: Vector, taken: Vector) -> float:
         """Return the price of the labels and lines that a line from anchor to label would cross."""
-        line = np.linspace(anchor, centre, 33)
-        price = 5.0 * sum(
-            bool(((line >= box[:2]) & (line <= box[2:])).all(axis=1).any()) for box in self.boxes
-        )
+        line = np.linspace(anchor, centre, 33)[:, None]
+        boxes = np.reshape(self.boxes, (-1, 4))
+        is_in = ((line >= boxes[:, :2]) & (line <= boxes[:, 2:])).all(axis=-1).any(axis=0)
+        price = 5.0 * np.count_nonzero(is_in)
         way = centre - anchor
         length = float(np.hypot(*way))
         along, across = np.array([way, (-way[1], way[0])]) @ (taken - anchor).T / length
