@@ -33,7 +33,7 @@ from swarmgrasp.verify.claims import OutlineClaim, read_claims
 from swarmgrasp.verify.judge import Judge
 
 SPOTS = (0.7, 3.2, 5.1, 6.8, 7.9, 9.4, 11.2)
-MORE = [Robot(OUTLINE.at_arc_length(s).point, 2.1 * k, 0.9) for k, s in enumerate(SPOTS)]
+MORE = [Robot(OUTLINE.at_arc_length(s).point, 2.1 * k % math.tau, 0.9) for k, s in enumerate(SPOTS)]
 SWARM = Swarm(OUTLINE, [*CREW, *MORE], 1.5)
 ADRIFT = SWARM.with_tolerance(Tolerance(0.15, 0.1, least_limit=0.7))
 UNSURE = Newcomer(1.0, "push", 0.4, "Fred", tolerance=Tolerance(0.1, 0.05))
@@ -335,7 +335,9 @@ def test_uncertain_robots_contribute_their_least():
         Tolerance(least_limit=0.4), Tolerance(0.1, may_be_absent=True),
     )  # fmt: skip
     crew = [
-        Robot(notched.at_arc_length(1.3 * k + 0.1).point, 2.0 * k, 1.5, tolerance=tolerance)
+        Robot(
+            notched.at_arc_length(1.3 * k + 0.1).point, 2.0 * k % math.tau, 1.5, tolerance=tolerance
+        )
         for k, tolerance in enumerate(tolerances)
     ]
     swarm = Swarm(notched, crew)

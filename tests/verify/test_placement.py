@@ -145,7 +145,9 @@ def test_honest_answers_pass_on_edges_of_any_length(seed):
     """Arc lengths of corners are sums that round; a zone that is one edge is only that edge."""
     lengths = [(1.0 + 0.1 * seed, 0.3), (2.2, 1.7 / 3.0), (0.1 * seed, 2.1), (-1.0, 1.0 / 7.0)]
     outline = Outline([*lengths, (-0.3, -0.9 - 0.1 * seed)])
-    crew = [Robot(outline.at_arc_length(0.9 * k).point, 1.3 * k + seed) for k in range(6)]
+    crew = [
+        Robot(outline.at_arc_length(0.9 * k).point, (1.3 * k + seed) % math.tau) for k in range(6)
+    ]
     swarm = Swarm(outline, crew)
     for edge in range(len(outline)):
         answer = place(swarm, NEWCOMER, [Zone(outline.stretch(edge))])
