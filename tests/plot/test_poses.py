@@ -50,7 +50,8 @@ def test_every_robot_has_its_ranges_and_its_worst_pose(rough):
     expected = [math.remainder(r.direction, math.tau) for r in worst.worst_swarm.robots]
     np.testing.assert_allclose(np.cos(ways - expected), 1.0)
     assert entries(figure) == [
-        "robot", "contact range", "direction range", "worst pose", "weakest wrench",
+        "robot", "contact range", "direction range", "worst pose",
+        "weakest wrench (direction only)",
     ]  # fmt: skip
     assert "in the worst poses" in texts(figure)
 
@@ -58,7 +59,7 @@ def test_every_robot_has_its_ranges_and_its_worst_pose(rough):
 def test_as_they_stand_no_tolerance_is_drawn(rough):
     """The nominal quality takes every robot at its word."""
     figure = plan(rough, quality=quality(rough))
-    assert entries(figure) == ["robot", "weakest wrench"]
+    assert entries(figure) == ["robot", "weakest wrench (direction only)"]
     assert not by_gid(figure, "contact-range")
 
 

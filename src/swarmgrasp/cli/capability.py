@@ -3,19 +3,18 @@
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.criteria import criterion_of
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
-    PICTURES,
     blaming,
     json_faults,
     noting,
-    output_faults,
     read_scenario,
 )
 from swarmgrasp.cli.question import asked_before, check_newcomer
@@ -52,6 +51,7 @@ def capability(
     with_newcomer: Annotated[bool, Parameter(negative="")] = False,
     step: float | None = None,
     plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     water: Water = STILL,
     wording: Wording = FILE,
@@ -98,7 +98,7 @@ def capability(
     """
     faults = _option_faults(losing, step, use, numbers=numbers, with_newcomer=with_newcomer)
     faults += json_faults(json) + wording.faults(json) + water.faults()
-    scenario = read_scenario(file, faults + output_faults(plot, PICTURES))
+    scenario = read_scenario(file, faults + drawing.faults(plot))
     before = asked_before(scenario, WINDS, NUMBERS, USE, JOINED)
     what = _form(scenario, use, numbers=numbers, with_newcomer=with_newcomer)
     environment = water.environment(scenario, file, "`swarmgrasp capability`")
@@ -111,7 +111,9 @@ def capability(
     if bearings is None:
         bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
     speed = before.get("speed", 0.0) if use is None else speed_of(use, scenario.terms.speed)
-    asked = _Asked(scenario, file, environment, criterion, np.array(bearings))
+    asked = _Asked(
+        scenario, file, environment, criterion, np.array(bearings), drawing.look(scenario.name)
+    )
     with blaming(file):
         found = _use(asked, speed) if what == USE else ASK[what](asked)
     _deliver(asked, found, plot, json, wording)
@@ -125,6 +127,7 @@ class _Asked(NamedTuple):
     environment: "Environment"
     criterion: "Criterion"
     bearings: "NDArray[np.float64]"
+    look: dict[str, Any]
 
     @property
     def losing(self) -> int:
@@ -155,7 +158,7 @@ def _winds(asked: _Asked) -> _Found:
         """Draw the diagram."""
         from swarmgrasp.plot import capability_diagram, save
 
-        return save(capability_diagram(found, name, robot=asked.scenario.terms.robot), path)
+        return save(capability_diagram(found, robot=asked.scenario.terms.robot, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -175,7 +178,7 @@ def _numbers(asked: _Asked) -> _Found:
         """Draw the diagram."""
         from swarmgrasp.plot import numbers_diagram, save
 
-        return save(numbers_diagram(found, name, robot=asked.scenario.terms.robot), path)
+        return save(numbers_diagram(found, robot=asked.scenario.terms.robot, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -192,7 +195,7 @@ def _use(asked: _Asked, speed: float) -> _Found:
         """Draw the shares."""
         from swarmgrasp.plot import save, thrust_use_picture
 
-        return save(thrust_use_picture(found, name, robot=asked.scenario.terms.robot), path)
+        return save(thrust_use_picture(found, robot=asked.scenario.terms.robot, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -217,7 +220,8 @@ def _joined(asked: _Asked) -> _Found:
         from swarmgrasp.plot import capability_diagram, save
 
         robot = asked.scenario.terms.robot
-        return save(capability_diagram(found.after, name, before=found.before, robot=robot), path)
+        figure = capability_diagram(found.after, before=found.before, robot=robot, **asked.look)
+        return save(figure, path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 

@@ -1,5 +1,6 @@
 """`swarmgrasp count`: how many robots a required quality takes."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
@@ -7,6 +8,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
     UsageFault,
     blaming,
@@ -39,6 +41,8 @@ def count(
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
+    plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
@@ -70,6 +74,9 @@ def count(
         --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         Require it in the worst poses that the tolerances allow.
+    plot
+        Draw the plan to this .png, .svg or .pdf: the object from above with its robots, its zones,
+        the weather and the newcomers.
     json
         Also write the answer to this .json file; "-" prints it and nothing else. SI units
         and radians.
@@ -80,6 +87,7 @@ def count(
         + json_faults(json)
         + wording.faults(json)
         + weather.faults()
+        + drawing.faults(plot)
     )
     scenario = weather.on(read_scenario(file, faults), file)
     check_newcomer(scenario, file, "count")
@@ -97,12 +105,14 @@ def count(
         found, stopped = _counted(scenario.problem(criterion), required, tried, steps, terms)
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.lasting import INTERRUPTED
+    from swarmgrasp.cli.pictures import picture_of_plan
     from swarmgrasp.cli.show.count import show
 
     deliver(
         json,
         document_of(found, scenario.name),
         lambda: show(weather.title(scenario, terms), found, terms, is_stopped=stopped),
+        lambda: picture_of_plan(plot, scenario, found.answer or (), criterion, drawing),
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import Drawing
 from swarmgrasp.cli.inputs import blaming
 from swarmgrasp.cli.weather import Weather
 from swarmgrasp.cli.wording import Wording
@@ -48,7 +49,11 @@ def capability_faults(weather: Weather, *, alone: bool) -> list[str]:
 
 
 def tell_for_capability(
-    asked: ForCapability, plot: "dict[Picture, Path] | None", json: str | None, wording: Wording
+    asked: ForCapability,
+    plot: "dict[Picture, Path] | None",
+    drawing: Drawing,
+    json: str | None,
+    wording: Wording,
 ) -> int:
     """Find the place and hand it over; return the exit status."""
     from swarmgrasp.answer_file import document_of
@@ -69,7 +74,7 @@ def tell_for_capability(
         document_of(found, scenario.name),
         lambda: show(scenario.name, found, wording.terms(scenario)),
         lambda: (
-            pictures(plot, scenario.swarm, answers, found.placement.problem.criterion)
+            pictures(plot, scenario, answers, found.placement.problem.criterion, drawing)
             if plot
             else []
         ),

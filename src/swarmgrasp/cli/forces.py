@@ -9,12 +9,11 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import failures_of
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
-    PICTURES,
     UsageFault,
     json_faults,
     noting,
-    output_faults,
     print_json,
     read_scenario,
 )
@@ -44,6 +43,7 @@ def forces(
     keep_direction: Annotated[bool, Parameter(negative="")] = False,
     losing: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
@@ -85,7 +85,7 @@ def forces(
         SI units.
     """
     faults = _option_faults(wrench, wrenches, keep_direction, plot)
-    faults += json_faults(json) + wording.faults(json) + output_faults(plot, PICTURES)
+    faults += json_faults(json) + wording.faults(json) + drawing.faults(plot)
     if load is not None and weather.given:
         faults.append(f"--load and {next(iter(weather.given))} each say the load; keep one")
     asked, free, wrong = parse_wrench("--wrench", wrench or ("0", "0", "0"))
@@ -115,7 +115,7 @@ def forces(
     if not told and not any(beside):
         raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
     _tell_one(scenario, _Asked(asked, beside, _free(scenario, free), keep_direction),
-              plot, json, wording)  # fmt: skip
+              plot, drawing, json, wording)  # fmt: skip
 
 
 class _Asked(NamedTuple):
@@ -128,7 +128,7 @@ class _Asked(NamedTuple):
 
 
 def _tell_one(
-    scenario: "Scenario", asked: _Asked, plot: Path | None, json: str | None,
+    scenario: "Scenario", asked: _Asked, plot: Path | None, drawing: Drawing, json: str | None,
     wording: Wording,
 ) -> None:  # fmt: skip
     """Find and tell the forces for one wrench."""
@@ -156,7 +156,9 @@ def _tell_one(
             return []
         from swarmgrasp.plot import forces_plan, save
 
-        return [save(forces_plan(found), plot)]
+        look = drawing.look(scenario.name)
+        figure = forces_plan(found, environment=scenario.environment, terms=scenario.terms, **look)
+        return [save(figure, plot)]
 
     def tell() -> None:
         """Tell the forces."""

@@ -1,5 +1,6 @@
 """`swarmgrasp move`: which one robot should attach elsewhere."""
 
+from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -7,6 +8,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import blaming, json_faults, read_scenario
 from swarmgrasp.cli.question import tell_omitted
 from swarmgrasp.cli.weather import CALM, Weather
@@ -20,6 +22,8 @@ def move(
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
+    plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
@@ -45,11 +49,15 @@ def move(
         --failures "bus A" --failures Ajax,Boreas. Instead of those in the file.
     worst_case
         Look at the quality in the worst poses that the robots' tolerances allow.
+    plot
+        Draw the plan to this .png, .svg or .pdf: the object from above with its robots, its zones,
+        the weather and the robot that had better move.
     json
         Also write the moves to this .json file; "-" prints them and nothing else. SI
         units and radians.
     """
     faults = losing_faults(losing) + json_faults(json) + wording.faults(json) + weather.faults()
+    faults += drawing.faults(plot)
     scenario = weather.on(read_scenario(file, faults), file)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     tell_omitted(
@@ -64,6 +72,7 @@ def move(
     with blaming(file), shown_progress(total, f"moving {scenario.terms.several}") as progress:
         found = best_move(scenario.problem(criterion), progress=progress)
     from swarmgrasp.answer_file import document_of
+    from swarmgrasp.cli.pictures import picture_of_plan
     from swarmgrasp.cli.show.move import show
 
     terms = wording.terms(scenario)
@@ -71,5 +80,6 @@ def move(
         json,
         document_of(found, scenario.name),
         lambda: show(weather.title(scenario, terms), found, terms),
+        lambda: picture_of_plan(plot, scenario, found, criterion, drawing),
         csv=wording.csv,
     )

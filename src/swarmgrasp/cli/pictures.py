@@ -1,28 +1,30 @@
-"""The pictures that `place --plot` and `plot` write."""
+"""The pictures that commands write with `--plot`, and `plot`."""
 
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.errors import ForceSetUnsupported, WrenchSetTooLarge
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from swarmgrasp.pages.page import Drawing
-    from swarmgrasp.placement import Placement, Together
+    from swarmgrasp.pages import page
+    from swarmgrasp.placement import Move, Placement, Together
     from swarmgrasp.quality import Criterion
-    from swarmgrasp.swarm import Swarm
+    from swarmgrasp.scenario import Scenario
 
 Picture = Literal["plan", "wrenches", "landscape"]
 
 
 def pictures(
     wanted: dict[Picture, Path],
-    swarm: "Swarm",
+    scenario: "Scenario",
     answers: "Sequence[Placement]",
     criterion: "Criterion",
+    drawing: Drawing = USUAL,
 ) -> list[Path]:
     """Write pictures, once all of them are drawn.
 
@@ -30,12 +32,13 @@ def pictures(
     ----------
     wanted : dict of {"plan", "wrenches", "landscape"} to Path
         The suffix of a path is the format.
-    swarm : Swarm
-        The robots already there.
+    scenario : Scenario
+        The robots already there, and the weather.
     answers : sequence of Placement
         The newcomers; a landscape needs one, and shows what the first could choose from.
     criterion : Criterion
         What quality means.
+    drawing : Drawing
 
     Returns
     -------
@@ -48,7 +51,7 @@ def pictures(
     drawn = {}
     for what, path in wanted.items():
         try:
-            drawn[path] = _figure(what, swarm, answers, criterion)
+            drawn[path] = _figure(what, scenario, answers, criterion, drawing)
         except (ForceSetUnsupported, WrenchSetTooLarge) as error:
             if len(wanted) == 1:
                 raise
@@ -56,35 +59,79 @@ def pictures(
     return [save(figure, path) for path, figure in drawn.items()]
 
 
-def pictures_together(wanted: dict[Picture, Path], found: "Together") -> list[Path]:
+def pictures_together(
+    wanted: dict[Picture, Path], scenario: "Scenario", found: "Together", drawing: Drawing
+) -> list[Path]:
     """Write the plan and the wrenches of newcomers that are placed together."""
-    from swarmgrasp.plot import plan, save, wrench_sets
-    from swarmgrasp.quality import quality
+    from swarmgrasp.plot import save, wrench_sets
 
-    criterion, after = found.problem.criterion, found.swarm_after
+    criterion, look = found.problem.criterion, drawing.look(scenario.name)
+    sets = wrench_sets(scenario.swarm, found.swarm_after, criterion=criterion, **look)
     drawn = {
-        wanted["plan"]: plan(after, quality=quality(after, **criterion.terms)),
-        wanted["wrenches"]: wrench_sets(found.problem.swarm, after, criterion=criterion),
+        wanted["plan"]: _plan(scenario, found, criterion, drawing),
+        wanted["wrenches"]: sets,
     }
     return [save(figure, path) for path, figure in drawn.items()]
 
 
-def _figure(
-    what: Picture, swarm: "Swarm", answers: "Sequence[Placement]", criterion: "Criterion"
+def picture_of_plan(
+    path: Path | None,
+    scenario: "Scenario",
+    answer: "Sequence[Placement] | Together | Move",
+    criterion: "Criterion",
+    drawing: Drawing,
+) -> list[Path]:
+    """Write the plan alone, if a path is given for it."""
+    if path is None:
+        return []
+    from swarmgrasp.plot import save
+
+    return [save(_plan(scenario, answer, criterion, drawing), path)]
+
+
+def _plan(
+    scenario: "Scenario",
+    answer: "Sequence[Placement] | Together | Move",
+    criterion: "Criterion",
+    drawing: Drawing,
 ) -> "Figure":
-    """Draw one picture."""
-    from swarmgrasp.plot import landscape, plan, wrench_sets
+    """Draw the object from above, with its robots, newcomers, zones and weather."""
+    from swarmgrasp.plot import plan
     from swarmgrasp.quality import quality
 
+    newcomer = scenario.newcomer
+    return plan(
+        scenario.swarm,
+        quality=quality(scenario.swarm, **criterion.terms),
+        placements=answer,
+        zones=(scenario.zones or ()) if newcomer else (),
+        no_go=scenario.no_go if newcomer else (),
+        environment=scenario.environment,
+        terms=scenario.terms,
+        **drawing.look(scenario.name),
+    )
+
+
+def _figure(
+    what: Picture,
+    scenario: "Scenario",
+    answers: "Sequence[Placement]",
+    criterion: "Criterion",
+    drawing: Drawing,
+) -> "Figure":
+    """Draw one picture."""
+    from swarmgrasp.plot import landscape, wrench_sets
+
+    look = drawing.look(scenario.name)
     if what == "plan":
-        return plan(swarm, quality=quality(swarm, **criterion.terms), placements=answers)
+        return _plan(scenario, answers, criterion, drawing)
     if what == "wrenches":
         after = answers[-1].swarm_after if answers else None
-        return wrench_sets(swarm, after, criterion=criterion)
-    return landscape(answers[0])
+        return wrench_sets(scenario.swarm, after, criterion=criterion, **look)
+    return landscape(answers[0], **look)
 
 
-def drawing(name: str, figure: "Figure", caption: str) -> "Drawing":
+def drawing(name: str, figure: "Figure", caption: str) -> "page.Drawing":
     """Return a picture as a part of a page."""
     from swarmgrasp.pages.page import Drawing
     from swarmgrasp.plot import svg

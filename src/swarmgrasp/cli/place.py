@@ -9,12 +9,11 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.for_capability import ForCapability, capability_faults, tell_for_capability
 from swarmgrasp.cli.inputs import (
-    PICTURES,
     blaming,
     json_faults,
-    output_faults,
     read_scenario,
     whole_faults,
 )
@@ -53,6 +52,7 @@ def place(
     aim: Annotated[Literal["quality", "capability"], Parameter(name="--for")] = "quality",
     where_not: Annotated[bool, Parameter(negative="")] = False,
     plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
@@ -116,10 +116,7 @@ def place(
     if where_not and (together or (robots or "1").lstrip("0") != "1"):
         faults.append("--where-not is of one robot: leave out --robots and --together")
     faults += (
-        losing_faults(losing)
-        + json_faults(json)
-        + wording.faults(json)
-        + output_faults(plot, PICTURES)
+        losing_faults(losing) + json_faults(json) + wording.faults(json) + drawing.faults(plot)
     )
     scenario = read_scenario(file, faults + weather.faults())
     check_newcomer(scenario, file, "place")
@@ -129,7 +126,7 @@ def place(
         around = Water.environment(weather, scenario, file, "`swarmgrasp place --for capability`")
         return tell_for_capability(
             ForCapability(scenario, file, around, criterion, gap or FINE, share),
-            _beside(plot) if plot else None, json, wording,
+            _beside(plot) if plot else None, drawing, json, wording,
         )  # fmt: skip
     scenario = weather.on(scenario, file)
     before = asked_before(scenario, "placements", "together")
@@ -140,17 +137,18 @@ def place(
     if together:
         steps = None if effort is None else int(effort)
         return _tell_together(
-            scenario, file, count, gap, steps, criterion, plot, json, wording, title=title
+            scenario, file, count, gap, steps, criterion, plot, drawing, json, wording, title=title
         )
     return _tell_sequence(
-        scenario, file, count, gap, runners_up, criterion, plot, json, wording, title=title,
-        where_not=where_not and count == 1,
+        scenario, file, count, gap, runners_up, criterion, plot, drawing, json, wording,
+        title=title, where_not=where_not and count == 1,
     )  # fmt: skip
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
-    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *, title: str,
+    criterion: "Criterion", plot: Path | None, drawing: Drawing, json: str | None,
+    wording: Wording, *, title: str,
     where_not: bool,
 ) -> int:  # fmt: skip
     """Find and tell robots placed one after the other; what is None is as in the answer read.
@@ -176,7 +174,7 @@ def _tell_sequence(
         json,
         document_of(answers, scenario.name),
         lambda: show(title, answers, wording.terms(scenario), survey, at_once, count),
-        lambda: pictures(_beside(plot), scenario.swarm, answers, criterion) if plot else [],
+        lambda: pictures(_beside(plot), scenario, answers, criterion, drawing) if plot else [],
         csv=wording.csv,
     )
     return INTERRUPTED if len(answers) < count else 0
@@ -184,7 +182,8 @@ def _tell_sequence(
 
 def _tell_together(
     scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
-    criterion: "Criterion", plot: Path | None, json: str | None, wording: Wording, *, title: str,
+    criterion: "Criterion", plot: Path | None, drawing: Drawing, json: str | None,
+    wording: Wording, *, title: str,
 ) -> int:  # fmt: skip
     """Find and tell robots placed all at once; what is None is as in the answer read.
 
@@ -215,7 +214,7 @@ def _tell_together(
         json,
         document_of(found, scenario.name),
         lambda: show(title, found, terms, is_stopped=stopped),
-        lambda: pictures_together(_beside(plot), found) if plot else [],
+        lambda: pictures_together(_beside(plot), scenario, found, drawing) if plot else [],
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0

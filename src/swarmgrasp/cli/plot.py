@@ -3,14 +3,21 @@
 from pathlib import Path
 
 from swarmgrasp.cli.dash import Dashed
-from swarmgrasp.cli.inputs import PICTURES, blaming, output_faults, read_scenario
+from swarmgrasp.cli.drawing import USUAL, Drawing
+from swarmgrasp.cli.inputs import blaming, read_scenario
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import check_newcomer, tell_omitted
 from swarmgrasp.cli.weather import CALM, Weather
 
 
 def plot(
-    file: Dashed, picture: Path, /, *, what: Picture = "plan", weather: Weather = CALM
+    file: Dashed,
+    picture: Path,
+    /,
+    *,
+    what: Picture = "plan",
+    drawing: Drawing = USUAL,
+    weather: Weather = CALM,
 ) -> None:
     """Draw a scenario, its newcomer in the best place.
 
@@ -27,7 +34,7 @@ def plot(
         forces and torques the swarm can exert; landscape shows the quality for every
         contact and direction of the newcomer.
     """
-    faults = output_faults(picture, PICTURES) + weather.faults()
+    faults = drawing.faults(picture) + weather.faults()
     scenario = weather.on(read_scenario(file, faults), file)
     if what == "landscape":
         check_newcomer(scenario, file, "plot --what landscape")
@@ -42,5 +49,5 @@ def plot(
 
     answers = solve(scenario, file) if scenario.newcomer else ()
     with blaming(file):
-        written = pictures({what: picture}, scenario.swarm, answers, scenario.criterion)
+        written = pictures({what: picture}, scenario, answers, scenario.criterion, drawing)
     told_written(written)

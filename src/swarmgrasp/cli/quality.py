@@ -1,6 +1,7 @@
 """`swarmgrasp quality`: how well the robots hold the object."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
@@ -8,6 +9,7 @@ from cyclopts import Parameter
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import UsageFault, blaming, json_faults, read_scenario, source_of
 from swarmgrasp.cli.question import asked_before, tell_omitted
 from swarmgrasp.cli.weather import CALM, Weather
@@ -29,6 +31,8 @@ def quality(
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
     sensitivities: Annotated[bool, Parameter(negative="")] = False,
+    plot: Path | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
@@ -57,11 +61,15 @@ def quality(
     sensitivities
         Also what the quality gains or loses per metre of contact, per degree of direction and of
         the ends of what steers, and per unit of limit and of reverse limit of each robot.
+    plot
+        Draw the plan to this .png, .svg or .pdf: the object from above with its robots, its zones,
+        the weather and the wrench that is weakest.
     json
         Also write the numbers to this .json file; "-" prints them and nothing else.
         SI units.
     """
     faults = json_faults(json) + wording.faults(json) + losing_faults(losing)
+    faults += drawing.faults(plot)
     if worst_case and sensitivities:
         faults.append("--sensitivities are of known poses: leave out --worst-case")
     scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
@@ -90,12 +98,14 @@ def quality(
         slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
         alone = _alone(scenario, criterion)
     told = {**found.to_data(), "losses": plain(lost), "sensitivities": plain(slopes)}
+    from swarmgrasp.cli.pictures import picture_of_plan
     from swarmgrasp.cli.show.quality import show
 
     deliver(
         json,
         sealed(found.kind, told, scenario.name),
         lambda: show(scenario, found, lost, slopes, wording.terms(scenario), alone),
+        lambda: picture_of_plan(plot, scenario, (), criterion, drawing),
         csv=wording.csv,
     )
 

@@ -10,8 +10,8 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
-    PICTURES,
     blaming,
     json_faults,
     output_faults,
@@ -59,6 +59,7 @@ def simulate(
     turn: Annotated[float | None, Parameter(metavar="DEGREES")] = None,
     log: Path | None = None,
     plot: Path | None = None,
+    drawing: Drawing = USUAL,
     gif: Path | None = None,
     mcap: Path | None = None,
     player: Path | None = None,
@@ -114,10 +115,11 @@ def simulate(
     faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed, 0, MOST_SEED)
     faults += _text_faults(losing or [], wind) + json_faults(json) + wording.faults(json)
     for path, suffixes in (
-        (log, (".parquet",)), (plot, PICTURES), (gif, (".gif",)), (mcap, (".mcap",)),
+        (log, (".parquet",)), (gif, (".gif",)), (mcap, (".mcap",)),
         (player, (".json",)),
     ):  # fmt: skip
         faults += output_faults(path, suffixes)
+    faults += drawing.faults(plot)
     if capability:
         others = {"--losing": losing, "--wind": wind, "--log": log, "--gif": gif, "--mcap": mcap,
                   "--player": player}  # fmt: skip
@@ -135,7 +137,15 @@ def simulate(
     limit = USUAL_TURN if turn is None else math.radians(turn)
     if capability:
         return _capability(
-            scenario.name, asked, far, limit, plot, json, wording.terms(scenario), wording.csv
+            scenario.name,
+            asked,
+            far,
+            limit,
+            plot,
+            drawing,
+            json,
+            wording.terms(scenario),
+            wording.csv,
         )
     run = _run(asked)
     from swarmgrasp.answer_file import sealed
@@ -146,7 +156,7 @@ def simulate(
         json,
         sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name),
         lambda: show(name, run, verdict, terms),
-        lambda: _write(name, run, verdict, log, plot, gif, mcap, player),
+        lambda: _write(name, run, verdict, log, plot, drawing, gif, mcap, player),
         csv=wording.csv,
     )
     if not run.is_whole:
@@ -290,6 +300,7 @@ def _capability(
     within: float,
     turn: float,
     plot: Path | None,
+    drawing: Drawing,
     json: str | None,
     terms: "Terms",
     csv: str | None,
@@ -310,7 +321,7 @@ def _capability(
         from swarmgrasp.plot import save
         from swarmgrasp.plot.limits import limits_diagram
 
-        return [save(limits_diagram(found, name), plot)]
+        return [save(limits_diagram(found, **drawing.look(name)), plot)]
 
     document = sealed("winds", found.to_data(), name)
     deliver(json, document, lambda: show(name, found, terms), draw, csv=csv)
@@ -332,7 +343,7 @@ def _run(asked: "Simulation") -> "Run":
 
 def _write(
     name: str, run: "Run", verdict: "Verdict", log: Path | None, plot: Path | None,
-    gif: Path | None, mcap: Path | None, player: Path | None,
+    drawing: Drawing, gif: Path | None, mcap: Path | None, player: Path | None,
 ) -> list[Path]:  # fmt: skip
     """Write the files that are wanted; return their paths."""
     written: list[Path] = []
@@ -344,7 +355,7 @@ def _write(
         from swarmgrasp.plot import save
         from swarmgrasp.plot.sheet_of_run import run_sheet
 
-        written.append(save(run_sheet(run, verdict, name), plot))
+        written.append(save(run_sheet(run, verdict, **drawing.look(name)), plot))
     if gif is not None:
         from swarmgrasp.simulation.export.gif import write_gif
 

@@ -12,12 +12,11 @@ from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
+from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
-    PICTURES,
     UsageFault,
     blaming,
     json_faults,
-    output_faults,
     read_scenario,
     whole_faults,
 )
@@ -48,6 +47,7 @@ def study(
     report: Annotated[bool, Parameter(negative="")] = False,
     plot: Path | None = None,
     csv: Dashed | None = None,
+    drawing: Drawing = USUAL,
     json: Dashed | None = None,
 ) -> None:
     """Do many runs that are alike but for their seeds, and sum them up.
@@ -97,7 +97,7 @@ def study(
         Also write what was found to this .json file; "-" prints it and nothing else.
     """
     given = {"of": of, "runs": runs, "robots": robots, "newcomers": newcomers, "seed": seed}
-    faults = json_faults(json) + csv_faults(csv, json) + output_faults(plot, PICTURES)
+    faults = json_faults(json) + csv_faults(csv, json) + drawing.faults(plot)
     faults += _number_faults(runs, newcomers, seed, workers) + _robots_faults(robots)
     faults += _clashes(report, workers, dask, folder, given)
     where, plan = _plan(file, folder, faults, given, report)
@@ -114,7 +114,7 @@ def study(
             return []
         from swarmgrasp.plot import save, study_picture
 
-        return [save(study_picture(found), plot)]
+        return [save(study_picture(found, **drawing.look(found.plan.name)), plot)]
 
     deliver(json, found.to_data(), lambda: show(where, found), draw, csv=csv)
 

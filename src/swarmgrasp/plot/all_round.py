@@ -166,19 +166,19 @@ def write_caption(
     small_print : sequence of str
     """
     figure = cast(Figure, ax.get_figure(root=True))
-    width, height = figure.get_size_inches()
+    height = figure.get_size_inches()[1]
     top = height - 0.22
     polar.write(
         figure, polar.cut(title, polar.LONGEST_TITLE) or "Capability", 0.12, top, size=10.0,
-        weight="bold",
+        weight="bold", gid="heading",
     )  # fmt: skip
-    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY)
+    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY, gid="title")
     y = below(len(rows), len(small_print)) - 0.14
     for x, text in zip(COLUMNS, headings, strict=True):
         polar.write(figure, text, x, y, size=7.0, color=style.GREY)
     for look, cells in rows:
         y -= 0.17
-        ends = [0.12 / width, 0.42 / width], [(y + 0.035) / height] * 2
+        ends = [polar.across(0.12), polar.across(0.42)], [(y + 0.035) / height] * 2
         figure.add_artist(Line2D(*ends, transform=figure.transFigure, **look))
         for x, text in zip(COLUMNS, cells, strict=True):
             polar.write(figure, text, x, y, size=8.0)

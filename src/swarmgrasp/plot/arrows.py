@@ -104,12 +104,15 @@ class Arrows:
         return (contact - reach, contact) if self._pushes(robot) else (contact, contact + reach)
 
     def _pushes(self, robot: Robot) -> bool:
-        """Tell whether a robot's force along its direction goes into the object, and no other."""
+        """Tell whether a robot's force along its direction goes into the object, and no other.
+
+        At a corner a push along one side may point past the other: its tail is off the object.
+        """
         is_any = robot.sectors is not None or robot.steers > 0.5 * math.pi
         if robot.mounted or robot.reverse_limit or is_any:
             return False
-        step = PROBE * self.outline.extent * _way(robot)
-        return self.outline.contains(np.array(robot.contact) + step)
+        contact, step = np.array(robot.contact), PROBE * self.outline.extent * _way(robot)
+        return self.outline.contains(contact + step) or not self.outline.contains(contact - step)
 
     def box(self) -> tuple[Vector, Vector]:
         """Return the corners of the box round all that is drawn, each (2,) [m, m]."""

@@ -29,6 +29,7 @@ def capability_diagram(
     ax: Axes | None = None,
     before: Capability | None = None,
     robot: str = "robot",
+    width: float = style.WIDTH,
 ) -> Figure:
     """Draw a capability as a polar diagram, bow up, bearings clockwise.
 
@@ -48,6 +49,8 @@ def capability_diagram(
         The same without the robot that joined last: in grey.
     robot : str
         What one robot is called, such as "tug".
+    width : float [in]
+        Of a figure of its own.
 
     Returns
     -------
@@ -55,7 +58,7 @@ def capability_diagram(
     """
     curves = _curves(found, before, robot)
     joined = _joined(found, before)
-    with style.settings():
+    with style.settings(width):
         alone = ax is None
         print_ = _small_print(found, curves)
         ax = polar.new_axes(all_round.below(len(curves), len(print_))) if ax is None else ax

@@ -18,7 +18,9 @@ WINDS_AT: Final = 315.0
 """Bearings [deg] near which the rings are labelled."""
 
 
-def numbers_diagram(found: CapabilityNumbers, title: str = "", *, robot: str = "robot") -> Figure:
+def numbers_diagram(
+    found: CapabilityNumbers, title: str = "", *, robot: str = "robot", width: float = style.WIDTH
+) -> Figure:
     """Draw capability numbers as a polar diagram, bow up, bearings clockwise.
 
     The radius is the number of the largest step of wind, sea and current from that bearing that all
@@ -31,6 +33,7 @@ def numbers_diagram(found: CapabilityNumbers, title: str = "", *, robot: str = "
         Such as the vessel's name.
     robot : str
         What one robot is called, such as "tug".
+    width : float [in]
 
     Returns
     -------
@@ -42,7 +45,7 @@ def numbers_diagram(found: CapabilityNumbers, title: str = "", *, robot: str = "
         Curve(_radii(found.after_loss), AFTER_LOSS, "after-loss", f"after the worst\n{less}", True),
     ]
     small_print = _small_print(found)
-    with style.settings():
+    with style.settings(width):
         ax = polar.new_axes(all_round.below(2, len(small_print)))
         page = polar.frame(ax, LAST)
         polar.draw_rings(page, 1.0, LAST)

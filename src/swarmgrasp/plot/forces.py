@@ -10,14 +10,17 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from swarmgrasp.environment import Environment
 from swarmgrasp.forces import Forces
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
-from swarmgrasp.plot.direction import draw_direction
+from swarmgrasp.plot.direction import Pointer, load_pointer
+from swarmgrasp.plot.flows import Flow, flows_of
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.plan import draw_object, in_view, label_edges
 from swarmgrasp.plot.robots import FEW, HEAD, MOST_LABELS, outer_spots
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.words import wrench_words
 
 LIMIT: Final = "#C3D3E0"
@@ -40,17 +43,34 @@ HARDEST: Final = 2e-6
 """Difference from the largest share that counts as none: twice what the least squares may take."""
 
 
-def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
+def forces_plan(
+    found: Forces,
+    *,
+    environment: Environment | None = None,
+    terms: Terms = SI,
+    title: str = "",
+    width: float = style.WIDTH,
+    ax: Axes | None = None,
+) -> Figure:
     """Draw the object from above with the forces that make a wrench.
 
     A pale arrow is the force a robot can exert, the dark part of it the one it does; of robots that
     steer, or have friction or an envelope, all their forces are a pale area. Robots at the
-    largest share are orange. A push ends at the contact, a pull starts there. At the origin is
-    drawn which way the wanted wrench acts.
+    largest share are orange. A push ends at the contact, a pull starts there. At the origin are
+    drawn the wanted wrench, and the load, whose arrow ends there: to the same scale, or hollow
+    where they only show a direction, as turns always do.
 
     Parameters
     ----------
     found : Forces
+    environment : Environment, optional
+        Draws wind, current and sea, if the load is theirs.
+    terms : Terms
+        How their bearings and speeds are told, and what a robot is called.
+    title : str
+        Such as the name of the object.
+    width : float [in]
+        Of a figure of its own.
     ax : Axes, optional
         Draw here, at its present size, instead of in a figure of its own.
 
@@ -60,15 +80,17 @@ def forces_plan(found: Forces, *, ax: Axes | None = None) -> Figure:
     """
     swarm = found.swarm
     arrows = Arrows(swarm.outline, swarm.robots)
-    with style.settings():
-        is_shown = bool(found.wanted.any()) and in_view(arrows)
-        caption = _caption(found, is_shown)
+    with style.settings(width):
+        pointers = _pointers(arrows, found)
+        flows = flows_of(environment, swarm.outline, found.load, terms)
+        caption = _caption(found, pointers, flows, title, terms)
+        alone = ax is None
         ax = new_axes(arrows, caption) if ax is None else ax
-        page = frame(ax, arrows)
+        page = frame(ax, arrows, flows, has_table=alone)
         draw_object(page, swarm.outline)
         _draw_forces(page, arrows, found)
-        if is_shown:
-            _draw_wrench(page, found)
+        for gid, pointer in pointers.items():
+            pointer.draw(page, gid, pointers.values())
         _label_robots(page, arrows, found)
         label_edges(page, swarm.outline)
         draw_force_key(page, arrows)
@@ -115,11 +137,13 @@ def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
     )  # fmt: skip
 
 
-def _draw_wrench(page: Page, found: Forces) -> None:
-    """Draw which way the wrench acts: its force as an arrow, its torque as a turn."""
-    part = found.wanted * found.swarm.scale
-    part = part / np.abs(part).max()
-    draw_direction(page, found.swarm, part / np.linalg.norm(part), "wrench")
+def _pointers(arrows: Arrows, found: Forces) -> dict[str, Pointer]:
+    """Return the wrenches that are drawn at the origin, if that is in view."""
+    wanted = Pointer(arrows, found.swarm, found.wanted, "wrench wanted")
+    load = load_pointer(arrows, found.swarm, found.load)
+    shown = {"wrench": wanted} if found.wanted.any() else {}
+    shown |= {"load": load} if load.has_force else {}
+    return shown if in_view(arrows) else {}
 
 
 def _label_robots(page: Page, arrows: Arrows, found: Forces) -> None:
@@ -151,7 +175,9 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:.{int(share < 0.0995)}f} %"
 
 
-def _caption(found: Forces, is_shown: bool) -> Caption:
+def _caption(
+    found: Forces, pointers: dict[str, Pointer], flows: tuple[Flow, ...], heading: str, terms: Terms
+) -> Caption:
     """Return what is written round the picture."""
     swarm = found.swarm
     kinds = {"force": style.BLUE, "force at the largest share": style.VERMILION}
@@ -167,15 +193,22 @@ def _caption(found: Forces, is_shown: bool) -> Caption:
         entries.append(ArrowEntry(facecolor=LIMIT, label="limit"))
     if any(wide):
         entries.append(Patch(**AREA_LOOK, label="all it can exert"))
-    if is_shown:
-        entries.append(ArrowEntry(facecolor=style.PURPLE, label="wrench wanted"))
+    entries += [pointer.entry() for pointer in pointers.values()]
     words = wrench_words(found.wanted * swarm.scale)
     size = float(np.linalg.norm(found.wanted * swarm.scale))
     title = f"{words}: {style.force(size)}" if size > 0.0 else words
+    if size == 0.0 and found.load.any():
+        title = "not held" if found.is_degraded else "held"
+        if found.shares.any():
+            busiest = swarm.names[int(np.argmax(found.shares))]
+            title += f": busiest {busiest}, {_percent(found.largest_share)}"
     small_print = [f"Size of a wrench with {swarm.metric_sentence}."]
     if found.load.any():
         small_print.append(style.load_sentence(tuple(found.load.tolist())))
-    return Caption(_capital(title), _outcome(found), tuple(entries), tuple(small_print))
+    small_print += style.frame_sentences(terms)
+    return Caption(
+        heading, _capital(title), _outcome(found), tuple(entries), tuple(small_print), flows
+    )
 
 
 def _outcome(found: Forces) -> str:

@@ -29,7 +29,7 @@ LINES: Final = (
 )  # fmt: skip
 
 
-def history(run: Run, verdict: Verdict, *, index: int = 0) -> Figure:
+def history(run: Run, verdict: Verdict, *, index: int = 0, width: float = style.WIDTH) -> Figure:
     """Draw errors of position and heading, shares, shortfall and wind over time, events marked.
 
     Parameters
@@ -39,14 +39,15 @@ def history(run: Run, verdict: Verdict, *, index: int = 0) -> Figure:
         Of the run.
     index : int
         Which of the runs.
+    width : float [in]
 
     Returns
     -------
     Figure
     """
-    with style.settings():
+    with style.settings(width):
         total = HEIGHT * len(PANELS) + 1.0
-        figure = Figure(figsize=(style.WIDTH, total))
+        figure = Figure(figsize=(style.width(), total))
         axes = panels(figure, 0.45 / total, 1.0 - 0.35 / total)
         draw_history(axes, run, verdict, index)
     return figure
@@ -54,7 +55,7 @@ def history(run: Run, verdict: Verdict, *, index: int = 0) -> Figure:
 
 def panels(figure: Figure, bottom: float, top: float) -> list[Axes]:
     """Return the axes of a history between two heights, as shares of the figure's."""
-    left, right = LEFT / style.WIDTH, 1.0 - 0.95 / style.WIDTH
+    left, right = LEFT / style.width(), 1.0 - 0.95 / style.width()
     step = (top - bottom) / len(PANELS)
     found: list[Axes] = []
     for row in range(len(PANELS)):
@@ -115,8 +116,14 @@ def _draw_shares(ax: Axes, run: Run, index: int) -> None:
     ax.set_ylim(0.0, 1.05)
     ax.set_ylabel("share of\nits limit")
     if not many:
-        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7.0, handlelength=1.0,
-                  labelspacing=0.15, borderaxespad=0.4)  # fmt: skip
+        ax.legend(
+            loc="center left",
+            bbox_to_anchor=(1.0, 0.5),
+            fontsize=style.text(7.0),
+            handlelength=1.0,
+            labelspacing=0.15,
+            borderaxespad=0.4,
+        )
 
 
 def _finish(ax: Axes, run: Run, *, is_last: bool) -> None:
@@ -126,8 +133,8 @@ def _finish(ax: Axes, run: Run, *, is_last: bool) -> None:
     ax.grid(True, axis="y")
     ax.set_axisbelow(True)
     ax.locator_params(axis="y", nbins=4)
-    ax.tick_params(length=3.0, labelsize=7.0, labelbottom=is_last)
-    ax.yaxis.label.set_fontsize(7.5)
+    ax.tick_params(length=3.0, labelsize=style.text(7.0), labelbottom=is_last)
+    ax.yaxis.label.set_fontsize(style.text(7.5))
     ax.yaxis.set_label_coords(-0.42 / (ax.bbox.width / ax.get_figure(root=True).dpi), 0.5)  # type: ignore[union-attr]
     if is_last:
         ax.set_xlabel("time [s]", labelpad=2.0)
@@ -147,6 +154,6 @@ def _mark(axes: list[Axes], run: Run) -> None:
         last = at.time
         axes[0].annotate(
             name, (at.time, 1.0), xycoords=("data", "axes fraction"),
-            xytext=(0.0, 2.0 + 9.0 * row), textcoords="offset points", fontsize=7.0,
+            xytext=(0.0, 2.0 + 9.0 * row), textcoords="offset points", fontsize=style.text(7.0),
             ha="left" if at.time < 0.85 * span else "right", va="bottom", color=style.GREY,
         )  # fmt: skip

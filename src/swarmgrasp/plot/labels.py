@@ -11,6 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.text import Text
 from numpy.typing import ArrayLike, NDArray
 
+from swarmgrasp.plot.style import text as text_size
+
 Vector = NDArray[np.float64]
 
 Choice = tuple[float, Vector, Vector, float]
@@ -28,6 +30,9 @@ LEADER: Final = 14.0
 CROWDED: Final = 6.0
 """Price from which on a label that may be left out is left out, and another looks farther."""
 
+HOPELESS: Final = 14.0
+"""Price from which on a number takes the place of a label that may not be left out."""
+
 LINE: Final = 1.5
 FAINT: Final = 0.15
 """Price of a sample of a line, and of a faint one, below a label."""
@@ -37,6 +42,9 @@ ALONG: Final = 7.0
 
 ROUND: Final = np.array([(math.cos(a), math.sin(a)) for a in np.arange(0.0, math.tau, 0.8)])
 """Samples of a dot, of radius 1."""
+
+TAG: Final = 6.5
+"""Size of the numbers that stand for labels without room [pt]."""
 
 STEP: Final = 0.7
 """Distance between the places tried all over the page, in heights of the label."""
@@ -56,12 +64,16 @@ class Page:
         Of those that a label may lie across where there is no better place.
     boxes : list of tuple [px, px, px, px]
         Labels already placed: left, bottom, right, top.
+    tags : list of str, or None
+        Labels that found no room: a number stands where they would, and a table says of what. None
+        where there is no table; labels then lie across what is there.
     """
 
     ax: Axes
     points: list[Vector] = field(default_factory=list)
     faint: list[Vector] = field(default_factory=list)
     boxes: list[tuple[float, float, float, float]] = field(default_factory=list)
+    tags: list[str] | None = None
 
     @property
     def point_size(self) -> float:
@@ -153,6 +165,9 @@ class Page:
             choices = [*itertools.islice(fit, 1)]
         elif choices[0][0] > CROWDED:
             choices = [min([choices[0], *self._anywhere(anchors[0], size)], key=_cost)]
+            if choices[0][0] > HOPELESS and self.tags is not None:
+                artist.remove()
+                return self._tag(text, spots, bearing, style)
         if not choices:
             artist.remove()
             return None
@@ -199,10 +214,27 @@ class Page:
         self._put(artist, centres[best], np.array(artist.get_window_extent().size))
         return artist
 
+    def _tag(
+        self, text: str, spots: Vector, bearing: ArrayLike, style: dict[str, Any]
+    ) -> Text | None:
+        """Write a number in a circle instead of a label, and note what it stands for."""
+        tags, self.tags = self.tags or [], None
+        tags.append(text.replace("\n", ", "))
+        colour = style.get("color")
+        circle = {"boxstyle": "circle,pad=0.15", "facecolor": "white", "edgecolor": colour}
+        look: dict[str, Any] = {
+            "fontsize": TAG, "weight": "bold", "color": colour, "gid": "tag",
+            "bbox": circle | {"linewidth": 0.6},
+        }  # fmt: skip
+        artist = self.label(f"{len(tags)}", spots, bearing, **look)
+        self.tags = tags
+        return artist
+
     def _text(self, text: str, spot: Vector, style: dict[str, Any]) -> Text:
         """Write a text centred somewhere, to be measured and moved."""
         look: dict[str, Any] = {"ha": "center", "va": "center", "linespacing": 1.15, "zorder": 6}
-        return self.ax.text(float(spot[0]), float(spot[1]), text, **(look | style))
+        look |= style | {"fontsize": text_size(style["fontsize"])}
+        return self.ax.text(float(spot[0]), float(spot[1]), text, **look)
 
     def _put(self, artist: Text, centre: Vector, size: Vector) -> None:
         """Move a text's centre [px] and note its box as taken."""

@@ -1,6 +1,7 @@
 """The landscape: the quality a newcomer would bring, over every contact and direction."""
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import Any, Final, cast
 
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Placement, Problem, cell_qualities
 from swarmgrasp.plot import style
+from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.words import TIMES
 
 COLOURS: Final = "cividis"
@@ -24,11 +26,14 @@ COLOURS: Final = "cividis"
 LEVELS: Final = 7
 """Contour lines, about."""
 
-BOX: Final = (0.6, 0.58, 3.82, 2.4)
-"""Left, bottom, width and height of the axes [in], before title and small print."""
+BOX: Final = (0.6, 0.58, 2.4)
+"""Left, bottom and height of the axes [in], before title and small print."""
 
-ABOVE: Final = (0.44, 0.16)
-"""Room for the names of the edges and a title, and for a line of words below it [in]."""
+BESIDE: Final = 0.78
+"""Room for the colour bar on the right of the axes [in]."""
+
+ABOVE: Final = (0.3, 0.16)
+"""Room for the names of the edges, and for a line above them [in]."""
 
 PRINT_ROW: Final = 0.132
 """Height of a line of the small print [in]."""
@@ -46,7 +51,13 @@ HALO: Final = [withStroke(linewidth=2.2, foreground="#00000070")]
 """Makes a white line readable on every colour."""
 
 
-def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (180, 90)) -> Figure:
+def landscape(
+    subject: Placement | Problem,
+    *,
+    resolution: tuple[int, int] = (180, 90),
+    title: str = "",
+    width: float = style.WIDTH,
+) -> Figure:
     """Draw the quality after adding the newcomer at each contact, in each direction.
 
     The vertical axis is the absolute direction of the force and not its angle to the
@@ -63,6 +74,9 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
         Cells along the boundary and over the directions. A cell shows the best of the
         allowed contacts and directions sampled in it, so that bollards and directions
         exactly along the normal are seen too.
+    title : str
+        Such as the name of the object.
+    width : float [in]
 
     Returns
     -------
@@ -81,9 +95,9 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
     if placement is not None:  # the best place may lie between the middles of cells
         low, high = min(low, placement.quality_before), max(high, placement.quality)
     factor, unit = style.quality_unit(high, problem.criterion)
-    with style.settings():
+    with style.settings(width):
         words = problem.criterion.words(problem.swarm)
-        ax = _new_axes(_title(subject), words, _small_print(subject))
+        ax = _new_axes(title, _title(subject), words, _small_print(subject))
         _draw_values(ax, grid * factor, (low * factor, high * factor), outline.perimeter, unit)
         _draw_normals(ax, outline)
         _name_boundary(ax, outline)
@@ -95,19 +109,36 @@ def landscape(subject: Placement | Problem, *, resolution: tuple[int, int] = (18
     return cast(Figure, ax.figure)
 
 
-def _new_axes(title: str, words: str, small_print: Sequence[str]) -> Axes:
+def _new_axes(heading: str, title: str, words: str, small_print: Sequence[str]) -> Axes:
     """Return an axes in a figure, with what is written above and below it."""
-    left, bottom, width, height = BOX
-    bottom += PRINT_ROW * len(small_print)
-    top = bottom + height
-    total = top + ABOVE[0] + (ABOVE[1] if words else 0.0)
-    figure = Figure(figsize=(style.WIDTH, total))
-    across, up = 1.0 / style.WIDTH, 1.0 / total
-    figure.text(left * across, 1.0 - 0.2 * up, title)
-    look: dict[str, Any] = {"color": style.GREY, "gid": "criterion"}
-    figure.text(left * across, 1.0 - 0.36 * up, words, fontsize=7.5, **look)
-    print_ = "\n".join(small_print)
-    figure.text(left * across, 0.06 * up, print_, fontsize=7.0, color=style.GREY, linespacing=1.2)
+    left, bottom, height = BOX
+    width = style.width() - left - BESIDE
+    caption = Caption(heading, title, words, (), tuple(small_print))
+    bottom += PRINT_ROW * len(caption.print_lines)
+    rows = [*caption.headings, *caption.lines]
+    total = bottom + height + ABOVE[0] + ABOVE[1] * len(rows)
+    figure = Figure(figsize=(style.width(), total))
+    across, up = 1.0 / style.width(), 1.0 / total
+    looks: list[dict[str, Any]] = [
+        *(
+            {"fontsize": style.text(10.0), "weight": "bold", "gid": "heading"}
+            for _ in caption.headings
+        ),
+        *({"gid": "title"} for _ in range(caption.title_lines)),
+    ]
+    below: dict[str, Any] = {"fontsize": style.text(7.5), "color": style.GREY, "gid": "criterion"}
+    for row, line in enumerate(rows):
+        look = looks[row] if row < len(looks) else below
+        figure.text(left * across, 1.0 - (0.2 + ABOVE[1] * row) * up, line, **look)
+    figure.text(
+        left * across,
+        0.06 * up,
+        "\n".join(caption.print_lines),
+        fontsize=style.text(7.0),
+        color=style.GREY,
+        linespacing=1.2,
+        gid="small-print",
+    )
     return figure.add_axes((left * across, bottom * up, width * across, height * up))
 
 
@@ -133,8 +164,10 @@ def _small_print(subject: Placement | Problem) -> list[str]:
         marks = f"Star: the answer{others}. {marks}"
     lines.append(marks)
     if problem.is_tolerant:
-        lines.append("Colours: as if the newcomer hit its place exactly; the answer's quality is")
-        lines.append("the worst of where it may end up.")
+        lines.append(
+            "Colours: as if the newcomer hit its place exactly; the answer's quality is the worst "
+            "of where it may end up."
+        )
     return lines
 
 
@@ -237,7 +270,8 @@ def _draw_normals(ax: Axes, outline: Outline) -> None:
 
 def _name_boundary(ax: Axes, outline: Outline) -> None:
     """Tick the corners by arc length and write the edges' names above them."""
-    ax.set_xlabel("along the boundary, counter-clockwise from the first corner [m]")
+    words = "along the boundary, counter-clockwise from the first corner [m]"
+    ax.set_xlabel(textwrap.fill(words, int(72.0 * (style.width() - BOX[0]) / 4.9)))
     if len(outline) > MOST_CORNERS:
         return
     ticks = [0.0, outline.perimeter]
@@ -251,7 +285,7 @@ def _name_boundary(ax: Axes, outline: Outline) -> None:
         start, end = outline.corner_arc_lengths[edge : edge + 2]
         artist = ax.text(
             0.5 * (start + end), 186.0, outline.edge_label(edge), ha="center", va="bottom",
-            fontsize=7.0, fontstyle="italic", color=style.GREY,
+            fontsize=style.text(7.0), fontstyle="italic", color=style.GREY, gid="edge-label",
         )  # fmt: skip
         room = (end - start) / outline.perimeter * ax.bbox.width
         if artist.get_window_extent().width > room:

@@ -26,7 +26,7 @@ LOOKS: Final[dict[str, dict[str, Any]]] = {
 """How the curves are drawn, by their name in `Limits`."""
 
 
-def limits_diagram(found: Limits, title: str = "") -> Figure:
+def limits_diagram(found: Limits, title: str = "", *, width: float = style.WIDTH) -> Figure:
     """Draw the largest winds held as a polar diagram, bow up, bearings clockwise.
 
     Dashed what statics says, blue what is held in a simulated steady wind, and vermilion the mean
@@ -37,13 +37,14 @@ def limits_diagram(found: Limits, title: str = "") -> Figure:
     found : Limits
     title : str
         Such as the object's name.
+    width : float [in]
 
     Returns
     -------
     Figure
     """
     curves = {"static": found.static, "steady": found.steady, "gusty": found.gusty.min(axis=0)}
-    with style.settings():
+    with style.settings(width):
         ax = polar.new_axes(BELOW)
         step, top = polar.rings(max(float(speeds.max()) for speeds in curves.values()))
         page = polar.frame(ax, top)
@@ -71,10 +72,10 @@ def _write_caption(figure: Figure, found: Limits, curves: dict[str, Vector], tit
     """Write the title above, and below what the curves are and how far they part."""
     top = figure.get_size_inches()[1] - 0.22
     heading = polar.cut(title, polar.LONGEST_TITLE) or "Simulated capability"
-    polar.write(figure, heading, 0.12, top, size=10.0, weight="bold")
+    polar.write(figure, heading, 0.12, top, size=10.0, weight="bold", gid="heading")
     said = "The largest wind held, by where it comes from, clockwise from the bow"
-    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY)
-    width, height = figure.get_size_inches()
+    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY, gid="title")
+    height = figure.get_size_inches()[1]
     gusts = found.simulation.weather.gusts != "none"
     words = {
         "static": "by statics",
@@ -83,7 +84,10 @@ def _write_caption(figure: Figure, found: Limits, curves: dict[str, Vector], tit
     }
     y = BELOW - 0.14
     for name, speeds in curves.items():
-        ends = [0.12 / width, 0.42 / width], [(y + 0.035) / height] * 2
+        ends = (
+            [polar.across(0.12), polar.across(0.42)],
+            [(y + 0.035) / height] * 2,
+        )
         figure.add_artist(Line2D(*ends, transform=figure.transFigure, **LOOKS[name]))
         polar.write(figure, words[name], 0.5, y, size=8.0)
         polar.write(figure, _least(found, speeds), 2.6, y, size=8.0)

@@ -10,13 +10,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Outline, Stretch
-from swarmgrasp.placement import Placement
+from swarmgrasp.placement import Move, Problem, Together
 from swarmgrasp.plot import style
 from swarmgrasp.plot.areas import draw_areas, name_areas
-from swarmgrasp.plot.arrows import ArrowEntry, Arrows
+from swarmgrasp.plot.arrows import Arrows
+from swarmgrasp.plot.direction import Pointer, load_pointer
+from swarmgrasp.plot.flows import Flow, flows_of
 from swarmgrasp.plot.labels import Page
-from swarmgrasp.plot.poses import draw_poses, pose_entries, worst_case
+from swarmgrasp.plot.newcomers import Answer, Newcomers, newcomers_of
+from swarmgrasp.plot.poses import WorstCase, draw_poses, pose_entries, worst_case
 from swarmgrasp.plot.robots import (
     MOST_LABELS,
     draw_robots,
@@ -27,14 +31,11 @@ from swarmgrasp.plot.robots import (
 )
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
 from swarmgrasp.plot.strips import draw_strips, name_bollards, name_strips, zone_entries
-from swarmgrasp.plot.weakest import draw_wrench, label_wrench
+from swarmgrasp.plot.weakest import label_weakest, weakest_pointer
 from swarmgrasp.quality import Quality
 from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm, Zone
-from swarmgrasp.words import TIMES
-
-MOST_RUNNERS_UP: Final = 8
-"""The best runners-up of each newcomer that are labelled."""
+from swarmgrasp.terms import SI, Terms
 
 EDGE_REACH: Final = 15.0
 """Farthest an edge's name stands from it [pt]: two heights of its text."""
@@ -44,9 +45,13 @@ def plan(
     swarm: Swarm,
     *,
     quality: Quality | None = None,
-    placements: Sequence[Placement] = (),
+    placements: Answer = (),
     zones: Sequence[Zone] = (),
     no_go: Sequence[Stretch] = (),
+    environment: Environment | None = None,
+    terms: Terms = SI,
+    title: str = "",
+    width: float = style.WIDTH,
     ax: Axes | None = None,
 ) -> Figure:
     """Draw the object from above with the robots that hold it.
@@ -61,6 +66,9 @@ def plan(
     contacts and directions and in their worst poses, and robots lost are drawn hollow: of the
     quality given, or with the newcomers of the placements.
 
+    The wrench that is weakest and a load on the object have the scale of the arrows where they are
+    then neither too long nor too short; hollow arrows, and turns, only show a direction.
+
     Parameters
     ----------
     swarm : Swarm
@@ -68,12 +76,21 @@ def plan(
     quality : Quality, optional
         Of this swarm: draws the wrench it is weakest at, the force as an arrow from the
         origin, the torque as a turn about it.
-    placements : sequence of Placement
-        Newcomers, each with its runners-up as thin arrows.
+    placements : sequence of Placement, Together or Move
+        Newcomers, each with its runners-up as thin arrows. A robot that moves is hollow where it is
+        now, and a newcomer where it had better be.
     zones : sequence of Zone
         Where newcomers may attach; those of the first placement when left out.
     no_go : sequence of Stretch
         Where nobody may attach; those of the first placement when left out.
+    environment : Environment, optional
+        Draws wind, current and sea, if the load of the quality is theirs.
+    terms : Terms
+        How their bearings and speeds are told, and what a robot is called.
+    title : str
+        Such as the name of the object.
+    width : float [in]
+        Of a figure of its own.
     ax : Axes, optional
         Draw here, at its present size, instead of in a figure of its own.
 
@@ -81,48 +98,73 @@ def plan(
     -------
     Figure
     """
-    if placements:
-        zones = zones or placements[0].problem.zones or ()
-        no_go = no_go or placements[0].problem.no_go
+    new = newcomers_of(placements)
+    if (asked := _problem_of(placements)) is not None:
+        zones, no_go = zones or asked.zones or (), no_go or asked.no_go
     strips = [zone.stretch for zone in zones if zone.stretch is not None]
     areas = [zone for zone in zones if zone.area is not None]
-    case = worst_case(swarm, quality, placements)
-    arrows = Arrows(
-        swarm.outline,
-        swarm.robots,
-        tuple(p.robot for p in placements),
-        tuple(runner.robot for p in placements for runner in p.runners_up),
-        case.outermost,
-    )
-    with style.settings():
-        limit = quality if len(swarm) and in_view(arrows) else None
-        entries = robot_entries(arrows) + pose_entries(case)
-        if limit is not None:
-            entries.append(ArrowEntry(facecolor=style.PURPLE, label="weakest wrench"))
+    case = worst_case(swarm, quality, new)
+    arrows = _arrows(swarm, new, case)
+    with style.settings(width):
+        pointers = _pointers(arrows, swarm, quality)
+        leaving = frozenset() if new is None else new.leaving
+        entries = robot_entries(arrows, terms.robot) + pose_entries(case, has_left=bool(leaving))
+        entries += [pointer.entry() for pointer in pointers.values()]
         entries += zone_entries(zones, no_go)
-        caption = _caption(swarm, quality, placements, entries)
+        load = (0.0, 0.0, 0.0) if quality is None else quality.criterion.load
+        flows = flows_of(environment, swarm.outline, load, terms)
+        caption = _caption(swarm, quality, new, entries, flows, title, terms)
+        alone = ax is None
         ax = new_axes(arrows, caption) if ax is None else ax
-        page = frame(ax, arrows)
+        page = frame(ax, arrows, flows, has_table=alone)
         draw_object(page, swarm.outline)
         draw_areas(page, areas)
         draw_strips(page, swarm.outline, strips, no_go)
         draw_rooms(page, arrows)
         draw_poses(page, arrows, case)
-        draw_robots(page, arrows, case.missing)
-        if limit is not None:
-            radius = draw_wrench(page, swarm, limit)
-        _label_newcomers(page, arrows, placements)
+        draw_robots(page, arrows, case.missing | leaving)
+        radii = {gid: p.draw(page, gid, pointers.values()) for gid, p in pointers.items()}
+        _label_newcomers(page, arrows, new)
         name_bollards(page, swarm.outline, strips)
-        if limit is not None:
-            label_wrench(page, swarm, limit, radius, " before" if placements else "")
+        if quality is not None and "weakest" in radii:
+            when = " before" if new is not None else ""
+            label_weakest(page, swarm, quality, radii["weakest"], when)
         label_robots(page, arrows)
         name_areas(page, areas)
         name_strips(page, swarm.outline, strips, no_go)
         label_edges(page, swarm.outline)
-        _label_runners_up(page, arrows, placements)
+        _label_runners_up(page, arrows, new)
         draw_force_key(page, arrows)
         write_caption(page, caption)
         return cast(Figure, ax.get_figure(root=True))
+
+
+def _problem_of(answer: Answer) -> Problem | None:
+    """Return the question of an answer, if there is one."""
+    if isinstance(answer, (Together, Move)):
+        return answer.problem
+    return answer[0].problem if answer else None
+
+
+def _arrows(swarm: Swarm, new: Newcomers | None, case: WorstCase) -> Arrows:
+    """Return the robots that are drawn."""
+    if new is None:
+        return Arrows(swarm.outline, swarm.robots, others=case.outermost)
+    runners_up = tuple(robot for robot, _ in new.runners_up)
+    return Arrows(swarm.outline, swarm.robots, new.robots, runners_up, case.outermost)
+
+
+def _pointers(arrows: Arrows, swarm: Swarm, quality: Quality | None) -> dict[str, Pointer]:
+    """Return the wrenches that are drawn at the origin, if that is in view."""
+    if quality is None or not in_view(arrows):
+        return {}
+    found = {}
+    if len(swarm):
+        found["weakest"] = weakest_pointer(arrows, swarm, quality)
+    if quality.criterion.has_load:
+        load = load_pointer(arrows, swarm, quality.criterion.load)
+        found |= {"load": load} if load.has_force else {}
+    return found
 
 
 def draw_object(page: Page, outline: Outline) -> None:
@@ -147,30 +189,26 @@ def in_view(arrows: Arrows) -> bool:
     return bool(((low <= origin) & (origin <= high)).all())
 
 
-def _label_newcomers(page: Page, arrows: Arrows, placements: Sequence[Placement]) -> None:
+def _label_newcomers(page: Page, arrows: Arrows, new: Newcomers | None) -> None:
     """Say what every newcomer brings."""
-    for placement in placements:
-        robot = placement.robot
-        name = f"{robot.name}, "
-        criterion = placement.problem.criterion
-        gain = style.gain(placement.quality_before, placement.quality, criterion)
-        text = f"{name}{style.force(robot.limit)}\n{gain}"
+    if new is None:
+        return
+    for robot, words in zip(new.robots, new.words, strict=True):
+        text = f"{robot.name}, {style.force(robot.limit)}\n{words}".rstrip()
         spots, bearing = outer_spots(arrows, robot)
         page.label(text, spots, bearing, fontsize=8.0, color=style.VERMILION, gid="newcomer-label")
 
 
-def _label_runners_up(page: Page, arrows: Arrows, placements: Sequence[Placement]) -> None:
+def _label_runners_up(page: Page, arrows: Arrows, new: Newcomers | None) -> None:
     """Say what the best runners-up would have brought, where there is room."""
-    for placement in placements:
-        for runner in placement.runners_up[:MOST_RUNNERS_UP]:
-            spots, bearing = outer_spots(arrows, runner.robot)
-            text = style.quality(
-                runner.quality, placement.problem.criterion, placement.quality
-            ).removesuffix(f" {TIMES}")
-            page.label(
-                text, spots, bearing, optional=True,
-                fontsize=7.0, color=style.GREY, gid="runner-up-label",
-            )  # fmt: skip
+    for robot, text in () if new is None else new.runners_up:
+        if not text:
+            continue
+        spots, bearing = outer_spots(arrows, robot)
+        page.label(
+            text, spots, bearing, optional=True,
+            fontsize=7.0, color=style.GREY, gid="runner-up-label",
+        )  # fmt: skip
 
 
 def label_edges(page: Page, outline: Outline) -> None:
@@ -196,21 +234,26 @@ def _is_beside(outline: Outline, edge: int, point: Any) -> bool:
 def _caption(
     swarm: Swarm,
     quality: Quality | None,
-    placements: Sequence[Placement],
+    new: Newcomers | None,
     entries: Sequence[Any],
+    flows: tuple[Flow, ...],
+    heading: str,
+    terms: Terms,
 ) -> Caption:
     """Return what is written round the picture."""
     criterion = NOMINAL if quality is None else quality.criterion
-    title = style.count(len(swarm))
-    if placements:
-        criterion = placements[0].problem.criterion
-        ends = placements[0].quality_before, placements[-1].quality
-        title += f" + {len(placements)}: {style.gain(*ends, criterion)}"
+    title = terms.robots(len(swarm)) if len(swarm) else f"no {terms.several}"
+    if new is not None:
+        criterion = new.problem.criterion
+        more = "one moves" if new.leaving else f"+ {len(new.robots)}"
+        title += f"{',' * bool(new.leaving)} {more}: {new.gain}"
     elif quality is not None:
         title += f": quality {style.quality(quality.value, criterion)}"
     small_print = [f"Quality with {swarm.metric_sentence}."]
     if criterion.has_load:
         small_print.append(style.load_sentence(criterion.load))
-    if placements and criterion.is_of_worst:
+    if new is not None and criterion.is_of_worst:
         small_print.append("The worst case is that with every newcomer there.")
-    return Caption(title, criterion.words(swarm), tuple(entries), tuple(small_print))
+    small_print += style.frame_sentences(terms)
+    words = criterion.words(swarm, terms.robot)
+    return Caption(heading, title, words, tuple(entries), tuple(small_print), flows)

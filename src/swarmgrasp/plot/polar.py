@@ -27,6 +27,8 @@ ABOVE: Final = 0.36
 """Height of the title [in]."""
 SIDE: Final = 4.5
 """Width and height of the axes [in]."""
+SMALLEST: Final = 0.7
+"""Size of the text in narrow figures over that in others."""
 ROOM: Final = 1.16
 """Half width of the axes over the outer ring's radius: bearings are written outside the ring."""
 SPOKES: Final = range(0, 360, 30)
@@ -42,10 +44,12 @@ QUARTERS: Final = {0: "bow", 90: "starboard", 180: "stern", 270: "port"}
 
 def new_axes(below: float) -> Axes:
     """Return square axes in a figure with room for a title, and for a caption of a height [in]."""
-    height = ABOVE + SIDE + below
-    figure = Figure(figsize=(style.WIDTH, height))
-    left = 0.5 * (style.WIDTH - SIDE)
-    return figure.add_axes((left / style.WIDTH, below / height, SIDE / style.WIDTH, SIDE / height))
+    width = style.width()
+    side = SIDE * min(1.0, width / style.WIDTH)
+    height = ABOVE + side + below
+    figure = Figure(figsize=(width, height))
+    left = 0.5 * (width - side)
+    return figure.add_axes((left / width, below / height, side / width, side / height))
 
 
 def frame(ax: Axes, top: float) -> Page:
@@ -92,7 +96,7 @@ def draw_rings(page: Page, step: float, top: float) -> None:
         x, y = (1.075 * top * way).tolist()
         artist = ax.text(
             x, y, text, ha="center", va="center", rotation=beside,
-            fontsize=8.0, color=style.INK if word else style.GREY, gid="bearing",
+            fontsize=small(8.0), color=style.INK if word else style.GREY, gid="bearing",
         )  # fmt: skip
         page.boxes.append(artist.get_window_extent().extents)
 
@@ -108,7 +112,7 @@ def write_ring(page: Page, radius: float, text: str, bearing: float, side: str) 
     """Write on a ring what it stands for, near a bearing [deg], if it is clear of curves there."""
     back = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8}
     artist = page.ax.text(
-        0.0, 0.0, text, ha=side, va="center", fontsize=7.0, color=style.GREY, bbox=back,
+        0.0, 0.0, text, ha=side, va="center", fontsize=small(7.0), color=style.GREY, bbox=back,
         zorder=2.5, gid="ring",
     )  # fmt: skip
     prices = []
@@ -165,9 +169,20 @@ def within(line: Vector, top: float) -> Vector:
 
 
 def write(figure: Figure, text: str, x: float, y: float, **look: Any) -> None:
-    """Write text at a place [in] of the page."""
-    width, height = figure.get_size_inches()
-    figure.text(x / width, y / height, text, va="baseline", **look)
+    """Write text at a place [in] of a page, nearer to the left on one that is narrow."""
+    height = figure.get_size_inches()[1]
+    look |= {"size": small(look["size"])}
+    figure.text(across(x), y / height, text, va="baseline", **look)
+
+
+def across(x: float) -> float:
+    """Return a place [in] on a page of the usual width as a share of the present one's."""
+    return x / max(style.WIDTH, style.width())
+
+
+def small(size: float) -> float:
+    """Return a size of text [pt] in columns of the present width."""
+    return size * max(SMALLEST, min(1.0, style.width() / style.WIDTH))
 
 
 def cut(text: str, most: int) -> str:

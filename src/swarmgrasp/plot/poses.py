@@ -2,7 +2,6 @@
 
 import itertools
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -12,10 +11,10 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from swarmgrasp.placement import Placement
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
+from swarmgrasp.plot.newcomers import Newcomers
 from swarmgrasp.quality import Quality, quality
 from swarmgrasp.quality.poses import Poses, poses_at
 from swarmgrasp.swarm import Robot, Swarm
@@ -74,24 +73,26 @@ class WorstCase:
         return (*self.poses, *sides)
 
 
-def worst_case(swarm: Swarm, found: Quality | None, placements: Sequence[Placement]) -> WorstCase:
-    """Return the worst case of a quality, or with the newcomers of placements.
+def worst_case(swarm: Swarm, found: Quality | None, new: Newcomers | None) -> WorstCase:
+    """Return the worst case of a quality, or with newcomers.
 
     Parameters
     ----------
     swarm : Swarm
         Without newcomers.
     found : Quality, optional
-        Of this swarm; not looked at when there are placements.
-    placements : sequence of Placement
+        Of this swarm; not looked at when there are newcomers.
+    new : Newcomers, optional
 
     Returns
     -------
     WorstCase
         Empty where the criterion loses no robots, none fail, and poses are taken as known.
     """
-    if placements:
-        swarm, criterion = placements[-1].swarm_after, placements[-1].problem.criterion
+    if new is not None and new.leaving:  # robots have other indices then
+        return WorstCase()
+    if new is not None:
+        swarm, criterion = new.swarm_after, new.problem.criterion
         found = quality(swarm, **criterion.terms) if criterion.is_of_worst else None
     if found is None or not found.criterion.is_of_worst:
         return WorstCase()
@@ -146,8 +147,8 @@ def draw_poses(page: Page, arrows: Arrows, case: WorstCase) -> None:
     page.ax.plot(*contacts.T, "o", **mark, markeredgecolor="white", markeredgewidth=0.3)
 
 
-def pose_entries(case: WorstCase) -> list[Any]:
-    """Return a legend entry for everything that a worst case adds to a picture."""
+def pose_entries(case: WorstCase, *, has_left: bool = False) -> list[Any]:
+    """Return a legend entry for everything that a worst case adds to a picture, or a move."""
     entries: list[Any] = []
     spreads = [spread for _, spread in case.spreads]
     if any(len(s.parts) > 1 or s.parts[0][0] != s.parts[0][1] for s in spreads):
@@ -160,6 +161,8 @@ def pose_entries(case: WorstCase) -> list[Any]:
         what = "lost" if not case.absent else "missing" if case.lost else "absent"
         label = f"{what} at worst"
         entries.append(ArrowEntry(**HOLLOW, edgecolor=style.INK, label=label))
+    if has_left:
+        entries.append(ArrowEntry(**HOLLOW, edgecolor=style.BLUE, label="before the move"))
     return entries
 
 

@@ -170,11 +170,11 @@ def outer_spots(arrows: Arrows, robot: Robot) -> tuple[list[Any], float]:
     return [outer, 0.5 * (tail + tip)], math.atan2(way[1], way[0])
 
 
-def robot_entries(arrows: Arrows) -> list[Any]:
-    """Return the legend entries of what is drawn of robots."""
+def robot_entries(arrows: Arrows, word: str = "robot") -> list[Any]:
+    """Return the legend entries of what is drawn of robots, called by a word."""
     kinds = {kind: robots for (kind, _), robots in _kinds(arrows, frozenset()).items()}
     order = ("robot", "thruster", "newcomer", "runner-up")
-    entries = [_robot_entry(arrows, kind, kinds[kind]) for kind in order if kind in kinds]
+    entries = [_robot_entry(arrows, kind, kinds[kind], word) for kind in order if kind in kinds]
     wide = [k for k in LOOKS if k != "runner-up" and any(map(has_area, kinds.get(k, ())))]
     if wide:
         entries.append(Patch(**_area_look(wide[0]), label="all its forces"))
@@ -184,10 +184,11 @@ def robot_entries(arrows: Arrows) -> list[Any]:
     return entries
 
 
-def _robot_entry(arrows: Arrows, kind: str, robots: Sequence[Robot]) -> Any:
+def _robot_entry(arrows: Arrows, kind: str, robots: Sequence[Robot], word: str) -> Any:
     """Return the legend entry of a kind: an arrow, or a mark where none of them has an arrow."""
+    look: dict[str, Any] = {"label": word if kind == "robot" else kind}
     colour = LOOKS[kind][0]
     if any(map(arrows.shafts, robots)):
-        return ArrowEntry(facecolor=colour, label=kind)
+        return ArrowEntry(facecolor=colour, **look)
     marker = "s" if kind == "thruster" else "o"
-    return Line2D([], [], marker=marker, markersize=3.8, linestyle="none", color=colour, label=kind)
+    return Line2D([], [], marker=marker, markersize=3.8, linestyle="none", color=colour, **look)

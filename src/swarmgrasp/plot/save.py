@@ -3,12 +3,13 @@
 import io
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Final
 from xml.sax.saxutils import escape
 
 import matplotlib as mpl
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -27,6 +28,12 @@ METADATA: Final[Mapping[str, dict[str, str | None]]] = {
 }
 """What a file says of itself, by suffix: no date, so that equal pictures are equal files."""
 
+TITLES: Final = ("heading", "title", "criterion")
+"""What the texts are called that name a picture, the first first."""
+
+FONTS: Final = ("'DejaVu Sans'", "'DejaVu Sans', 'Bitstream Vera Sans', Verdana")
+"""The font of the pictures, and with others of its widths after it, for machines without."""
+
 
 class PictureNotSaved(SwarmGraspError):
     """A picture cannot be written: an unknown suffix, no such folder, or no permission."""
@@ -36,7 +43,8 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     """Write a picture as PNG, SVG or PDF, by the suffix of the path.
 
     The file appears whole or not at all: it is written beside its place and renamed.
-    The same picture gives the same bytes.
+    The same picture gives the same bytes. Text in SVG is text, with a title and a description of
+    the picture for those who cannot see it; fonts in PDF are of Type 42.
 
     Parameters
     ----------
@@ -62,12 +70,17 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
             f"the suffix should be one of {', '.join(sorted(METADATA))}"
         )
     refuse((PictureNotSaved, target_faults(target)))
-    style_of_file = mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "path"})
+    said = texts_of(figure)
+    about = {**METADATA[suffix], "Title": said[0] if said else "swarmgrasp"}
+    style_of_file = mpl.rc_context(
+        {"svg.hashsalt": "swarmgrasp", "svg.fonttype": "none", "pdf.fonttype": 42}
+    )
     try:
         with scratch_for(target) as scratch, style_of_file, style.quietly():
-            figure.savefig(
-                scratch, format=suffix[1:], dpi=PIXELS_PER_INCH, metadata=METADATA[suffix]
-            )
+            figure.savefig(scratch, format=suffix[1:], dpi=PIXELS_PER_INCH, metadata=about)
+            if suffix == ".svg":
+                text = Path(scratch).read_text(encoding="utf-8")
+                Path(scratch).write_text(_described(text, said), encoding="utf-8")
     except OSError as fault:
         raise PictureNotSaved(f"{target}: cannot be written: {fault.strerror or fault}") from fault
     return target
@@ -104,3 +117,25 @@ def svg(figure: Figure, name: str, title: str) -> str:
     drawn = re.sub(r'(\bid="|href="#|url\(#)', rf"\1{name}-", drawn)
     tag, rest = drawn.split(">", 1)
     return f'{tag} role="img">\n <title>{escape(title)}</title>{rest}'
+
+
+def texts_of(figure: Figure) -> list[str]:
+    """Return what is written in a picture, its title first, without the numbers of axes.
+
+    Parameters
+    ----------
+    figure : Figure
+    """
+    axes = [axis for ax in figure.findobj(Axes) for axis in (ax.xaxis, ax.yaxis)]
+    numbers = {label for axis in axes for label in axis.get_majorticklabels()}
+    texts = [text for text in figure.findobj(Text) if text not in numbers and text.get_visible()]
+    ranked = sorted(texts, key=lambda text: (*TITLES, text.get_gid()).index(text.get_gid()))
+    said = [" ".join(text.get_text().split()) for text in ranked]
+    return [text for text in said if text]
+
+
+def _described(text: str, said: Sequence[str]) -> str:
+    """Return an SVG with what is written in it as a description, and with fonts of its widths."""
+    description = escape("; ".join(said[1:]))
+    text = text.replace(*FONTS)
+    return text.replace("</title>", f"</title>\n <desc>{description}</desc>", 1)

@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 from swarmgrasp.outline import Outline
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows
+from swarmgrasp.plot.direction import Pointer
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.plot.plan import draw_object, in_view, label_edges
 from swarmgrasp.plot.robots import LOOKS, draw_robots, label_robots
 from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, write_caption
-from swarmgrasp.plot.weakest import draw_weakest
+from swarmgrasp.plot.weakest import label_weakest, weakest_pointer
 from swarmgrasp.quality import Sensitivities
 from swarmgrasp.swarm import Robot
 
@@ -81,7 +82,9 @@ class _Swung(Arrows):
         return low - room, high + room
 
 
-def sensitivity_plan(found: Sensitivities, *, ax: Axes | None = None) -> Figure:
+def sensitivity_plan(
+    found: Sensitivities, *, title: str = "", width: float = style.WIDTH, ax: Axes | None = None
+) -> Figure:
     """Draw the object from above, and how the quality changes when one robot moves.
 
     Each robot has a bar along the boundary, half of it for a contact shifted the one way and
@@ -92,6 +95,10 @@ def sensitivity_plan(found: Sensitivities, *, ax: Axes | None = None) -> Figure:
     Parameters
     ----------
     found : Sensitivities
+    title : str
+        Such as the name of the object.
+    width : float [in]
+        Of a figure of its own.
     ax : Axes, optional
         Draw here, at its present size, instead of in a figure of its own.
 
@@ -101,17 +108,20 @@ def sensitivity_plan(found: Sensitivities, *, ax: Axes | None = None) -> Figure:
     """
     swarm = found.swarm
     arrows = _Swung(swarm.outline, swarm.robots)
-    with style.settings():
-        limit = found.quality if len(swarm) and in_view(arrows) else None
-        caption = _caption(found, arrows, limit is not None)
+    with style.settings(width):
+        limit = None
+        if len(swarm) and in_view(arrows):
+            limit = weakest_pointer(arrows, swarm, found.quality)
+        caption = _caption(found, arrows, limit, title)
+        alone = ax is None
         ax = new_axes(arrows, caption) if ax is None else ax
-        page = frame(ax, arrows)
+        page = frame(ax, arrows, has_table=alone)
         draw_object(page, swarm.outline)
         draw_robots(page, arrows, frozenset())
         _draw_bars(page, found)
         _draw_arcs(page, found, arrows)
         if limit is not None:
-            draw_weakest(page, swarm, limit, "")
+            label_weakest(page, swarm, found.quality, limit.draw(page, "weakest"))
         label_robots(page, replace(arrows, beyond=(BEYOND + BREADTH) * _metres(page)))
         label_edges(page, swarm.outline)
         draw_force_key(page, arrows)
@@ -267,7 +277,9 @@ def _metres(page: Page) -> float:
     return page.point_size * float(np.ptp(inverse.transform([(0.0, 0.0), (1.0, 0.0)])[:, 0]))
 
 
-def _caption(found: Sensitivities, arrows: Arrows, weakest: bool) -> Caption:
+def _caption(
+    found: Sensitivities, arrows: Arrows, weakest: Pointer | None, heading: str
+) -> Caption:
     """Return what is written round the picture."""
     swarm, criterion = found.swarm, found.quality.criterion
     mounted = {robot.mounted for robot in arrows.robots}
@@ -276,8 +288,8 @@ def _caption(found: Sensitivities, arrows: Arrows, weakest: bool) -> Caption:
         for kind, is_mounted in (("robot", False), ("thruster", True))
         if is_mounted in mounted
     ]
-    if weakest:
-        entries.append(ArrowEntry(facecolor=style.PURPLE, label="weakest wrench"))
+    if weakest is not None:
+        entries.append(weakest.entry())
     slopes = np.nan_to_num(np.concatenate([found.contact, found.direction]))
     for rises, label in ((True, "quality rises that way"), (False, "quality falls")):
         if not (slopes > 0.0 if rises else slopes < 0.0).any():
@@ -303,7 +315,7 @@ def _caption(found: Sensitivities, arrows: Arrows, weakest: bool) -> Caption:
     small_print = [*longest, f"Quality with {swarm.metric_sentence}."]
     if criterion.has_load:
         small_print.append(style.load_sentence(criterion.load))
-    return Caption(title, criterion.words(swarm), tuple(entries), tuple(small_print))
+    return Caption(heading, title, criterion.words(swarm), tuple(entries), tuple(small_print))
 
 
 def _rate(slopes: Vectors, found: Sensitivities) -> str:

@@ -16,16 +16,19 @@ HEIGHT: Final = 2.9
 LINE: Final[dict[str, Any]] = {"marker": "o", "markersize": 3.5, "linewidth": 1.2}
 
 
-def study_picture(found: Gathered) -> Figure:
+def study_picture(found: Gathered, *, title: str = "", width: float = style.WIDTH) -> Figure:
     """Draw what a study has found, as its kind needs.
 
     Parameters
     ----------
     found : Gathered
+    title : str
+        Instead of the name of the study's scenario.
+    width : float [in]
     """
     draw, panels = KINDS[found.plan.study.kind]
-    with style.settings():
-        figure = Figure(figsize=(style.WIDTH, HEIGHT), layout="constrained")
+    with style.settings(width):
+        figure = Figure(figsize=(style.width(), HEIGHT), layout="constrained")
         axes = figure.subplots(1, panels, squeeze=False)[0]
         for ax in axes:
             ax.spines[["top", "right"]].set_visible(False)
@@ -37,8 +40,8 @@ def study_picture(found: Gathered) -> Figure:
         if handles:
             figure.legend(handles, labels, loc="outside lower left", ncols=len(handles))
         figure.suptitle(
-            f"{found.plan.name}, {found.runs} runs: {found.plan.study.words}",
-            x=0.01, ha="left", fontsize=8.0, wrap=True,
+            f"{title or found.plan.name}, {found.runs} runs: {found.plan.study.words}",
+            x=0.01, ha="left", fontsize=style.text(8.0), wrap=True, gid="title",
         )  # fmt: skip
     return figure
 
@@ -118,7 +121,7 @@ def _draw_gusts(axes: Any, findings: Findings) -> None:
     for ax in axes:
         ax.set_xticks([index + 1.0 for index in range(len(ends))], ends)
         ax.set(xlabel="margin over the gusts' spread", xlim=(0.0, len(ends)))
-        ax.tick_params(axis="x", labelsize=6.5)  # room for minus signs
+        ax.tick_params(axis="x", labelsize=style.text(6.5))  # room for minus signs
         ax.grid(False, axis="x")
 
 

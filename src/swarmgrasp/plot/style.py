@@ -10,6 +10,7 @@ import matplotlib as mpl
 
 from swarmgrasp.quality import Criterion
 from swarmgrasp.quality.criterion import NOMINAL
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.words import Unit
 
 BLUE: Final = "#0072B2"
@@ -26,7 +27,13 @@ PALE: Final = "#ECEEF0"
 dark enough for text, and greys."""
 
 WIDTH: Final = 5.2
-"""Width of every figure [in]: 9 pt text is still 6 pt in a 3.5 in column."""
+"""Width of a figure [in] unless told otherwise: 9 pt text is still 6 pt in a 3.5 in column."""
+
+WIDTHS: Final = (3.0, 12.0)
+"""Least and greatest width that may be asked for [in]."""
+
+SMALLEST: Final = 0.8
+"""Size of the text in narrow figures over that in others: 7 pt become 5.6 pt, not less."""
 
 RC: Final[Any] = {  # matplotlib types the keys one by one
     "font.family": "sans-serif",
@@ -61,10 +68,27 @@ RC: Final[Any] = {  # matplotlib types the keys one by one
 
 
 @contextmanager
-def settings() -> Iterator[None]:
-    """Draw under the settings of all pictures, and quietly."""
-    with mpl.rc_context(RC), quietly():
+def settings(width: float = WIDTH) -> Iterator[None]:
+    """Draw figures of a width [in] under the settings of all pictures, and quietly."""
+    share = _text_share(width)
+    sizes = {key: share * value for key, value in RC.items() if key.endswith("size")}
+    with mpl.rc_context(RC | sizes | {"figure.figsize": (width, width)}), quietly():
         yield
+
+
+def width() -> float:
+    """Return the width [in] of the figures that are drawn under the present settings."""
+    return float(mpl.rcParams["figure.figsize"][0])
+
+
+def text(size: float) -> float:
+    """Return a size of text or of a gap [pt] as it is in figures of the present width."""
+    return size * _text_share(width())
+
+
+def _text_share(width: float) -> float:
+    """Return the size of text in figures of a width [in] over that of the usual ones."""
+    return min(1.0, max(SMALLEST, width / WIDTH))
 
 
 @contextmanager
@@ -225,6 +249,18 @@ def load_sentence(load: tuple[float, float, float]) -> str:
 def _decimals(value: float, digits: int) -> int:
     """Return the decimals that show so many significant digits of a positive value."""
     return max(0, digits - 1 - math.floor(math.log10(value)))
+
+
+def frame_sentences(terms: Terms) -> list[str]:
+    """Say what the picture's numbers are, where those of the file are others.
+
+    Examples
+    --------
+    >>> frame_sentences(SI), frame_sentences(Terms(length="ft"))
+    ([], ['SI units; x forward, y to port.'])
+    """
+    same = (terms.length, terms.frame.bow, terms.frame.mirrored) == (SI.length, 0.0, False)
+    return [] if same else ["SI units; x forward, y to port."]
 
 
 def count(robots: int) -> str:

@@ -23,7 +23,9 @@ LEFT: Final = 1.35
 LONGEST_NAME: Final = 18
 
 
-def thrust_use_picture(found: ThrustUse, title: str = "", *, robot: str = "robot") -> Figure:
+def thrust_use_picture(
+    found: ThrustUse, title: str = "", *, robot: str = "robot", width: float = style.WIDTH
+) -> Figure:
     """Draw thrust use over bearings: the busiest robot's share, and below it every robot's.
 
     Parameters
@@ -33,6 +35,7 @@ def thrust_use_picture(found: ThrustUse, title: str = "", *, robot: str = "robot
         Such as the vessel's name.
     robot : str
         What one robot is called, such as "tug".
+    width : float [in]
 
     Returns
     -------
@@ -42,17 +45,15 @@ def thrust_use_picture(found: ThrustUse, title: str = "", *, robot: str = "robot
     chosen = np.argsort(-found.shares.max(axis=0, initial=0.0), kind="stable")[:MOST_ROWS]
     chosen = np.sort(chosen)
     rows = max(1, len(chosen))
-    with style.settings():
+    with style.settings(width):
         foot = 0.98
         height = 0.5 + CURVE + 0.12 + ROW * rows + foot
-        figure = Figure(figsize=(style.WIDTH, height))
-        width = style.WIDTH - LEFT - 0.75
+        figure = Figure(figsize=(width, height))
+        room = width - LEFT - 0.75
 
         def axes(bottom: float, tall: float) -> Axes:
             """Return axes from a height [in] up."""
-            return figure.add_axes(
-                (LEFT / style.WIDTH, bottom / height, width / style.WIDTH, tall / height)
-            )
+            return figure.add_axes((LEFT / width, bottom / height, room / width, tall / height))
 
         degrees = np.degrees(found.bearings[order] % math.tau)
         _draw_busiest(axes(foot + ROW * rows + 0.12, CURVE), found, degrees, order)
@@ -121,13 +122,13 @@ def _write(figure: Figure, found: ThrustUse, words: tuple[str, str], height: flo
     """Write the title, the wind, and what was taken into account."""
     (title, robot), top = words, height - 0.2
     heading = polar.cut(title, polar.LONGEST_TITLE) or "Thrust use"
-    polar.write(figure, heading, 0.12, top, size=10.0, weight="bold")
+    polar.write(figure, heading, 0.12, top, size=10.0, weight="bold", gid="heading")
     said = (
         f"Part of each {robot}'s limit used in {found.speed / KNOT:.3g} kn ({found.speed:.3g} m/s)"
     )
     if not found.held.all():
         said += "; hatched: not held"
-    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY)
+    polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY, gid="title")
     factor = found.environment.dynamic_factor
     around = all_round.water_words(found.environment)
     polar.write(figure, all_round.drag_words(found.environment), 0.12, 0.34, size=7.0,

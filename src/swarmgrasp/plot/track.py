@@ -28,6 +28,8 @@ TURNS: Final = ("lost", "left", "joined", "aim", "weather")
 """Kinds of happenings that begin a stage: what is noticed or sent changes nothing yet."""
 STILL: Final = 1e-6
 """How far a reference may move, relative to the object's extent, and a circle still be drawn."""
+TWO_COLUMNS: Final = 4.6
+"""Width [in] from which on the legend has two columns."""
 HEIGHTS: Final = (2.0, 4.4)
 """Least and greatest height of the axes [in]."""
 APART: Final = 1.2
@@ -106,7 +108,14 @@ def _stage_words(at: Any, stage: int, count: int) -> str:
     return "new aim" if at.kind == "aim" else "new weather"
 
 
-def track(run: Run, verdict: Verdict, *, index: int = 0, ax: Axes | None = None) -> Figure:
+def track(
+    run: Run,
+    verdict: Verdict,
+    *,
+    index: int = 0,
+    width: float = style.WIDTH,
+    ax: Axes | None = None,
+) -> Figure:
     """Draw where the object went, in the earth's frame.
 
     A line for the way of its origin, coloured by what had happened; the object as it lay at the
@@ -120,6 +129,8 @@ def track(run: Run, verdict: Verdict, *, index: int = 0, ax: Axes | None = None)
         Of the run.
     index : int
         Which of the runs.
+    width : float [in]
+        Of the figure.
     ax : Axes, optional
         Draw here, at its present size, instead of in a figure of its own.
 
@@ -127,7 +138,7 @@ def track(run: Run, verdict: Verdict, *, index: int = 0, ax: Axes | None = None)
     -------
     Figure
     """
-    with style.settings():
+    with style.settings(width):
         stages = stages_of(run, verdict, index)
         low, high = _box(run, stages, index)
         ax = _new_axes(low, high, len(stages)) if ax is None else ax
@@ -147,15 +158,20 @@ def height_of(run: Run, verdict: Verdict, index: int, width: float) -> float:
     return float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), *HEIGHTS))
 
 
+def legend_columns() -> int:
+    """Return how many columns of stages the page is wide enough for."""
+    return 2 if style.width() >= TWO_COLUMNS else 1
+
+
 def _new_axes(low: Vector, high: Vector, stages: int) -> Axes:
     """Return axes in a figure with room for the legend."""
-    left, right, top, bottom = 0.6, 0.14, 0.12, 0.5 + 0.17 * math.ceil(stages / 2)
-    width = style.WIDTH - left - right
+    left, right, top, bottom = 0.6, 0.14, 0.12, 0.5 + 0.17 * math.ceil(stages / legend_columns())
+    width = style.width() - left - right
     height = float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), *HEIGHTS))
     total = height + top + bottom
-    figure = Figure(figsize=(style.WIDTH, total))
+    figure = Figure(figsize=(style.width(), total))
     return figure.add_axes(
-        (left / style.WIDTH, bottom / total, width / style.WIDTH, height / total)
+        (left / style.width(), bottom / total, width / style.width(), height / total)
     )
 
 
@@ -267,11 +283,20 @@ def _draw_wind(page: Page, run: Run, index: int) -> None:
     way = 11.0 * size * wind / speed
     ends = [(inverse.transform(middle - way), inverse.transform(middle + way))]
     draw_arrows(page.ax, ends, color=style.GREY, width=0.02, gid="wind")
+    from_ = math.degrees(math.pi - math.atan2(wind[1], wind[0])) % 360.0
     text = f"wind {speed / KNOT:.0f} kn" if speed > 2.0 else f"wind {speed:.2g} m/s"
+    text += f" from {from_:.0f}°"
     artist = page.ax.annotate(
-        text, (1.0, 1.0), xycoords="axes fraction", xytext=(-32.0, -16.0),
-        textcoords="offset points", ha="right", va="center", fontsize=8.0, color=style.GREY,
-    )  # fmt: skip
+        text,
+        (1.0, 1.0),
+        xycoords="axes fraction",
+        xytext=(-32.0, -16.0),
+        textcoords="offset points",
+        ha="right",
+        va="center",
+        fontsize=style.text(8.0),
+        color=style.GREY,
+    )
     page.boxes.append(artist.get_window_extent().extents)
     page.keep_clear(*ends[0], breadth=12.0)
 
@@ -289,6 +314,6 @@ def _write_legend(ax: Axes, stages: tuple[Stage, ...]) -> None:
     )
     page = Page(ax)
     ax.legend(
-        handles=handles, ncols=2, loc="upper left", borderaxespad=0.0, borderpad=0.0,
+        handles=handles, ncols=legend_columns(), loc="upper left", borderaxespad=0.0, borderpad=0.0,
         bbox_to_anchor=(0.0, -34.0 * page.point_size / ax.bbox.height), labelspacing=0.35,
     )  # fmt: skip

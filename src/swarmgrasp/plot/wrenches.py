@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from swarmgrasp.plot import style
 from swarmgrasp.plot.bodies import Body, body, split
 from swarmgrasp.plot.fit import fit
+from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.quality import Criterion
 from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm
@@ -42,6 +43,9 @@ PRINT: Final = (0.17, 0.132)
 WORDS: Final = 0.2
 """Heights of legend and small print, without and for each line, and of the words [in]."""
 
+TWO_COLUMNS: Final = 4.6
+"""Width [in] from which on the legend has two columns."""
+
 SOLID: Final = "#C9CDD2"
 LOAD: Final[dict[str, Any]] = {"color": style.PURPLE, "linewidth": 2.0, "marker": "D"}
 TASK: Final[dict[str, Any]] = {"color": style.BLUE, "linewidth": 2.4}
@@ -56,6 +60,8 @@ def wrench_sets(
     *,
     criterion: Criterion = NOMINAL,
     eye: tuple[float, float] | None = None,
+    title: str = "",
+    width: float = style.WIDTH,
 ) -> Figure:
     """Draw what a swarm can exert on the object, before and after a change.
 
@@ -77,6 +83,9 @@ def wrench_sets(
         What quality means.
     eye : tuple of float [deg, deg], optional
         Elevation and azimuth to look from; by default the touching point faces the eye.
+    title : str
+        Such as the name of the object.
+    width : float [in]
 
     Returns
     -------
@@ -97,11 +106,14 @@ def wrench_sets(
     shapes = (first, last) if wires is None else (first, last, wires)
     factor, unit = style.force_unit(float(max(np.abs(s.vertices).max() for s in shapes)))
     load = factor * np.array(criterion.load) * before.scale
-    with style.settings():
+    with style.settings(width):
         entries = _legend_entries(first, last, wires, criterion)
-        figure, room = _new_figure(
-            entries, criterion.words(before), _small_print(before, criterion)
-        )
+        words = criterion.words(before)
+        caption = Caption(
+            title, "", f"quality {words}" if words else "", tuple(entries),
+            tuple(_small_print(before, criterion)),
+        )  # fmt: skip
+        figure, room = _new_figure(caption)
         ax = cast(
             Axes3D,
             figure.add_axes(
@@ -324,23 +336,32 @@ def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
     return lines
 
 
-def _new_figure(
-    entries: Sequence[Any], words: str, small_print: Sequence[str]
-) -> tuple[Figure, tuple[float, float, float, float]]:
+def _new_figure(caption: Caption) -> tuple[Figure, tuple[float, float, float, float]]:
     """Return a figure with all that is written round the 3-D box, and the room that is left."""
-    head = WORDS if words else 0.0
-    above = head + LEGEND[0] + LEGEND[1] * math.ceil(len(entries) / 2)
-    below = PRINT[0] + PRINT[1] * len(small_print)
-    height = below + BOX + above
-    figure = Figure(figsize=(style.WIDTH, height))
-    title = f"Quality {words}" if words else ""
-    figure.text(SIDES[0], 1.0 - 0.18 / height, title, fontsize=8.0, gid="criterion")
+    columns = 2 if style.width() >= TWO_COLUMNS else 1
+    rows = [*caption.headings, *caption.lines]
+    head = WORDS * len(rows)
+    above = head + LEGEND[0] + LEGEND[1] * math.ceil(len(caption.entries) / columns)
+    below = PRINT[0] + PRINT[1] * len(caption.print_lines)
+    height = below + BOX * min(1.0, style.width() / style.WIDTH) + above
+    figure = Figure(figsize=(style.width(), height))
+    for row, line in enumerate(rows):
+        look: dict[str, Any] = {"fontsize": style.text(8.0), "gid": "criterion"}
+        if row < len(caption.headings):
+            look = {"fontsize": style.text(10.0), "weight": "bold", "gid": "heading"}
+        figure.text(SIDES[0], 1.0 - (0.18 + WORDS * row) / height, line, **look)
     figure.legend(
-        handles=list(entries), loc="upper center", ncols=2, columnspacing=2.0, handlelength=1.6,
-        handletextpad=0.6, labelspacing=0.4, bbox_to_anchor=(0.5, 1.0 - head / height),
+        handles=list(caption.entries), loc="upper center", ncols=columns, columnspacing=2.0,
+        handlelength=1.6, handletextpad=0.6, labelspacing=0.4,
+        bbox_to_anchor=(0.5, 1.0 - head / height),
     )  # fmt: skip
     figure.text(
-        SIDES[0], 0.086 / height, "\n".join(small_print), fontsize=7.0, color=style.GREY,
+        SIDES[0],
+        0.086 / height,
+        "\n".join(caption.print_lines),
+        fontsize=style.text(7.0),
+        color=style.GREY,
         linespacing=1.2,
-    )  # fmt: skip
+        gid="small-print",
+    )
     return figure, (SIDES[0], below / height, SIDES[1], 1.0 - above / height)
