@@ -164,7 +164,8 @@ class Page:
             fit = (c for c in cheap if fits is None or fits(inverse.transform(c[2])))
             choices = [*itertools.islice(fit, 1)]
         elif choices[0][0] > CROWDED:
-            choices = [min([choices[0], *self._anywhere(anchors[0], size)], key=_cost)]
+            most = choices[0][0] if self.tags is None else min(choices[0][0], HOPELESS)
+            choices = self._anywhere(anchors[0], size, most) or choices[:1]
             if choices[0][0] > HOPELESS and self.tags is not None:
                 artist.remove()
                 return self._tag(text, spots, bearing, style)
@@ -261,19 +262,26 @@ class Page:
                     choices.append((cost, anchor, centre, gap))
         return choices
 
-    def _anywhere(self, anchor: Vector, size: Vector) -> list[Choice]:
-        """Price places all over the page for a label far from its anchor."""
+    def _anywhere(self, anchor: Vector, size: Vector, most: float) -> list[Choice]:
+        """Return the best place on the page for a label far from its anchor, if below a price."""
         taken, frame = self._taken(), self.ax.bbox
-        choices = []
-        for x in np.arange(frame.x0 + size[0] / 2.0, frame.x1 - size[0] / 2.0, STEP * size[1]):
-            for y in np.arange(frame.y0 + size[1] / 2.0, frame.y1 - size[1] / 2.0, STEP * size[1]):
-                centre = np.array([x, y])
-                beyond = np.maximum(np.abs(centre - anchor) - size / 2.0, 0.0)
-                gap = float(np.hypot(*beyond)) / self.point_size
-                cost = 1.0 + 0.08 * gap + self._collisions(centre, size, taken)
+        x = np.arange(frame.x0 + size[0] / 2.0, frame.x1 - size[0] / 2.0, STEP * size[1])
+        y = np.arange(frame.y0 + size[1] / 2.0, frame.y1 - size[1] / 2.0, STEP * size[1])
+        centres = np.column_stack([part.ravel() for part in np.meshgrid(x, y, indexing="ij")])
+        beyond = np.maximum(np.abs(centres - anchor) - size / 2.0, 0.0)
+        gaps = np.hypot(*beyond.T) / self.point_size
+        found: list[Choice] = []
+        for index in np.argsort(gaps, kind="stable").tolist():
+            centre, gap = centres[index], float(gaps[index])
+            cost = 1.0 + 0.08 * gap
+            if cost >= most:
+                break
+            cost += self._collisions(centre, size, taken)
+            if cost < most:
                 cost += self._crossed(anchor, centre, taken)
-                choices.append((cost, anchor, centre, gap))
-        return choices
+            if cost < most:
+                most, found = cost, [(cost, anchor, centre, gap)]
+        return found
 
     def _collisions(self, centre: Vector, size: Vector, taken: Vector, tilt: float = 0.0) -> float:
         """Return the price of a label's box: lines and labels under it, and the frame."""
