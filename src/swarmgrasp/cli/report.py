@@ -244,7 +244,10 @@ def _placed(job: _Job, terms: "Terms") -> list["Section"]:
     scenario, verdict, document = job.scenario, job.verdict, dict(job.document)
     assert verdict is not None
     before = quality(scenario.swarm, **scenario.criterion.terms)
-    picture = plan(scenario.swarm, quality=before, placements=job.answers)
+    picture = plan(
+        scenario.swarm, quality=before, placements=job.answers,
+        environment=scenario.environment, terms=scenario.terms,
+    )  # fmt: skip
     drawn = drawing("plan", picture, f"Plan of {scenario.name}, with the answer.")
     answer = section("Answer", lambda: show(scenario.name, job.answers, terms), drawn)
     return [answer, section("Check", lambda: show_verdict("Answer", document, verdict))]
@@ -265,8 +268,9 @@ def _quality(job: _Job, terms: "Terms") -> "Section":
     drawn = []
     if not job.answers:
         picture = plan(
-            swarm, quality=found, zones=job.scenario.zones or (), no_go=job.scenario.no_go
-        )
+            swarm, quality=found, zones=job.scenario.zones or (), no_go=job.scenario.no_go,
+            environment=job.scenario.environment, terms=job.scenario.terms,
+        )  # fmt: skip
         drawn.append(drawing("plan", picture, f"Plan of {job.scenario.name}."))
     title = "All of them together" if job.answers else "How well the object is held"
     return section(title, lambda: show(job.held, found, lost, None, terms, alone), *drawn)
@@ -288,7 +292,8 @@ def _forces(job: _Job, terms: "Terms") -> list["Section"]:
     else:
         return []
     found = forces(swarm, (0.0, 0.0, 0.0), load=load)
-    drawn = drawing("forces", forces_plan(found), "Push forces against the load.")
+    picture = forces_plan(found, environment=environment, terms=job.scenario.terms)
+    drawn = drawing("forces", picture, "Push forces against the load.")
     return [section("Push forces", lambda: show(job.held, found, terms), drawn)]
 
 

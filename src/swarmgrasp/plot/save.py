@@ -70,6 +70,8 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
             f"the suffix should be one of {', '.join(sorted(METADATA))}"
         )
     refuse((PictureNotSaved, target_faults(target)))
+    if suffix == ".svg":
+        _clean(figure)
     said = texts_of(figure)
     about = {**METADATA[suffix], "Title": said[0] if said else "swarmgrasp"}
     style_of_file = mpl.rc_context(
@@ -107,8 +109,7 @@ def svg(figure: Figure, name: str, title: str) -> str:
     """
     out = io.StringIO()
     nothing = dict.fromkeys(("Creator", "Date", "Format", "Type"))
-    for text in figure.findobj(Text):
-        text.set_text(re.sub(r"[^\n\xa0]+", lambda part: clean(part[0]), text.get_text()))
+    _clean(figure)
     look = mpl.rc_context({"svg.hashsalt": "swarmgrasp", "svg.fonttype": "none"})
     with look, style.quietly():
         figure.savefig(out, format="svg", metadata=nothing)
@@ -117,6 +118,12 @@ def svg(figure: Figure, name: str, title: str) -> str:
     drawn = re.sub(r'(\bid="|href="#|url\(#)', rf"\1{name}-", drawn)
     tag, rest = drawn.split(">", 1)
     return f'{tag} role="img">\n <title>{escape(title)}</title>{rest}'
+
+
+def _clean(figure: Figure) -> None:
+    """Take what no file of text may hold out of what is written in a picture."""
+    for text in figure.findobj(Text):
+        text.set_text(re.sub(r"[^\n\xa0]+", lambda part: clean(part[0]), text.get_text()))
 
 
 def texts_of(figure: Figure) -> list[str]:
