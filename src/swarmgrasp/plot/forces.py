@@ -130,7 +130,8 @@ def _draw_forces(page: Page, arrows: Arrows, found: Forces) -> None:
         ]
         for tail, tip in ends:
             page.keep_clear(tail, tip, breadth=HEAD * width)
-        draw_arrows(page.ax, ends, color=colour, width=width, gid=gid)
+        rim = style.RIM if is_hardest else {}
+        draw_arrows(page.ax, ends, facecolor=colour, **rim, width=width, gid=gid)
     page.ax.plot(
         *np.reshape([robot.contact for robot in robots], (-1, 2)).T, "o", markersize=3.2,
         color=style.INK, markeredgecolor="white", markeredgewidth=0.4, zorder=5,
@@ -184,8 +185,8 @@ def _caption(
     hardest = _hardest(found)
     drawn = [bool(_is_pushing(found)[~hardest].any()), bool(hardest.any())]
     entries: list[Any] = [
-        ArrowEntry(facecolor=colour, label=label)
-        for (label, colour), is_drawn in zip(kinds.items(), drawn, strict=True)
+        ArrowEntry(facecolor=colour, **(style.RIM if row else {}), label=label)
+        for row, ((label, colour), is_drawn) in enumerate(zip(kinds.items(), drawn, strict=True))
         if is_drawn
     ]
     wide = [has_area(robot) for robot in swarm.robots]

@@ -111,7 +111,8 @@ def _draw_shares(ax: Axes, run: Run, index: int) -> None:
     many = len(run.names) > MOST_NAMED
     for column, name in enumerate(run.names):
         colour = style.BLUE if many else LINES[column]
-        ax.plot(run.times, shares[:, column], color=colour, linewidth=0.8,
+        dashes = "-" if many else style.DASHES[column % len(style.DASHES)]
+        ax.plot(run.times, shares[:, column], color=colour, linewidth=0.8, linestyle=dashes,
                 alpha=0.4 if many else 1.0, label=None if many else name)  # fmt: skip
     ax.set_ylim(0.0, 1.05)
     ax.set_ylabel("share of\nits limit")

@@ -87,7 +87,9 @@ def draw_robots(page: Page, arrows: Arrows, missing: frozenset[int]) -> None:
             page.keep_clear(tail, tip, breadth=HEAD * width)
         for robot in wide:
             page.keep_clear(robot.contact, robot.contact, breadth=MARK)
-        look = HOLLOW | {"edgecolor": colour} if gone else {"color": colour}
+        look = HOLLOW | {"edgecolor": colour} if gone else {"facecolor": colour}
+        if kind == "newcomer" and not gone:
+            look |= style.RIM
         width *= 0.6 if many else 1.0
         draw_arrows(page.ax, ends, **look, width=width, gid="missing" if gone else kind)
         _draw_leasts(page, arrows, [robot for robot in robots if robot.least], colour)
@@ -189,6 +191,7 @@ def _robot_entry(arrows: Arrows, kind: str, robots: Sequence[Robot], word: str) 
     look: dict[str, Any] = {"label": word if kind == "robot" else kind}
     colour = LOOKS[kind][0]
     if any(map(arrows.shafts, robots)):
-        return ArrowEntry(facecolor=colour, **look)
+        rim = style.RIM if kind == "newcomer" else {}
+        return ArrowEntry(facecolor=colour, **rim, **look)
     marker = "s" if kind == "thruster" else "o"
     return Line2D([], [], marker=marker, markersize=3.8, linestyle="none", color=colour, **look)

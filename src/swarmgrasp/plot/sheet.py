@@ -17,7 +17,7 @@ from swarmgrasp.plot.arrows import ArrowEntry, ArrowInLegend, Arrows, draw_arrow
 from swarmgrasp.plot.flows import Flow, draw_flows, height_of
 from swarmgrasp.plot.labels import Page
 
-MARGINS: Final = (0.66, 0.14, 0.32, 0.78)
+MARGINS: Final = (0.65, 0.09, 0.32, 0.78)
 """Left, right, top and bottom of the axes [in], before the legend."""
 
 HEIGHTS: Final = (1.9, 4.4)

@@ -26,6 +26,12 @@ PALE: Final = "#ECEEF0"
 """The palette of Okabe and Ito, told apart by every kind of colour vision, a purple
 dark enough for text, and greys."""
 
+RIM: Final[Any] = {"edgecolor": INK, "linewidth": 0.7}
+"""Round the arrows that stand out by their colour: they do in grey too."""
+
+DASHES: Final[tuple[Any, ...]] = ("-", (0, (4, 1)), (0, (1, 1)))
+"""Of lines that are told apart in grey too."""
+
 WIDTH: Final = 5.2
 """Width of a figure [in] unless told otherwise: 9 pt text is still 6 pt in a 3.5 in column."""
 

@@ -65,6 +65,12 @@ class Stage:
     turn: float
     colour: str
 
+    @property
+    def line(self) -> dict[str, Any]:
+        """How its way is drawn."""
+        dashes = style.DASHES[COLOURS.index(self.colour) % len(style.DASHES)]
+        return {"color": self.colour, "linewidth": 1.6, "linestyle": dashes}
+
 
 def stages_of(run: Run, verdict: Verdict, index: int = 0) -> tuple[Stage, ...]:
     """Return the stages of one of the runs, in order.
@@ -238,7 +244,7 @@ def _draw_stage(page: Page, run: Run, stage: Stage, index: int) -> None:
             Polygon(corners, facecolor=style.PALE, edgecolor=stage.colour, linewidth=0.8,
                     alpha=0.6, zorder=3)
         )  # fmt: skip
-    page.ax.plot(poses[:, 0], poses[:, 1], color=stage.colour, linewidth=1.6, zorder=6, gid="way")
+    page.ax.plot(*poses[:, :2].T, **stage.line, zorder=6, gid="way")
     if _is_still(run, stage):
         x, y = run.references[stage.rows][0, :2].tolist()
         page.ax.add_patch(
@@ -304,7 +310,7 @@ def _draw_wind(page: Page, run: Run, index: int) -> None:
 def _write_legend(ax: Axes, stages: tuple[Stage, ...]) -> None:
     """Write what each stage is, and within what the object was."""
     handles: list[Any] = [
-        Line2D([], [], color=stage.colour, linewidth=1.6,
+        Line2D([], [], **stage.line,
                label=f"{stage.words}: {style.number(stage.distance)} m, "
                f"{style.number(math.degrees(stage.turn))}°")
         for stage in stages
