@@ -81,7 +81,7 @@ def sheet_of(run, tmp_path, monkeypatch):
 
     def sheet_of(file, *options):
         page = tmp_path / "sheet.html"
-        status, said, _ = run("report", file, page, *DAY, *options)
+        status, said, _ = run("report", file, page, *options)
         assert status == 0
         assert f"wrote {page}" in said
         return Sheet(page.read_text("utf-8"))
@@ -131,14 +131,16 @@ def test_an_answer_file_is_checked_and_told_not_found_anew(run, sheet_of, tmp_pa
     (stated,) = placements_in(json.loads(file.read_text()))
     monkeypatch.setattr("swarmgrasp.cli.place.solve", None)
     sheet = sheet_of(file)
+    assert sheet.fact("Date of the answer") == json.loads(file.read_text())["date"][:10]
     assert sheet.fact("Proven") == whole.fact("Proven")
     assert sheet.column("place", "of best") == whole.column("place", "of best")
     assert "Answer: verified" in sheet.text
     assert f"best place for {stated.robot.name}" in sheet.text
     assert sheet.fact("SHA-256 of the question") == whole.fact("SHA-256 of the question")
-    status, _, complaints = run("report", file, tmp_path / "windy.html", "--wind", "5kn")
+    status, _, complaints = run("report", file, tmp_path / "windy.html", "--wind", "5kn", *DAY)
     assert status == 2
     assert "--wind asks another question" in complaints
+    assert "--date is 2026-03-31, and" in complaints
 
 
 def test_an_answer_that_does_not_hold_gets_no_sheet(run, tmp_path, pontoon):

@@ -64,13 +64,13 @@ def report(
     markdown
         Also write it to this .md file, its drawings beside it.
     date
-        Of the answer, instead of today, or of the day that stands in an answer file.
+        Of the answer, instead of today; an answer file has its own.
     """
     faults = output_faults(page, (".html",)) + output_faults(markdown, (".md",))
     faults += _date_faults(date) + weather.faults()
     scenario = read_scenario(file, faults)
     if scenario.answer is not None:
-        _check_answer(scenario.answer, file, weather)
+        _check_answer(scenario.answer, file, date, weather)
     job = _solved(weather.on(scenario, file), file, date)
     if job.verdict is not None and not job.verdict:
         complain(f"{job.source}: {fault}" for fault in job.verdict.faults)
@@ -128,8 +128,8 @@ def _date_faults(date: str | None) -> list[str]:
     return [f"--date is {date}; it should be a day such as 2026-03-31"]
 
 
-def _check_answer(answer: Mapping[str, Any], file: str, weather: Weather) -> None:
-    """Raise `UsageFault` if an answer file carries no proof, or is asked for another weather."""
+def _check_answer(answer: Mapping[str, Any], file: str, date: str | None, weather: Weather) -> None:
+    """Raise `UsageFault` if an answer file has no proof, or is to be of another day or weather."""
     from swarmgrasp.answer_file import format_of
     from swarmgrasp.cli.inputs import source_of
 
@@ -138,6 +138,10 @@ def _check_answer(answer: Mapping[str, Any], file: str, weather: Weather) -> Non
         faults.append(
             f"{source_of(file)}: the format is {answer['format']!r}, which carries no proof; give "
             f"an answer of `swarmgrasp place --json`, {format_of('placements')!r}, or a scenario"
+        )
+    if date is not None:
+        faults.append(
+            f"--date is {date}, and {source_of(file)} says when its answer was found; leave it out"
         )
     if weather.given:
         faults.append(
