@@ -28,6 +28,8 @@ TURNS: Final = ("lost", "left", "joined", "aim", "weather")
 """Kinds of happenings that begin a stage: what is noticed or sent changes nothing yet."""
 STILL: Final = 1e-6
 """How far a reference may move, relative to the object's extent, and a circle still be drawn."""
+WIND_ROW: Final = 28.0
+"""Room for the wind above all else [pt]."""
 TWO_COLUMNS: Final = 4.6
 """Width [in] from which on the legend has two columns."""
 HEIGHTS: Final = (2.0, 4.4)
@@ -207,10 +209,13 @@ def _box(run: Run, stages: tuple[Stage, ...], index: int) -> tuple[Vector, Vecto
 
 
 def _frame(ax: Axes, low: Vector, high: Vector) -> Page:
-    """Set equal axes whose limits fill the axes' box."""
+    """Set equal axes whose limits fill the axes' box and leave room for the wind at the top."""
+    page = Page(ax)
     box = np.array([ax.bbox.width, ax.bbox.height])
-    half = 0.5 * box * float(np.max((high - low) / box))
-    (left, bottom), (right, top) = 0.5 * (low + high) - half, 0.5 * (low + high) + half
+    strip = np.array([0.0, WIND_ROW * page.point_size])
+    metres = float(np.max((high - low) / (box - strip)))
+    middle = 0.5 * (low + high + strip * metres)
+    (left, bottom), (right, top) = middle - 0.5 * metres * box, middle + 0.5 * metres * box
     ax.set(xlim=(left, right), ylim=(bottom, top))
     ax.set_aspect("equal", adjustable="box")
     ax.set_xlabel("x [m]", labelpad=2.0)
@@ -218,7 +223,7 @@ def _frame(ax: Axes, low: Vector, high: Vector) -> Page:
     ax.spines[["top", "right"]].set_visible(False)
     ax.tick_params(length=3.0)
     ax.locator_params(axis="y", nbins=6)
-    return Page(ax)
+    return page
 
 
 def _draw_reference(page: Page, run: Run) -> None:
