@@ -274,9 +274,10 @@ def _name_boundary(ax: Axes, outline: Outline) -> None:
     ax.set_xlabel(textwrap.fill(words, int(72.0 * (style.width() - BOX[0]) / 4.9)))
     if len(outline) > MOST_CORNERS:
         return
+    near = NEAR * outline.perimeter * max(1.0, style.WIDTH / style.width())
     ticks = [0.0, outline.perimeter]
     for corner in outline.corner_arc_lengths[1:-1]:
-        if min(abs(corner - tick) for tick in ticks) > NEAR * outline.perimeter:
+        if min(abs(corner - tick) for tick in ticks) > near:
             ticks.append(float(corner))
     digits = max(0, 2 - math.floor(math.log10(outline.perimeter)))
     ax.set_xticks(sorted(ticks), [f"{tick:.{digits}f}" for tick in sorted(ticks)])

@@ -68,7 +68,7 @@ def _draw_sizes(axes: Any, findings: Findings) -> None:
     factor, unit = style.force_unit(max(high, default=0.0))
     low, median, high = ([factor * value for value in row] for row in (low, median, high))
     right.fill_between(robots, low, high, color=style.SKY, alpha=0.3, linewidth=0.0,
-                       label="10 to 90 % of swarms")  # fmt: skip
+                       label="10 to 90 %")  # fmt: skip
     right.plot(robots, median, color=style.BLUE, label="median", **LINE)
     right.set(xlabel="robots", ylabel=f"quality [{unit}]", ylim=(0.0, None))
     right.legend(loc="upper left")
