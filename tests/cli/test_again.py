@@ -58,8 +58,8 @@ def test_every_command_that_reads_a_question_is_asked():
     """But those without an answer file: of pictures, of many runs, and of checks."""
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
-        "agent", "convert", "examples", "judge", "paper", "plot", "schema", "simulate", "study",
-        "verify",
+        "agent", "convert", "examples", "judge", "paper", "plot", "report", "schema", "simulate",
+        "study", "verify",
     }  # fmt: skip
 
 

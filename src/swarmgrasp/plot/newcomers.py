@@ -54,7 +54,7 @@ def newcomers_of(answer: Answer) -> Newcomers | None:
 
     Parameters
     ----------
-    answer : sequence of Placement, Together or Move
+    answer : sequence of Placement, Together or swarmgrasp.Move
     """
     if isinstance(answer, Together):
         words = ("",) * len(answer.robots)

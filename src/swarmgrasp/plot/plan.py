@@ -76,7 +76,7 @@ def plan(
     quality : Quality, optional
         Of this swarm: draws the wrench it is weakest at, the force as an arrow from the
         origin, the torque as a turn about it.
-    placements : sequence of Placement, Together or Move
+    placements : sequence of Placement, Together or swarmgrasp.Move
         Newcomers, each with its runners-up as thin arrows. A robot that moves is hollow where it is
         now, and a newcomer where it had better be.
     zones : sequence of Zone
