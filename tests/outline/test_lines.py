@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from strategies import DOCK, L_SHAPE, RECTANGLE, twisted
-from swarmgrasp import Outline
+from swarmgrasp import Newcomer, Outline, Robot, Swarm, Zone, place
 from swarmgrasp.outline.lines import FINEST, free_cells, meeting
 
 
@@ -54,3 +54,21 @@ def test_cells_tell_what_is_free(seed):
                     or cell.end - cell.start < 0.01 * outline.lengths[edge]
                     for cell in here
                 )
+
+
+def test_a_line_finds_its_way_through_a_neck():
+    """From the middle of a flask's floor, though none does from the ends of its parts."""
+    right = [(0.1, 20), (0.1, 3), (2, 3), (2, 1)]
+    left = [(-x, y) for x, y in reversed(right)]
+    flask = Outline([(-3, 0), (3, 0), (3, 20), *right, *left, (-3, 20)])
+    assert meeting(flask, (0.0, 1.0), math.pi / 2) is None
+    floor = free_cells(flask)[6]
+    assert any(cell.start <= 2.0 <= cell.end and cell.lo <= 0.0 <= cell.hi for cell in floor)
+    swarm = Swarm(flask, [Robot((0.0, 0.0), math.pi / 2)])
+    zone = Zone(flask.stretch(6, 1.0, 3.0))
+    assert place(swarm, Newcomer(1.0, "pull", 0.3), [zone]).verify()
+
+
+def test_a_line_along_a_wall_only_touches():
+    """From an inner corner along an edge, and past the end of one."""
+    assert meeting(Outline(DOCK), (-24.0, -14.0), 0.0) is None

@@ -8,12 +8,15 @@ sector of directions that begins at the edge, and the one window between them is
 
 import math
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.outline.outline import Outline
+
+if TYPE_CHECKING:
+    from shapely import LineString
 
 Array = NDArray[np.float64]
 
@@ -21,6 +24,8 @@ FINEST = 0.0173
 """Change of a window along a cell [rad] below which the cell is not halved: almost 1 degree."""
 MOST_HALVINGS = 10
 """Of an edge into cells."""
+CLOSED_HALVINGS = 6
+"""Of an edge into parts from both of whose ends no line runs free: one between may."""
 GRAZES = 1e-9
 """Of the extent: how far a line may run inside the object and only touch it."""
 REMEMBERED = 32
@@ -91,11 +96,19 @@ def meeting(outline: Outline, contact: tuple[float, float], direction: float) ->
     line = LineString([(x, y), (x + reach * c, y + reach * s)])
     found = Polygon(outline.vertices).intersection(line)
     runs = [part for part in getattr(found, "geoms", [found]) if part.length > near]
+    runs = [run for run in runs if _is_inside(run, outline)]
     if not runs:
         return None
     distance, point = min((math.dist(contact, p), p) for run in runs for p in run.coords)
     edge = outline.at_point(point).edge
     return Meeting((point[0], point[1]), edge, distance)
+
+
+def _is_inside(run: "LineString", outline: Outline) -> bool:
+    """Tell whether a part of a line is inside, and not along an edge: at its middle."""
+    middle = run.interpolate(0.5, normalized=True)
+    (distance,), _ = outline.nearest([(middle.x, middle.y)])
+    return bool(distance > GRAZES * outline.extent)
 
 
 @lru_cache(maxsize=REMEMBERED)
@@ -106,8 +119,9 @@ def free_cells(outline: Outline) -> tuple[tuple[Cell, ...] | None, ...]:
     -------
     tuple of (tuple of Cell) or None
         One for each edge; None for an edge from all of which all lines outward run free, and no
-        cell where none does. The window of a single contact is wider than its cell's by less than
-        `FINEST` at each end, but for cells of the last halving.
+        cell where none does. What is free from less than a 64th of an edge only may be missed. The
+        window of a single contact is wider than its cell's by less than `FINEST` at each end, but
+        for cells of the last halving.
     """
     cells: list[tuple[Cell, ...] | None] = [None] * len(outline)
     for corners in _bights(outline):
@@ -145,7 +159,7 @@ def _cells(outline: Outline, corners: list[int], k: int) -> list[Cell]:
     waiting = [(0.0, 1.0, window(0.0), window(1.0), 0)]
     while waiting:
         a, b, at_a, at_b, halvings = waiting.pop()
-        if halvings == MOST_HALVINGS or not _differ(at_a, at_b):
+        if halvings == MOST_HALVINGS or not _differ(at_a, at_b, halvings):
             # the direction of a corner turns one way only along an edge: a window between is no
             # narrower than at both ends
             lo, hi = max(at_a[0], at_b[0]), min(at_a[1], at_b[1])
@@ -159,10 +173,19 @@ def _cells(outline: Outline, corners: list[int], k: int) -> list[Cell]:
     return cells
 
 
-def _differ(one: tuple[float, float], other: tuple[float, float]) -> bool:
-    """Tell whether two windows differ: one of them is none, or their ends do."""
-    if (one[0] > one[1]) or (other[0] > other[1]):
-        return (one[0] > one[1]) is not (other[0] > other[1])
+def _differ(one: tuple[float, float], other: tuple[float, float], halvings: int) -> bool:
+    """Tell whether two windows differ: one of them is none, or their ends do.
+
+    Where both are none there may be one between, unless what is hidden from either side at one end
+    reaches past what is hidden from the other side at the other: along an edge all that is in front
+    turns one way.
+    """
+    is_closed, is_other_closed = one[0] > one[1], other[0] > other[1]
+    if is_closed and is_other_closed:
+        may_open = min(one[0], other[0]) <= max(one[1], other[1])
+        return may_open and halvings < CLOSED_HALVINGS
+    if is_closed or is_other_closed:
+        return True
     return max(abs(one[0] - other[0]), abs(one[1] - other[1])) > FINEST
 
 

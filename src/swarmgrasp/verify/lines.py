@@ -15,8 +15,8 @@ from swarmgrasp.verify.recompute import Array
 
 FINEST = 0.0173
 """Difference [rad] at which a part of an edge is not cut any more."""
-MOST_HALVINGS = 10
-"""Of an edge."""
+MOST_HALVINGS, CLOSED_HALVINGS = 10, 6
+"""Of an edge, and of one whose parts have no free directions at both ends."""
 
 NOTHING = 1e-12
 """Width [rad] of free directions that is none: between two edges that meet."""
@@ -55,7 +55,8 @@ def free_parts(boundary: Boundary, edge: int, start: float, end: float) -> Itera
         if b * length < start or a * length > end:
             continue
         ends = [_free(boundary, edge, share) for share in (a, b)]
-        if _differ(*ends) and halvings < MOST_HALVINGS:
+        most = CLOSED_HALVINGS if ends == [None, None] else MOST_HALVINGS
+        if _differ(*ends) and halvings < most:
             middle = 0.5 * (a + b)
             parts += [(a, middle, halvings + 1), (middle, b, halvings + 1)]
             continue
@@ -67,9 +68,9 @@ def free_parts(boundary: Boundary, edge: int, start: float, end: float) -> Itera
 
 
 def _differ(one: Free, other: Free) -> bool:
-    """Tell whether two contacts have other free directions."""
+    """Tell whether two contacts have other free directions, or contacts between them may."""
     if one is None or other is None:
-        return one is not other
+        return True
     return max(abs(one[0] - other[0]), abs(one[1] - other[1])) > FINEST
 
 
