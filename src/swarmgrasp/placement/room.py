@@ -28,6 +28,8 @@ PER_BEAM = 4
 """Cells along an edge, for each beam."""
 MOST_CELLS = 500
 """Along an edge."""
+ALONG = 1e-9
+"""Cosine to the normal below which a force is along the hull: it counts as a push."""
 TOUCHES = 1e-6
 """Of the extent: how far bodies may be in each other, or in the object, and only touch."""
 
@@ -127,7 +129,7 @@ def _lies(outline: Outline, robot: Robot) -> tuple[float, float]:
     inward = _inward(outline, robot.contact)
     if robot.steers > 0.5 * math.pi or robot.sectors is not None:
         return inward + math.pi, 0.0
-    pushes = math.cos(robot.direction - inward) > 0.0
+    pushes = math.cos(robot.direction - inward) >= -ALONG
     return robot.direction + (math.pi if pushes else 0.0), robot.steers
 
 
@@ -135,7 +137,7 @@ def pulls_on_line(outline: Outline, robot: Robot) -> bool:
     """Tell whether a robot pulls one way, from the boundary: not what steers by a right angle."""
     if robot.mounted or robot.reverse_limit or robot.sectors or robot.steers >= 0.5 * math.pi:
         return False
-    return math.cos(robot.direction - _inward(outline, robot.contact)) < -1e-9
+    return math.cos(robot.direction - _inward(outline, robot.contact)) < -ALONG
 
 
 def _inward(outline: Outline, point: tuple[float, float]) -> float:

@@ -28,6 +28,8 @@ TURN = math.radians(2.0)
 """Greatest turn within a cell [rad]."""
 PER_BEAM, MOST_CELLS = 4, 500
 """Cells along an edge, for each beam, and at most."""
+ALONG = 1e-9
+"""Cosine to the normal at which a force is along the hull."""
 TOUCHES = 1e-6
 """Of the extent: depth of one shape in another that is rounding."""
 WIDE = math.pi * (1.0 + 1e-9)
@@ -54,12 +56,15 @@ class Room:
                 self.taken += list(self.swept(robot)[:, 0])
         self.boxes = np.array([(shape.min(axis=0), shape.max(axis=0)) for shape in self.taken])
 
-    def swept(self, robot: "RobotClaim") -> Array:
-        """Return corners (n, 1, k, 2) of convex shapes that together are the room of a robot."""
+    def swept(self, robot: "RobotClaim", least: float = -ALONG) -> Array:
+        """Return corners (n, 1, k, 2) of convex shapes that together are the room of a robot.
+
+        It pushes if the cosine of its direction to the normal is at least so much.
+        """
         assert robot.body is not None
         contact = np.array(robot.contact)
         inward = self._inward(contact)
-        pushes = math.cos(robot.direction - inward) > 0.0
+        pushes = math.cos(robot.direction - inward) >= least
         middle, half = robot.direction + (math.pi if pushes else 0.0), robot.steers
         if half > 0.5 * math.pi or robot.sectors is not None:
             middle, half = inward + math.pi, 0.0
@@ -80,8 +85,9 @@ class Room:
         return free
 
     def holds(self, robot: "RobotClaim") -> bool:
-        """Tell whether a robot has room."""
-        return bool(self.are_free(self.swept(robot), 2.0 * self.rounding).all())
+        """Tell whether a robot has room, to one side at least if its force is along the hull."""
+        sides = (self.swept(robot, least) for least in (-ALONG, ALONG))
+        return any(self.are_free(swept, 2.0 * self.rounding).all() for swept in sides)
 
     def left(self, piece: Piece, newcomer: "NewcomerClaim", keeps: bool) -> Iterator[Piece]:
         """Yield what is left of a piece to a newcomer with a body."""
