@@ -40,3 +40,15 @@ def test_nothing_is_written_after_a_fault(tmp_path, capsys):
     assert "--force" in capsys.readouterr().err
     assert out.read_text() == "mine"
     assert main(["convert", str(DATA / "outline.csv"), str(out), "--force"]) == 0
+
+
+def test_options_that_play_no_part_are_refused(tmp_path, capsys):
+    """An outline beside an outline, limits of no matrix, a bow for a scenario."""
+    out, plan = str(tmp_path / "dock.yaml"), str(DATA / "outline.csv")
+    assert main(["convert", plan, out, "--outline", plan, "--limits", "5kN"]) == 2
+    told = capsys.readouterr().err
+    assert "is an outline: leave out outline" in told
+    assert "is an outline: leave out limits" in told
+    assert main(["convert", plan, out]) == 0
+    assert main(["convert", out, "-", "--bow", "90"]) == 2
+    assert "is a scenario: leave out bow" in capsys.readouterr().err

@@ -174,16 +174,20 @@ class _Asked:
         return speed, self._placed(load, winds)
 
     def in_winds(self, before: float) -> tuple[float, Placement]:
-        """Place the newcomer for winds and what comes with them; return the last wind, too."""
+        """Place the newcomer for winds and what comes with them; return its task's wind, too."""
         speed = before or FIRST
+        best: tuple[float, float, Placement] | None = None
         for _ in range(MOST_ROUNDS):
             loads = self.environment.load_in(self.problem.swarm.outline, self.bearings, speed)
             placement = self._placed(np.zeros(3), loads)
             held, _ = self.least(placement.swarm_after)
+            if best is None or held > best[0]:
+                best = held, speed, placement
             if held == 0.0 or abs(held - speed) <= SAME * speed:
                 break
             speed = held
-        return speed, placement
+        assert best is not None  # there is a round
+        return best[1:]
 
     def _placed(self, load: Array, loads: Array) -> Placement:
         """Place the newcomer for a task of loads (m, 3) beside a load (3,)."""

@@ -67,8 +67,10 @@ class ThrustUse(Frozen, Answer):
         return int(self.shortfalls.argmax())
 
     def busiest_at(self, index: int) -> str:
-        """Return the name of the busiest robot at a bearing."""
+        """Return the name of the busiest robot at a bearing; "" without robots."""
         row = self.shares[index]
+        if not row.size:
+            return ""
         return self.swarm.names[int(np.argmax(row >= row.max() * (1.0 - 1e-6)))]
 
 

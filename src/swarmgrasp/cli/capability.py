@@ -97,6 +97,10 @@ def capability(
         SI units and radians.
     """
     faults = _option_faults(losing, step, use, numbers=numbers, with_newcomer=with_newcomer)
+    given = {"--losing": losing, "--failures": failures, "--worst-case": worst_case}
+    if use is not None:
+        idle = [option for option, value in given.items() if value]
+        faults += [f"--use is of all robots as they stand; leave out {option}" for option in idle]
     faults += json_faults(json) + wording.faults(json) + water.faults()
     scenario = read_scenario(file, faults + drawing.faults(plot))
     before = asked_before(scenario, WINDS, NUMBERS, USE, JOINED)

@@ -18,7 +18,7 @@ def convert(
     outline: Path | None = None,
     robots: Path | None = None,
     length: str = "m",
-    frame: Literal["ENU", "NED"] = "ENU",
+    frame: Literal["ENU", "NED"] | None = None,
     bow: str | None = None,
     heading: str | None = None,
     limits: str | None = None,

@@ -90,6 +90,13 @@ class WindTable(Plain):
                 f"the loads are {shown(self.loads)}; they should be {shape[0]} by {shape[1]} by 3 "
                 "numbers [N, N, N m]"
             )
+        elif bearings:
+            idle = np.flatnonzero((loads == 0.0).all(axis=(0, 2)))
+            faults += [
+                f"no wind from {math.degrees(bearings[k]):g} deg exerts anything; a load there "
+                "should not be 0, 0, 0"
+                for k in idle.tolist()
+            ]
         about = numbers(self.about) if self.about is not None else ()
         if self.about is not None and len(about) != 2:
             faults.append(f"the point about is {shown(self.about)}; it should be two numbers [m]")

@@ -1,6 +1,6 @@
 """What the numbers of a sheet assume, and what they leave out."""
 
-from swarmgrasp.environment import Environment
+from swarmgrasp.environment import Environment, WindTable
 from swarmgrasp.scenario import Scenario
 
 
@@ -28,7 +28,8 @@ def assumptions(scenario: Scenario) -> list[str]:
     if scenario.newcomer is not None:
         said.append(
             "A place is good for the force it brings; how to get there, and depth, traffic and "
-            "room to work, are not counted but for the zones, no-go stretches and spacing given."
+            "room to work, are not counted but for the zones, no-go stretches, spacing and bodies "
+            "given, and for lines, which run free of the object."
         )
     if scenario.environment is None:
         return [*said, "Wind, current and waves are not modelled: the file gives no environment."]
@@ -41,10 +42,15 @@ def _weather(environment: Environment) -> list[str]:
     allowance = f"the factor {factor:g} on all loads" if factor != 1.0 else "no allowance"
     waves = "the mean drift only" if environment.waves is not None else "nothing"
     current = "its steady drag" if environment.current is not None else "nothing"
+    coefficients = (
+        "Drag coefficients are general ones for a kind of vessel, or those of the file; none was "
+        "measured on this object by the program."
+    )
+    if isinstance(environment.wind, WindTable):
+        coefficients = "The loads of the wind are those of the table given."
     return [
         f"Wind is steady: for gusts and slow drift there is {allowance}.",
         f"Of the current {current} is counted, of waves {waves}.",
-        "Drag coefficients are general ones for a kind of vessel, or those of the file; none was "
-        "measured on this object by the program.",
+        coefficients,
         "Nothing here claims compliance with a rule or a standard.",
     ]

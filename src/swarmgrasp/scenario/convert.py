@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.outline.polygon import signed_area
 from swarmgrasp.ranges import plain_name
 from swarmgrasp.scenario.build import build
@@ -79,6 +80,8 @@ def convert(
     """
     file, faults = Path(path), Faults(str(path))
     is_matrix = is_allocation_file(file)
+    given = {"outline": outline, "robots": robots, **options}
+    _check_options(file, is_matrix, [key for key, value in given.items() if value is not None])
     if file.suffix.lower() in SCENARIOS and not is_matrix:
         return Converted(load_scenario(file), ())
     document = {key: options[key] for key in FILE_KEYS if options.get(key) is not None}
@@ -92,7 +95,11 @@ def convert(
         said = _square(document, Source(file, faults))
     else:
         of_outline = {key: options[key] for key in OUTLINE_OPTIONS if options.get(key) is not None}
-        document["outline"] = {**_file(outline or file), "mirror": DETECT, **of_outline}
+        document["outline"] = {
+            **_file(outline or file),
+            "mirror": DETECT,
+            **of_outline,
+        }
     if faults:
         raise faults.error()
     root = noded(document)
@@ -100,6 +107,23 @@ def convert(
     if not taken.stand_ins:
         said += (*taken.said, *_ahead(root, taken.bow, options.get("bow")))
     return Converted(build(check(root, faults, taken.stand_ins), file.stem), said)
+
+
+def _check_options(file: Path, is_matrix: bool, given: list[str]) -> None:
+    """Refuse options that play no part for what a file is.
+
+    Raises
+    ------
+    ScenarioInvalid
+        All of them are told.
+    """
+    if is_matrix:
+        return
+    what, idle = "an outline", [key for key in given if key in ("outline", "limits")]
+    if file.suffix.lower() in SCENARIOS:
+        what, idle = "a scenario", [key for key in given if key != "units"]
+    if idle:
+        raise ScenarioInvalid(f"{file} is {what}: leave out {key}" for key in idle)
 
 
 def _file(path: str | Path) -> dict[str, Any]:

@@ -116,3 +116,10 @@ def test_tables_are_checked_and_go_with_no_drag() -> None:
     run = "simulation: {duration: 60, hull: {draught: 2}}\n"
     with pytest.raises(ScenarioInvalid, match="a run in time knows none"):
         parse_scenario(text % ", speed: 3, from: 0" + run)
+
+
+def test_a_wind_that_exerts_nothing_is_refused():
+    """From any bearing: how much of it is held has no end."""
+    rows = [(10.0, 0.0, 0, 0, 0), (10.0, 1.5, 0, 4e4, 0), (10.0, 3.0, 0, 0, 1.0)]
+    with pytest.raises(EnvironmentInvalid, match="no wind from 0 deg exerts anything"):
+        WindTable.from_rows(rows)
