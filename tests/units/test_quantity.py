@@ -10,7 +10,10 @@ import pytest
 from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.units import PLAIN, beaufort, beaufort_speed, quantity, size, spellings
 
-AS_PINT = {"°": "degree", "in": "inch", "kip": "kip", "t": "metric_ton", "tf": "force_metric_ton"}
+AS_PINT = {
+    "°": "degree", "in": "inch", "kip": "kip", "kn": "knot", "t": "metric_ton",
+    "tf": "force_metric_ton",
+}  # fmt: skip
 
 
 def test_the_sizes_kept_here_are_those_of_the_library() -> None:
