@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from swarmgrasp.errors import TermsInvalid, refuse
 from swarmgrasp.ranges import angles, is_flag, name_faults, shown
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
+from swarmgrasp.words import plural
 
 UNITS: Final = {"length": LENGTHS, "force": FORCES, "angle": ANGLES, "speed": SPEEDS}
 """The units in which answers are told, of each quantity."""
@@ -183,7 +184,7 @@ kgf, tf, lbf, kip
     @property
     def several(self) -> str:
         """What several robots are called."""
-        return f"{self.robot}s"
+        return plural(self.robot)
 
     def robots(self, count: int) -> str:
         """Return a number of robots in the file's word."""

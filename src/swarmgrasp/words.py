@@ -81,7 +81,18 @@ def machine_words(count: int, has_groups: bool, robot: str = "robot") -> str:
     ('robot', 'tugs or groups')
     """
     kinds = (robot, "group")[: 1 + has_groups]
-    return " or ".join(kind + "s" * (count != 1) for kind in kinds)
+    return " or ".join(kind if count == 1 else plural(kind) for kind in kinds)
+
+
+def plural(word: str) -> str:
+    """Return what several are called of what one is called so.
+
+    Examples
+    --------
+    >>> plural("tug")
+    'tugs'
+    """
+    return f"{word}s"
 
 
 def list_words(names: Sequence[str]) -> str:

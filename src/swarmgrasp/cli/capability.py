@@ -113,7 +113,7 @@ def capability(
 
     bearings = before.get("bearings") if step is None else None
     if bearings is None:
-        bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, step or STEP))
+        bearings = bearings_apart(step or STEP)
     speed = before.get("speed", 0.0) if use is None else speed_of(use, scenario.terms.speed)
     asked = _Asked(
         scenario, file, environment, criterion, np.array(bearings), drawing.look(scenario.name)
@@ -121,6 +121,13 @@ def capability(
     with blaming(file):
         found = _use(asked, speed) if what == USE else ASK[what](asked)
     _deliver(asked, found, plot, json, wording)
+
+
+def bearings_apart(step: float = STEP) -> "NDArray[np.float64]":
+    """Return bearings (m,) [rad] from all round, so many degrees apart."""
+    import numpy as np
+
+    return np.asarray(np.radians(np.arange(0.0, 360.0 - 1e-9, step)))
 
 
 class _Asked(NamedTuple):
@@ -134,9 +141,14 @@ class _Asked(NamedTuple):
     look: dict[str, Any]
 
     @property
-    def losing(self) -> int:
-        """How many robots are lost: one unless something else is said."""
-        return self.criterion.losing or int(not self.criterion.failures)
+    def terms(self) -> "tuple[Any, ...]":
+        """What functions of capability take; one robot is lost unless something else is said."""
+        criterion = self.criterion
+        losing = criterion.losing or int(not criterion.failures)
+        return (
+            self.scenario.swarm, self.environment, self.bearings, losing, criterion.worst_case,
+            criterion.failures,
+        )  # fmt: skip
 
 
 class _Found(NamedTuple):
@@ -152,10 +164,7 @@ def _winds(asked: _Asked) -> _Found:
     from swarmgrasp.capability import capability as capability_of
     from swarmgrasp.cli.show.capability import show
 
-    found = capability_of(
-        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
-        asked.criterion.worst_case, asked.criterion.failures,
-    )  # fmt: skip
+    found = capability_of(*asked.terms)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -172,10 +181,7 @@ def _numbers(asked: _Asked) -> _Found:
     from swarmgrasp.capability import capability_numbers
     from swarmgrasp.cli.show.capability_numbers import show
 
-    found = capability_numbers(
-        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
-        asked.criterion.worst_case, asked.criterion.failures,
-    )  # fmt: skip
+    found = capability_numbers(*asked.terms)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -212,11 +218,7 @@ def _joined(asked: _Asked) -> _Found:
     from swarmgrasp.cli.show.capability_joined import show
 
     (placement,) = solve(asked.scenario, asked.file, criterion=asked.scenario.criterion)
-    before = capability_of(
-        asked.scenario.swarm, asked.environment, asked.bearings, asked.losing,
-        asked.criterion.worst_case, asked.criterion.failures,
-    )  # fmt: skip
-    found = capability_joined(placement, asked.environment, before)
+    found = capability_joined(placement, asked.environment, capability_of(*asked.terms))
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:

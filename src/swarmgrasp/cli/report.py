@@ -303,10 +303,8 @@ def _forces(job: _Job, terms: "Terms") -> list["Section"]:
 
 def _capability(job: _Job, terms: "Terms") -> list["Section"]:
     """Return the largest winds held, if the file says what the object shows to the wind."""
-    import numpy as np
-
     from swarmgrasp.capability import capability
-    from swarmgrasp.cli.capability import STEP
+    from swarmgrasp.cli.capability import bearings_apart
     from swarmgrasp.cli.show.capability import show
     from swarmgrasp.cli.show.sheet import section
     from swarmgrasp.plot import capability_diagram
@@ -315,7 +313,7 @@ def _capability(job: _Job, terms: "Terms") -> list["Section"]:
     losing = criterion.losing or int(not criterion.failures)
     if environment is None or _machines(swarm) <= losing:
         return []
-    bearings = np.radians(np.arange(0.0, 360.0 - 1e-9, STEP))
+    bearings = bearings_apart()
     asked = environment, bearings, losing, criterion.worst_case, criterion.failures
     found, name = capability(swarm, *asked), job.scenario.name
     start = job.scenario.swarm

@@ -11,6 +11,7 @@ from swarmgrasp.capability import Capability
 from swarmgrasp.environment import KNOT, beaufort
 from swarmgrasp.plot import all_round, polar, style
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
+from swarmgrasp.words import plural
 
 Vector = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ def _curves(found: Capability, before: Capability | None, robot: str) -> list[Cu
     """Return the curves: now, and before if that is asked."""
     less = found.less_by if found.failures else f"loss of {found.loss_words(robot)}"
     told = [
-        (found.intact, INTACT, "intact", f"all {robot}s", False),
+        (found.intact, INTACT, "intact", f"all {plural(robot)}", False),
         (found.after_loss, AFTER_LOSS, "after-loss", f"after the worst\n{less}", True),
     ]
     if before is not None:
@@ -107,13 +108,7 @@ def _curves(found: Capability, before: Capability | None, robot: str) -> list[Cu
             ),
         ]  # fmt: skip
     return [
-        Curve(
-            _radii(found, speeds),
-            look,
-            gid,
-            name if speeds.any() else f"no wind held\n{name}",
-            inside,
-        )
+        Curve(_radii(found, speeds), look, gid, _named(name, speeds), inside)
         for speeds, look, gid, name, inside in told
     ]
 
@@ -144,7 +139,7 @@ def _rows(
             (looks[1], (less, *_least(one, one.after_loss, one.worst_after_loss), lost)),
         ]
 
-    rows = both(found, (INTACT, AFTER_LOSS), f"all {robot}s")
+    rows = both(found, (INTACT, AFTER_LOSS), f"all {plural(robot)}")
     if before is not None:
         joined = polar.cut(_joined(found, before), 9)
         rows += both(before, (BEFORE, LOSS_BEFORE), f"without {joined}")

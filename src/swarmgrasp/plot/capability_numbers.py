@@ -9,6 +9,7 @@ from swarmgrasp.capability import ALLOWANCE, CapabilityNumbers
 from swarmgrasp.environment import KNOT, STEPS
 from swarmgrasp.plot import all_round, polar, style
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
+from swarmgrasp.words import plural
 
 HEADINGS: Final = ("", "least held", "wind", "waves", "from", "lost")
 LAST: Final = len(STEPS) - 1
@@ -41,7 +42,7 @@ def numbers_diagram(
     """
     less = found.less_by if found.failures else f"loss of {found.loss_words(robot)}"
     curves = [
-        Curve(_radii(found.intact), INTACT, "intact", f"all {robot}s"),
+        Curve(_radii(found.intact), INTACT, "intact", f"all {plural(robot)}"),
         Curve(_radii(found.after_loss), AFTER_LOSS, "after-loss", f"after the worst\n{less}", True),
     ]
     small_print = _small_print(found)
@@ -77,7 +78,7 @@ def _rows(found: CapabilityNumbers, robot: str) -> list[tuple[dict[str, Any], tu
     lost = polar.cut(found.lost_words(j, most=1), all_round.LONGEST_NAME)
     less = "worst failure" if found.failures else f"worst loss of {found.losing}"
     return [
-        (INTACT, (f"all {robot}s", *_least(found, found.intact, found.worst), "")),
+        (INTACT, (f"all {plural(robot)}", *_least(found, found.intact, found.worst), "")),
         (AFTER_LOSS, (less, *_least(found, found.after_loss, j), lost)),
     ]
 

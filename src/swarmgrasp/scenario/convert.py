@@ -21,6 +21,7 @@ from swarmgrasp.scenario.reading import load_scenario
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.validate import check
 from swarmgrasp.scenario.writing import scenario_text
+from swarmgrasp.swarm.matrix import reach_of
 
 SCENARIOS = (".yaml", ".yml")
 """Of files that may be scenarios already, perhaps of several files."""
@@ -136,10 +137,7 @@ def _square(document: dict[str, Any], source: Source) -> tuple[str, ...]:
     found = read_allocation(source)
     if found is None:
         return ()
-    rows = np.array(found.rows)
-    sizes = np.hypot(rows[0], rows[1])
-    pushing = sizes > 1e-12 * sizes.max()
-    half = float(np.abs(rows[2, pushing] / sizes[pushing]).max(initial=0.0)) or 1.0
+    half = reach_of(np.array(found.rows).T) or 1.0
     corners = [[-half, -half], [half, -half], [half, half], [-half, half]]
     document["outline"] = {"vertices": corners, "origin": [0.0, 0.0]}
     document["metric"] = {"characteristic_length": half}

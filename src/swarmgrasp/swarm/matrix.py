@@ -40,9 +40,14 @@ class Allocation(NamedTuple):
     @property
     def reach(self) -> float:
         """The largest moment arm of a line of action [m]; 0 without forces."""
-        sizes = np.hypot(*self.columns[:, :2].T)
-        pushing = sizes > PURE * sizes.max(initial=0.0)
-        return float(np.abs(self.columns[pushing, 2] / sizes[pushing]).max(initial=0.0))
+        return reach_of(self.columns)
+
+
+def reach_of(columns: Array) -> float:
+    """Return the largest arm of the lines of action of wrenches (n, 3); 0 without forces."""
+    sizes = np.hypot(*columns[:, :2].T)
+    pushing = sizes > PURE * sizes.max(initial=0.0)
+    return float(np.abs(columns[pushing, 2] / sizes[pushing]).max(initial=0.0))
 
 
 def checked_allocation(
