@@ -7,7 +7,7 @@ KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch] src/swarmgrasp/kernels/pytho
 # Warnings are errors here, but where the package is installed for use: make WARNINGS= builds anyway.
 WARNINGS := -Wall -Wextra -Werror
 
-.PHONY: demo test test-c test-long test-oldest test-newest lint docs bench paper lock clean
+.PHONY: demo test test-c test-long test-oldest test-newest lint docs bench paper page lock clean
 
 demo: $(VENV)/installed
 	mkdir -p demo
@@ -56,6 +56,14 @@ bench: $(VENV)/benchmarking
 paper: $(VENV)/developing
 	mkdir -p demo
 	$(BIN)/swarmgrasp paper demo/paper
+
+# The page of the studio from its sources: with Node, which users of the package need not have.
+CLIENT := src/swarmgrasp/studio/client
+page: $(CLIENT)/node_modules/.package-lock.json
+	cd $(CLIENT) && npm run --silent check && npm run --silent build
+
+$(CLIENT)/node_modules/.package-lock.json: $(CLIENT)/package-lock.json
+	cd $(CLIENT) && npm ci --silent --ignore-scripts --no-audit --no-fund
 
 $(VENV)/locked: requirements.lock
 	$(PYTHON) -m venv $(VENV)

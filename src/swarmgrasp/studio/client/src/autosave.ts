@@ -1,0 +1,46 @@
+/* What was changed in each scene, kept by the browser until it is given up. */
+
+import type { Doc } from "./messages";
+
+const PREFIX = "swarmgrasp:";
+
+interface Saved {
+  text: string;
+  doc: Doc;
+}
+
+export class Autosave {
+  /** Scenes whose changes this window wrote: it removes no others. */
+  readonly #own = new Set<string>();
+
+  constructor(readonly storage: Storage | null) {}
+
+  /** The changes that were kept, if the scene's text is still the same. */
+  kept(scene: string, text: string): Doc | null {
+    const found = this.storage?.getItem(PREFIX + scene);
+    if (found === null || found === undefined) return null;
+    try {
+      const saved = JSON.parse(found) as Saved;
+      return saved.text === text ? saved.doc : null;
+    } catch {
+      return null;
+    }
+  }
+
+  /** Keeps changes; says so where the browser has no room. */
+  keep(scene: string, text: string, doc: Doc): boolean {
+    try {
+      this.storage?.setItem(PREFIX + scene, JSON.stringify({ text, doc } satisfies Saved));
+      this.#own.add(scene);
+      return true;
+    } catch {
+      return false;
+    }
+  }
+
+  /** Forgets what this window kept, or what it was asked to forget. */
+  forget(scene: string, asked = false): void {
+    if (asked || this.#own.has(scene)) this.storage?.removeItem(PREFIX + scene);
+    this.#own.delete(scene);
+  }
+}
