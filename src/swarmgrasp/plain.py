@@ -38,7 +38,7 @@ class Told:
     def to_data(self) -> dict[str, Any]:
         """Return the object as plain data, in SI units and radians."""
         cls: Any = type(self)
-        return picked(self, *_parts(cls))
+        return picked(self, *parts_of(cls))
 
 
 class Plain(Told):
@@ -123,7 +123,7 @@ _SIMPLE = {
 
 
 @cache
-def _parts(cls: Any) -> dict[str, Any]:
+def parts_of(cls: Any) -> dict[str, Any]:
     """Return the kinds of what a class takes, by name: those of its fields of these names."""
     kinds = {**get_type_hints(cls.__init__), **get_type_hints(cls)}
     return {name: kinds[name] for name in signature(cls).parameters}
@@ -139,7 +139,7 @@ def _branches(kind: Any) -> tuple[_Branch, ...]:
     if get_origin(kind) is Literal:
         return (_Branch(kind, (str,), " or ".join(map(repr, get_args(kind)))),)
     if _is_plain(kind):
-        return (_Branch(kind, (dict,), f"a mapping of {', '.join(_parts(kind))}"),)
+        return (_Branch(kind, (dict,), f"a mapping of {', '.join(parts_of(kind))}"),)
     return (_Branch(kind, (list,), "a list"),)
 
 
@@ -168,7 +168,8 @@ def read(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
         return _note(" or ".join(dict.fromkeys(b.words for b in branches)), data, path, faults)
     one = fitting[0].kind
     if isinstance(data, dict):  # of several mappings, the one with these keys
-        one = max((b.kind for b in fitting), key=lambda cls: len(_parts(cls).keys() & data.keys()))
+        kinds = (branch.kind for branch in fitting)
+        one = max(kinds, key=lambda cls: len(parts_of(cls).keys() & data.keys()))
         return _object(data, one, path, faults)
     if isinstance(data, list):
         return _list(data, one, path, faults)
@@ -181,7 +182,7 @@ def read(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
 
 def _object(data: dict[str, Any], cls: type, path: _Path, faults: list[str]) -> Any:
     """Make an object of a mapping; note what is wrong with it."""
-    parts, before = _parts(cls), len(faults)
+    parts, before = parts_of(cls), len(faults)
     faults += (
         _told(unknown_key(key, list(parts)), (*path, shown(key).strip("'")))
         for key in data

@@ -28,6 +28,7 @@ from swarmgrasp.cli.report import report
 from swarmgrasp.cli.schema import schema
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.simulate import simulate
+from swarmgrasp.cli.studio import studio
 from swarmgrasp.cli.study import study
 from swarmgrasp.cli.verify import verify
 from swarmgrasp.errors import SwarmGraspError
@@ -35,7 +36,7 @@ from swarmgrasp.errors import SwarmGraspError
 WRONG_INPUT = 2
 COMMANDS = (
     place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, report,
-    agent, paper, examples, convert, schema,
+    studio, agent, paper, examples, convert, schema,
 )  # fmt: skip
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""

@@ -1,0 +1,149 @@
+"""Where all windows are served: turns are taken here, and jobs run in threads."""
+
+import asyncio
+import itertools
+import logging
+from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from time import thread_time
+from typing import Any
+
+from swarmgrasp.errors import SwarmGraspError
+from swarmgrasp.studio.asking import Found, ask
+from swarmgrasp.studio.messages import Ask, Done, Error, Refused, write_message
+from swarmgrasp.studio.parts import MOVING, PARTS, Sheet, tell
+from swarmgrasp.studio.reading import faults_in, question_of
+from swarmgrasp.studio.telling import Telling
+from swarmgrasp.studio.turns import ANSWER, Job, Turns
+
+WORKERS = 2
+"""Jobs at once: more would only wait for each other."""
+logger = logging.getLogger(__name__)
+
+Send = Callable[[bytes], Awaitable[None]]
+Errand = Callable[[Any], bytes]
+
+
+@dataclass
+class Work:
+    """An ask, and what was found of it."""
+
+    ask: Ask
+    found: Found | None = None
+
+
+class Desk:
+    """Serves all windows.
+
+    Parameters
+    ----------
+    errands : mapping of type to callable
+        What answers a message that is no ask, in a thread.
+    """
+
+    def __init__(self, errands: dict[type, Errand]) -> None:
+        self.turns = Turns(WORKERS)
+        self.errands = errands
+        self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="studio")
+        self._sends: dict[int, Send] = {}
+        self._numbers = itertools.count(1)
+        self._running: set[asyncio.Task[None]] = set()
+
+    def __len__(self) -> int:
+        """Return the number of windows."""
+        return len(self._sends)
+
+    def join(self, send: Send) -> int:
+        """Take up a window; return its number."""
+        number = next(self._numbers)
+        self._sends[number] = send
+        self.turns.join(number)
+        return number
+
+    def leave(self, window: int) -> None:
+        """Forget a window."""
+        self._sends.pop(window, None)
+        self.turns.leave(window)
+
+    def ask(self, window: int, message: Ask) -> None:
+        """Take an ask of a window."""
+        wanted = list(MOVING if message.moving else PARTS)
+        if message.wants is not None:
+            wanted = [part for part in wanted if part in message.wants]
+        self.turns.ask(window, Work(message), message.moving, wanted)
+        self.pump()
+
+    def errand(self, window: int, message: Any) -> None:
+        """Take any other message of a window that is computed."""
+        self.turns.errand(window, type(message).__name__, message)
+        self.pump()
+
+    def pump(self) -> None:
+        """Begin whatever may begin."""
+        loop = asyncio.get_running_loop()
+        while (job := self.turns.next(loop.time())) is not None:
+            task = loop.create_task(self._run(job))
+            self._running.add(task)
+            task.add_done_callback(self._running.discard)
+
+    async def _run(self, job: Job) -> None:
+        """Compute a job, send what came of it, and go on."""
+        loop = asyncio.get_running_loop()
+        cost = 0.0
+        try:
+            frame, cost = await loop.run_in_executor(self._pool, self._computed, job)
+            await self._send(job.window, frame)
+        finally:
+            self.turns.finish(job, cost, loop.time())
+            for window, work in self.turns.finished():
+                await self._send(window, write_message(Done(work.ask.n)))
+            self.pump()
+
+    async def _send(self, window: int, frame: bytes) -> None:
+        """Send to a window, if it is still there."""
+        send = self._sends.get(window)
+        if send is not None and frame:
+            await send(frame)
+
+    def _computed(self, job: Job) -> tuple[bytes, float]:
+        """Compute a job in a thread; return the frame, and the thread time [s] that it took."""
+        start = thread_time()
+        try:
+            frame = self._frame(job, start)
+        except Exception:  # a fault of ours: the window lives on
+            logger.exception("%s failed", job.kind)
+            n = job.work.n if job.is_errand else job.work.ask.n
+            frame = write_message(Error(n, f"This could not be done: {job.kind} failed."))
+        return frame, thread_time() - start
+
+    def _frame(self, job: Job, start: float) -> bytes:
+        """Return what a job gives."""
+
+        def spent() -> float:
+            """Return the milliseconds of thread time so far."""
+            return 1e3 * (thread_time() - start)
+
+        if job.is_errand:
+            return self.errands[type(job.work)](job.work)
+        work: Work = job.work
+        if job.kind == ANSWER:
+            return self._answer(work, job, spent)
+        if work.found is None:
+            return b""
+        sheet = Sheet(work.ask.n, work.found, lambda: self.turns.is_overtaken(job.window, work))
+        return tell(job.kind, sheet, spent)
+
+    def _answer(self, work: Work, job: Job, spent: Callable[[], float]) -> bytes:
+        """Answer an ask."""
+        try:
+            question = question_of(work.ask.doc, work.ask.speech)
+            work.found = ask(question, None if work.ask.moving else 0.0)
+        except SwarmGraspError as error:
+            self.turns.refuse(job.window)
+            return write_message(Refused(work.ask.n, faults_in(error.faults)))
+        return write_message(Telling(work.found).part(work.ask.n, spent()))
+
+    def close(self) -> None:
+        """End the threads."""
+        self._pool.shutdown(wait=False, cancel_futures=True)

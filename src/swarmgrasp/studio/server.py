@@ -1,0 +1,231 @@
+"""The server of the page: a few files, and one socket."""
+
+import contextlib
+import socket as sockets
+from collections.abc import AsyncIterator, Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from importlib.resources import files
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.datastructures import Headers
+from starlette.responses import PlainTextResponse, Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.studio.desk import Desk, Errand
+from swarmgrasp.studio.guard import HEADERS, MOST_BYTES, RATE, Guard, new_key
+from swarmgrasp.studio.messages import (
+    MOST_TEXT,
+    PROTOCOL,
+    Error,
+    Faults,
+    Limits,
+    Open,
+    Text,
+    Welcome,
+    write_message,
+)
+from swarmgrasp.studio.scenes import Source, faults_of, scene_of, titles
+from swarmgrasp.studio.session import Session
+
+LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
+TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".woff2": "font/woff2",
+    ".svg": "image/svg+xml",
+}
+"""What files of the page are, by their suffix; no others are sent."""
+MOST_ROBOTS = 100_000
+ENDING = 2
+"""Seconds that windows have to close when the server ends."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What is served.
+
+    Attributes
+    ----------
+    scenes : mapping of str to Source
+    opens : str
+        The scene that a window opens with.
+    host : str
+        The address to listen at.
+    port : int
+        0 for any that is free.
+    names : tuple of str
+        Under which the server is asked, beside those of this machine.
+    certificate, private_key : str, optional
+        Files of TLS.
+    """
+
+    scenes: Mapping[str, Source]
+    opens: str
+    host: str = "127.0.0.1"
+    port: int = 0
+    names: tuple[str, ...] = ()
+    certificate: str | None = None
+    private_key: str | None = None
+    key: str = field(default_factory=new_key, repr=False)
+
+    @property
+    def scheme(self) -> str:
+        """How it is asked."""
+        return "http" if self.certificate is None else "https"
+
+
+class _Guarded:
+    """Refuses what does not name this server, or comes from another site's page."""
+
+    def __init__(self, app: ASGIApp, guard: Guard) -> None:
+        self.app, self.guard = app, guard
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve a request, or refuse it."""
+        if scope["type"] == "lifespan":
+            await self.app(scope, receive, send)
+            return
+        headers = Headers(scope=scope)
+        refusal = self._refusal(scope["type"], headers)
+        if refusal is None:
+            await self.app(scope, receive, send)
+        elif scope["type"] == "http":
+            await refusal(scope, receive, send)
+        else:
+            await send({"type": "websocket.close", "code": 1008, "reason": ""})
+
+    def _refusal(self, kind: str, headers: Headers) -> Response | None:
+        """Return why a request is refused; None if it is not."""
+        if not self.guard.knows_host(headers.get("host")):
+            return PlainTextResponse("This server has another name.\n", 421, HEADERS)
+        if headers.get("sec-fetch-site") in {"cross-site", "same-site"}:
+            return PlainTextResponse("Not for pages of other sites.\n", 403, HEADERS)
+        if kind == "websocket" and not self.guard.knows_origin(headers.get("origin")):
+            return PlainTextResponse("Not for pages of other sites.\n", 403, HEADERS)
+        return None
+
+
+def page_files() -> dict[str, Response]:
+    """Return the files of the page by their paths."""
+    found = {}
+    for file in (files("swarmgrasp.studio") / "page").iterdir():
+        kind = TYPES.get("." + file.name.rpartition(".")[2])
+        if kind is not None:
+            headers = {**HEADERS, "content-type": kind}
+            found[f"/{file.name}"] = Response(file.read_bytes(), headers=headers)
+    if "/index.html" in found:
+        found["/"] = found["/index.html"]
+    return found
+
+
+def application(settings: Settings, port: int) -> Starlette:
+    """Return the application that is served at a port."""
+    names = {*LOOPBACK, *settings.names}
+    guard = Guard(frozenset(f"{name}:{port}" for name in names), settings.scheme, settings.key)
+    desk = Desk(_errands(settings))
+    welcome = Welcome(
+        PROTOCOL, version("swarmgrasp"), Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS),
+        titles(settings.scenes), settings.opens, None, watch=False, demonstration=False,
+    )  # fmt: skip
+    session = Session(guard, desk, welcome)
+
+    def sent(response: Response) -> Callable[..., Response]:
+        """Return what sends a file."""
+        return lambda request: response  # noqa: ARG005
+
+    routes = [Route(path, sent(response)) for path, response in page_files().items()]
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:  # noqa: ARG001
+        """End the threads with the server."""
+        yield
+        desk.close()
+
+    app = Starlette(routes=[*routes, WebSocketRoute("/ws", session.serve)], lifespan=lifespan)
+    app.add_middleware(_Guarded, guard=guard)
+    return app
+
+
+def _errands(settings: Settings) -> dict[type, Errand]:
+    """Return what answers messages that are no asks."""
+
+    def opened(message: Open) -> bytes:
+        """Return a scene that is known."""
+        source = settings.scenes.get(message.name)
+        if source is None:
+            return write_message(Error(message.n, f"There is no scene {message.name!r}."))
+        return read(message.n, message.name, source)
+
+    def typed(message: Text) -> bytes:
+        """Return the scene that a text makes."""
+        return read(message.n, message.name, Source(message.text))
+
+    def read(n: int, name: str, source: Source) -> bytes:
+        """Return a scene, or what is wrong with it."""
+        try:
+            return write_message(scene_of(n, name, source))
+        except ScenarioInvalid as error:
+            return write_message(Faults(n, faults_of(name, error)))
+
+    return {Open: opened, Text: typed}
+
+
+class Server(uvicorn.Server):
+    """A server that leaves signals to who starts it."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Capture none."""
+        yield
+
+
+@dataclass(frozen=True)
+class Opened:
+    """A server that listens, and is not yet served.
+
+    Attributes
+    ----------
+    server : Server
+    socket : socket
+    link : str
+        With the key in its fragment.
+    """
+
+    server: Server
+    socket: sockets.socket
+    link: str
+
+    def run(self) -> None:
+        """Serve until told to end."""
+        self.server.run(sockets=[self.socket])
+
+    def end(self) -> None:
+        """End; may be called from a signal's handler."""
+        self.server.should_exit = True
+
+
+def opened(settings: Settings) -> Opened:
+    """Listen.
+
+    Raises
+    ------
+    OSError
+        If the port is taken, or the address not this machine's.
+    """
+    family = sockets.AF_INET6 if ":" in settings.host else sockets.AF_INET
+    listening = sockets.create_server((settings.host, settings.port), family=family)
+    port = listening.getsockname()[1]
+    config = uvicorn.Config(
+        application(settings, port), log_level="warning", access_log=False, server_header=False,
+        ws="websockets-sansio", ws_max_size=MOST_BYTES, ws_per_message_deflate=False,
+        timeout_graceful_shutdown=ENDING, ssl_certfile=settings.certificate,
+        ssl_keyfile=settings.private_key,
+    )  # fmt: skip
+    shown = "127.0.0.1" if settings.host in {"127.0.0.1", "0.0.0.0", "::"} else settings.host
+    host = f"[{shown}]" if ":" in shown else shown
+    return Opened(Server(config), listening, f"{settings.scheme}://{host}:{port}/#k={settings.key}")

@@ -1,0 +1,294 @@
+"""The answer in words, as one says it on a bridge: the verdict, the order, figures and facts."""
+
+import math
+from collections.abc import Callable
+
+from swarmgrasp.quality import Quality
+from swarmgrasp.studio.asking import Found
+from swarmgrasp.studio.figures import DEGREE, SPACE, Figures, count
+from swarmgrasp.studio.messages import (
+    AnswerPart,
+    Fact,
+    Figure,
+    First,
+    NextBest,
+    Order,
+    WeakestTold,
+)
+from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.words import list_words, percent, turned
+
+MOST_NAMED = 3
+"""Robots named in a fact."""
+MOST_NEXT = 3
+"""Other places told."""
+FINE = 1e-6
+"""Relative gap below which it is told as 0.0001 %."""
+SQUARE = 0.5
+"""Degrees off the normal that count as none."""
+
+
+class Telling:
+    """Tells what was found."""
+
+    def __init__(self, found: Found) -> None:
+        self.found = found
+        self.figures = Figures(found.question.terms)
+
+    def part(self, n: int, ms: float) -> AnswerPart:
+        """Return the whole answer."""
+        found, after = self.found, self.found.after
+        before, value, bound = found.values
+        robot = found.newcomer
+        x, y, turn = found.problem.criterion.load
+        gone = self._gone(after)
+        return AnswerPart(
+            n=n,
+            ms=ms,
+            question=found.about,
+            first=self.first(),
+            second=self.second(),
+            order=self.order(),
+            figures=self.told(),
+            facts=self.facts(),
+            next=self.next_best(),
+            newcomer=None if robot is None else robot.to_data(),
+            before=before,
+            after=value,
+            bound=bound,
+            margin=after.value,
+            load=(x, y, turn),
+            weakest=self._weakest(after),
+            worst_loss=gone or None,
+            share=None if math.isnan(after.efficiency) else after.efficiency,
+        )
+
+    # -- the verdict -----------------------------------------------------------------------
+
+    def first(self) -> First:
+        """Return the first line."""
+        found, after = self.found, self.found.after
+        good, criterion = after.value > 0.0, self.found.problem.criterion
+        if found.question.in_weather:
+            return First(f"{'Held' if good else 'Not held'} in {self._wind()}", good)
+        if criterion.has_load:
+            return First("Holds the load" if good else "Does not hold the load", good)
+        if not good:
+            return First("Does not hold every way", False)
+        if criterion.task is not None:
+            return First(f"Does {self._value(after.value)} times what is asked", True)
+        return First(f"Holds {self.figures.forces(after.value)} every way", True)
+
+    def second(self) -> str:
+        """Return its sentence: after what losses, and what else is held."""
+        found, before = self.found, self.found.values[0]
+        after = self._after_words()
+        name = found.newcomer.name if found.newcomer is not None else ""
+        if found.about == "wind":
+            told = self.figures.speeds(found.values[1])
+            return f"at most {told} from there, {after}"
+        if found.about == "load":
+            return f"at most {percent(found.values[1])} of it, {after}"
+        if not found.after.value:
+            return after
+        if name and before == 0.0 and found.after.value > 0.0:
+            return f"only once {name} is in place, {self._also(after)}"
+        return self._also(after) if found.problem.criterion.is_of_worst else after
+
+    def _also(self, after: str) -> str:
+        """Return after which losses it is held, too."""
+        return f"also {after}" if self.found.problem.criterion.is_of_worst else after
+
+    def _after_words(self) -> str:
+        """Say with whom, or after what."""
+        swarm, criterion = self.found.swarm, self.found.problem.criterion
+        said = []
+        if criterion.failures:
+            said.append(
+                f"after the failure of {list_words(criterion.failures[0])}"
+                if len(criterion.failures) == 1
+                else f"after the worst of {count(len(criterion.failures))} failures"
+            )
+        if criterion.losing:
+            said.append(f"after losing any {self._lost(swarm)}")
+        if criterion.worst_case:
+            said.append("in the worst poses")
+        if said:
+            return ", ".join(said)
+        return f"with {'both' if len(swarm) == 2 else f'all {count(len(swarm))}'} working"
+
+    def _lost(self, swarm: Swarm) -> str:
+        """Say how many of how many are lost."""
+        losing, groups = self.found.problem.criterion.losing, bool(swarm.rare.groups)
+        of = f"{self.found.question.terms.several} or groups" if groups else ""
+        whom = f" of the {of}" if of else f" of the {count(len(swarm))}"
+        return f"{count(losing)}{whom}"
+
+    def _wind(self) -> str:
+        """Say which wind it is."""
+        environment = self.found.question.environment
+        assert environment is not None
+        speed, bearing = environment.wind.speed or 0.0, environment.wind.bearing or 0.0
+        return f"{self.figures.speeds(speed)} from {self.figures.coming(bearing)}"
+
+    # -- the order -------------------------------------------------------------------------
+
+    def order(self) -> Order | None:
+        """Return who goes where, and does what."""
+        placement = self.found.placement
+        if placement is None:
+            return None
+        robot = placement.robot
+        return Order(robot.name, placement.place, robot.contact, robot.direction, self.do(robot))
+
+    def do(self, robot: Robot) -> str:
+        """Say what a robot is to do."""
+        limit = self.figures.forces(robot.limit)
+        if robot.steers >= math.pi or robot.lever:
+            return f"Push {limit} any way"
+        towards = f"towards {self.figures.bearing(robot.direction)}"
+        if robot.mounted:
+            return f"Push {limit} {towards}"
+        outline = self.found.problem.swarm.outline
+        normal = outline.at_point(robot.contact).inward
+        off = turned(robot.direction - normal)
+        verb = "Push"
+        if abs(off) > 90.0:
+            verb, normal = "Pull", normal + math.pi
+            off = turned(robot.direction - normal)
+        if robot.steers:
+            half = round(math.degrees(robot.steers))
+            return f"{verb} {limit} within {half}{DEGREE} of {towards.removeprefix('towards ')}"
+        return f"{verb} {limit} {towards}, {_lean(off, normal)}"
+
+    # -- figures and facts -----------------------------------------------------------------
+
+    def told(self) -> tuple[Figure, ...]:
+        """Return the large figures."""
+        found = self.found
+        before, after, _ = found.values
+        numbers = (None if found.placement is None else before), after
+        name = found.newcomer.name if found.newcomer is not None else ""
+        figures, criterion = self.figures, found.problem.criterion
+        if found.about == "wind":
+            words = f"most wind from {self._from()}, with {name} there"
+            return (_figure(*numbers, figures.in_speed, figures.terms.speed, words),)
+        if found.about == "load":
+            return (_figure(*numbers, float, "times", "the load is held"),)
+        words = "in the weakest direction"
+        if criterion.has_load:
+            words = f"to spare {words}"
+        if criterion.task is not None:
+            return (_figure(*numbers, float, "times", words),)
+        return (_figure(*numbers, figures.in_force, figures.force_unit, words),)
+
+    def facts(self) -> tuple[Fact, ...]:
+        """Return what is proven, what is weakest, and whose loss is worst."""
+        found, after = self.found, self.found.after
+        told = [] if found.placement is None else [Fact("proven", "Proven", self._proven(), ())]
+        if found.nowhere:
+            told.append(Fact("note", "No place", found.nowhere, ()))
+        names = after.facet_robots if after.value > 0.0 else ()
+        set_by = f", set by {list_words(names)}" if 0 < len(names) <= MOST_NAMED else ""
+        if len(found.swarm):
+            told.append(Fact("weakest", "Weakest", after.weakest_words + set_by, names))
+        gone = self._gone(after)
+        if gone:
+            told.append(Fact("loss", "Worst loss", list_words(gone), gone))
+        return tuple(told)
+
+    def _proven(self) -> str:
+        """Say how far from the best the answer can be."""
+        found = self.found
+        _, after, bound = found.values
+        assert bound is not None
+        if found.about == "wind":
+            return "no allowed place holds this wind; none holds more than here"
+        if found.about == "load":
+            return "no allowed place holds the load; none holds more of it than here"
+        if after == 0.0:
+            return "no allowed place holds every way"
+        return f"within {percent(max(bound / after - 1.0, FINE))} of the best"
+
+    def next_best(self) -> tuple[NextBest, ...]:
+        """Return the best of other places."""
+        found = self.found
+        if found.placement is None:
+            return ()
+        best = found.placement.quality or 1.0
+        told = []
+        for runner in found.placement.runners_up[:MOST_NEXT]:
+            robot, value = runner.robot, runner.quality
+            share = value / best
+            if found.about == "wind":
+                value, share = math.sqrt(value), math.sqrt(share)
+            told.append(
+                NextBest(
+                    runner.place, robot.contact, robot.direction, value, self._with_unit(value),
+                    share,
+                )
+            )  # fmt: skip
+        return tuple(told)
+
+    # -- parts -----------------------------------------------------------------------------
+
+    def _from(self) -> str:
+        """Say where the wind comes from."""
+        environment = self.found.question.environment
+        assert environment is not None
+        return self.figures.coming(environment.wind.bearing or 0.0)
+
+    def _value(self, value: float) -> str:
+        """Return what is best, without its unit."""
+        if self.found.about == "wind":
+            return self.figures.speed(value)
+        if self.found.about == "load" or self.found.problem.criterion.task is not None:
+            return f"{value:.2f}"
+        return self.figures.force(value)
+
+    def _with_unit(self, value: float) -> str:
+        """Return what is best, with its unit."""
+        told = self._value(value)
+        if self.found.about == "wind":
+            return f"{told}{SPACE}{self.figures.terms.speed}"
+        if self.found.about == "load" or self.found.problem.criterion.task is not None:
+            return f"{told} times"
+        return f"{told}{SPACE}{self.figures.force_unit}"
+
+    def _gone(self, after: Quality) -> tuple[str, ...]:
+        """Return who fails and is lost in the worst case."""
+        return (*after.failure, *after.lost)
+
+    def _weakest(self, after: Quality) -> WeakestTold | None:
+        """Return the weakest wrench; of none held, its direction."""
+        if not len(self.found.swarm):
+            return None
+        wrench = after.weakest_wrench
+        if after.value == 0.0:
+            wrench = after.direction / self.found.swarm.scale
+        x, y, turn = wrench.tolist()
+        return WeakestTold((x, y, turn), after.facet_robots)
+
+
+def _figure(
+    before: float | None, after: float, told: Callable[[float], float], unit: str, words: str
+) -> Figure:
+    """Return a figure in a unit."""
+    return Figure(None if before is None else told(before), told(after), unit, words)
+
+
+def _lean(off: float, normal: float) -> str:
+    """Say how a force leans off the normal [rad], by an angle [deg], counter-clockwise.
+
+    Examples
+    --------
+    >>> _lean(7.0, -math.pi / 2), _lean(-20.0, math.pi), _lean(0.2, 0.0)
+    ('7\u00b0 forward of square', '20\u00b0 to port of square', 'square')
+    """
+    if abs(off) < SQUARE:
+        return "square"
+    way = normal + math.copysign(math.pi / 2, off)
+    x, y = math.cos(way), math.sin(way)
+    along, across = ("forward", "aft")[x < 0.0], ("to port", "to starboard")[y < 0.0]
+    side = along if abs(x) > abs(y) else across
+    return f"{round(abs(off))}{DEGREE} {side} of square"
