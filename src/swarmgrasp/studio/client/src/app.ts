@@ -1,14 +1,24 @@
 /* The whole widget, in one element, over one wire. Nothing is kept outside of what `mount` makes. */
 
-import { Autosave } from "./autosave";
+import { Banner } from "./banner";
+import { Bar } from "./bar";
 import type { Context, Seen, View } from "./context";
 import { el } from "./dom";
+import { Inspector } from "./inspect";
+import { hearKeys } from "./keys";
 import { layout } from "./layout";
-import type { Doc, Incoming, Scene } from "./messages";
+import { Menu } from "./menu";
+import { Opening } from "./opening";
+import { Plan } from "./plan/plan";
+import { Later } from "./sequence";
+import { keysCard, Sheet } from "./sheet";
 import { Signal } from "./signal";
-import { Speech } from "./speech";
+import { SILENT, Speech } from "./speech";
 import { Store } from "./state";
 import { Talk } from "./talk";
+import { TextPane } from "./text";
+import { themed } from "./theme";
+import { Tools } from "./tools";
 import { views } from "./views";
 import type { Wire } from "./wire";
 
@@ -22,13 +32,6 @@ export interface Home {
   readonly linked: () => Promise<string | null>;
 }
 
-const REST = 300;
-const SI_SPEECH = new Speech({
-  length: { unit: "m", size: 1 }, force: { unit: "N", size: 1 },
-  angle: { unit: "°", size: Math.PI / 180 }, speed: { unit: "m/s", size: 1 },
-  torque_unit: "N m", robot: "robot", bow: 0, mirrored: false, heading: null, bearings: false,
-});
-
 /** Builds the widget in an element and lets it live there. */
 export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   const frame = layout(root);
@@ -38,96 +41,92 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   const context: Context = {
     root, store, talk,
     hover: store.hover,
-    speech: new Signal(SI_SPEECH),
+    speech: new Signal(new Speech(SILENT)),
     calm: () => calm.matches,
     say: (sentence) => frame.spoken.replaceChildren(sentence),
     toast: (sentence, action) => toast(frame.toasts, sentence, action),
   };
-  const drawn: View[] = views(frame, context);
-  const painter = new Painter(root, drawn, context);
-  store.seen.listen((seen) => painter.ask(seen));
-  store.ask = (doc, moving) => talk.ask(doc, moving);
-  talk.connected.listen((connected) => store.setConnected(connected));
-  keepChanges(context, new Autosave(home.storage), home, painter);
-  return context;
-}
-
-/** Draws once a frame, however often the state changed. */
-class Painter {
-  #asked = 0;
-
-  constructor(readonly root: HTMLElement, readonly views: View[], readonly context: Context) {}
-
-  ask(seen: Seen | null): void {
-    if (seen === null) return;
-    if (this.context.speech.value.data !== seen.scene.speech) {
-      this.context.speech.set(new Speech(seen.scene.speech));
-    }
-    if (this.#asked === 0) this.#asked = requestAnimationFrame(() => this.draw());
-  }
-
-  draw(): void {
-    this.#asked = 0;
-    const seen = this.context.store.seen.value;
-    if (seen === null) return;
-    for (const view of this.views) view.draw(seen);
-  }
-
-  /** For tests and benchmarks: which ask is answered, and in all its parts. */
-  mark(name: "answered" | "done", n: number): void {
-    requestAnimationFrame(() => this.root.setAttribute(`data-${name}`, String(n)));
-  }
-}
-
-/** Takes what the server says, opens scenes, and keeps changes from one visit to the next. */
-function keepChanges(context: Context, saved: Autosave, home: Home, painter: Painter): void {
-  const { store, talk } = context;
-  let timer = 0;
-  const opened = (scene: Scene): void => {
-    const kept = saved.kept(scene.name, scene.text);
-    store.open(scene, kept ?? scene.doc);
-    if (kept !== null) {
-      context.toast("Your changes are back.", {
-        word: "Start over",
-        run: () => {
-          saved.forget(scene.name, true);
-          store.edit(() => scene.doc);
-        },
-      });
-    }
-  };
-  store.seen.listen((seen) => {
-    if (seen === null) return;
-    clearTimeout(timer);
-    timer = window.setTimeout(() => keep(seen.scene, seen.doc), REST);
+  const opening = new Opening(context, home.storage);
+  const sheet = new Sheet(frame.over);
+  const plan = new Plan(frame.plan, context);
+  const painter = new Painter(context);
+  const later = new Later(context, () => painter.ask());
+  const inspector = new Inspector(plan, context);
+  const tools = new Tools(plan, context);
+  const text = new TextPane(frame.text, context, (scene) => store.read(scene, true));
+  const menu = new Menu(context, sheet, {
+    open: (name) => void opening.open(name),
+    read: (source, name) => void opening.read(source, name),
+    plan: () => plan.svg,
+    text: () => text.text(),
   });
-  const keep = (scene: Scene, doc: Doc): void => {
-    if (doc === scene.doc) saved.forget(scene.name);
-    else if (!saved.keep(scene.name, scene.text, doc)) {
-      context.say("The browser has no room to keep your changes; save them as a file.");
-    }
+  const toggleText = (): void => {
+    text.toggle(frame.losses.card);
+    bar.textButton.setAttribute("aria-pressed", String(text.isOpen));
   };
-  const first = async (opens: string): Promise<void> => {
-    const text = await home.linked().catch(() => {
-      context.toast("The link's scenario cannot be read.");
-      return null;
-    });
-    const reply = await talk.request(
-      text === null ? { kind: "open", name: opens } : { kind: "text", text, name: "link" },
-    );
-    if (reply.kind === "scene") opened(reply);
-    else if (reply.kind === "error") context.toast(reply.say);
-    else if (reply.kind === "faults") context.toast("The link's scenario has faults.");
+  const showKeys = (): void => sheet.open(keysCard(() => sheet.close()));
+  const bar = new Bar(frame.bar, context, later, {
+    menu: () => menu.show(bar.name), text: toggleText, theme: themed(root, home.storage), keys: showKeys,
+    share: () => void menu.share(),
+  });
+  const followers: View[] = [new Banner(frame.banner, context), bar, plan, inspector, tools, text];
+  painter.views = [...followers, ...views(frame, context, plan.layer)];
+  painter.before = (seen) => {
+    later.follow(seen);
+    plan.later = later.count > 0 ? later.answers.slice(1).map(({ newcomer }) => newcomer) : [];
   };
-  talk.hear = (message: Incoming) => {
+  hearKeys(context, {
+    bar, inspector, menu, plan, sheet, tools, toggleText, textIsOpen: () => text.isOpen, showKeys,
+  });
+  store.ask = ({ scene, doc }, moving) => {
+    plan.push.ask();
+    return talk.ask(doc, scene.speech, moving);
+  };
+  store.seen.listen(() => painter.ask());
+  talk.connected.listen((connected) => store.setConnected(connected));
+  talk.hear = (message) => {
     if (message.kind === "welcome") {
-      if (store.seen.value === null) void first(message.opens);
+      if (store.seen.value === null) void opening.first(message.opens, home.linked);
       return;
     }
     store.take(message);
     if (message.kind === "part" && message.name === "answer") painter.mark("answered", message.n);
     if (message.kind === "done" || message.kind === "refused") painter.mark("done", message.n);
   };
+  return context;
+}
+
+/** Draws once a frame, however often the state changed. */
+class Painter {
+  views: View[] = [];
+  before: (seen: Seen) => void = () => undefined;
+  #asked = 0;
+  readonly #marks = new Map<string, number>();
+
+  constructor(readonly context: Context) {}
+
+  ask(): void {
+    if (this.#asked === 0) this.#asked = requestAnimationFrame(() => this.#draw());
+  }
+
+  /** For tests and benchmarks: which ask is answered, and in all its parts, on the screen. */
+  mark(name: "answered" | "done", n: number): void {
+    this.#marks.set(name, n);
+    this.ask();
+  }
+
+  #draw(): void {
+    this.#asked = 0;
+    const { store, speech, root } = this.context;
+    const seen = store.seen.value;
+    if (seen === null) return;
+    if (speech.value.data !== seen.scene.speech) speech.set(new Speech(seen.scene.speech));
+    this.before(seen);
+    for (const view of this.views) view.draw(seen);
+    root.classList.toggle("is-refused", seen.refused.length > 0);
+    for (const [name, n] of this.#marks) root.setAttribute(`data-${name}`, String(n));
+    this.#marks.clear();
+  }
 }
 
 const TOAST_STAYS = 6000;
@@ -136,7 +135,7 @@ function toast(room: HTMLElement, sentence: string, action?: { word: string; run
   const card = el("div", { class: "toast" }, el("span", {}, sentence));
   const away = (): void => card.remove();
   if (action !== undefined) {
-    const button = el("button", { type: "button" }, action.word);
+    const button = el("button", { type: "button", class: "control" }, action.word);
     button.addEventListener("click", () => {
       away();
       action.run();

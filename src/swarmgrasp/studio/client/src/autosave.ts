@@ -4,9 +4,12 @@ import type { Doc } from "./messages";
 
 const PREFIX = "swarmgrasp:";
 
-interface Saved {
-  text: string;
-  doc: Doc;
+export interface Saved {
+  /** The scene's text as it was opened: changes of another text are not offered. */
+  readonly of: string;
+  /** The text that the document was read from: another one where somebody typed. */
+  readonly text: string;
+  readonly doc: Doc;
 }
 
 export class Autosave {
@@ -16,21 +19,21 @@ export class Autosave {
   constructor(readonly storage: Storage | null) {}
 
   /** The changes that were kept, if the scene's text is still the same. */
-  kept(scene: string, text: string): Doc | null {
+  kept(scene: string, text: string): Saved | null {
     const found = this.storage?.getItem(PREFIX + scene);
     if (found === null || found === undefined) return null;
     try {
       const saved = JSON.parse(found) as Saved;
-      return saved.text === text ? saved.doc : null;
+      return saved.of === text ? saved : null;
     } catch {
       return null;
     }
   }
 
-  /** Keeps changes; says so where the browser has no room. */
-  keep(scene: string, text: string, doc: Doc): boolean {
+  /** Keeps changes; tells whether the browser had room. */
+  keep(scene: string, saved: Saved): boolean {
     try {
-      this.storage?.setItem(PREFIX + scene, JSON.stringify({ text, doc } satisfies Saved));
+      this.storage?.setItem(PREFIX + scene, JSON.stringify(saved));
       this.#own.add(scene);
       return true;
     } catch {

@@ -15,11 +15,9 @@ if (given !== null) localStorage.setItem(KEY, given);
 if (given !== null || linked !== null) history.replaceState(null, "", location.pathname);
 
 const root = document.getElementById("studio")!;
+root.dataset.home = "page";
 const scheme = location.protocol === "https:" ? "wss:" : "ws:";
-const wire = new SocketWire(`${scheme}//${location.host}/ws`, (_code, reason) => {
-  root.setAttribute("data-refused", reason);
-});
-mount(root, wire, {
+mount(root, new SocketWire(`${scheme}//${location.host}/ws`), {
   storage: localStorage,
   key: () => localStorage.getItem(KEY) ?? "",
   linked: async () => (linked === null ? null : fromLink(linked)),

@@ -1,6 +1,6 @@
 /* What every view is given: nothing of the page is kept outside it. */
 
-import type { AnyPart, Doc, Fault, PartName, RobotData, Scene } from "./messages";
+import type { AnyPart, Doc, Fault, Forces, PartName, RobotData, Scene } from "./messages";
 import type { Signal } from "./signal";
 import type { Speech } from "./speech";
 import type { Store } from "./state";
@@ -9,7 +9,7 @@ import type { Talk } from "./talk";
 /** The newest of each part; `answer` and the others may belong to different asks. */
 export type Parts = { [name in PartName]?: Extract<AnyPart, { name: name }> };
 
-export type Mode = "move" | "edit" | "push";
+export type Mode = "move" | "edit" | "outline" | "push";
 
 /** What is to be drawn: all that a view may know. */
 export interface Seen {
@@ -25,6 +25,8 @@ export interface Seen {
   /** The robot that is chosen; of the newcomer its own name. */
   readonly chosen: string | null;
   readonly mode: Mode;
+  /** How hard each pushes for the wanted wrench; null outside mode "push". */
+  readonly forces: Forces | null;
   readonly connected: boolean;
 }
 

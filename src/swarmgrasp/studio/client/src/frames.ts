@@ -25,7 +25,7 @@ export function decoded(data: string | ArrayBuffer): Incoming {
   for (const { name, type, shape } of head.arrays ?? []) {
     const kind = ARRAYS[type];
     const count = shape.reduce((product, side) => product * side, 1);
-    at = Math.ceil(at / kind.BYTES_PER_ELEMENT) * kind.BYTES_PER_ELEMENT;
+    at = Math.ceil(at / 8) * 8;
     head[name] = new kind(data, at, count);
     at += count * kind.BYTES_PER_ELEMENT;
   }

@@ -126,6 +126,8 @@ export interface UnitData {
   unit: string;
   /** SI per unit. */
   size: number;
+  /** What people read: t for tf. */
+  label: string;
 }
 
 export interface SpeechData {
@@ -154,10 +156,10 @@ export type Outgoing =
   | { kind: "hello"; key: string; protocol: number }
   | { kind: "open"; n: number; name: string }
   | { kind: "text"; n: number; text: string; name: string }
-  | { kind: "ask"; n: number; moving: boolean; doc: Doc; wants?: PartName[] }
+  | { kind: "ask"; n: number; moving: boolean; doc: Doc; speech: SpeechData }
   | { kind: "write"; n: number; doc: Doc; text: string }
-  | { kind: "forces"; n: number; doc: Doc; wrench: Triple }
-  | { kind: "sequence"; n: number; doc: Doc; robots: NewcomerData[]; together: boolean }
+  | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple }
+  | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean }
   | { kind: "report"; n: number; doc: Doc; text: string; format: "html" }
   | { kind: "run"; n: number; name: string }
   | { kind: "watch"; n: number; on: boolean }
@@ -185,7 +187,7 @@ export interface Scene {
   text: string;
   doc: Doc;
   speech: SpeechData;
-  warnings: string[];
+  warnings: Fault[];
 }
 
 export type PartName =
@@ -199,14 +201,14 @@ interface Part {
 }
 
 export interface Figure {
-  before: number | null;
-  after: number;
+  before: string | null;
+  after: string;
   unit: string;
   text: string;
 }
 
 export interface Fact {
-  mark: "proven" | "weakest" | "loss" | "load";
+  mark: "proven" | "weakest" | "loss" | "load" | "note";
   label: string;
   text: string;
   names: string[];
@@ -232,13 +234,13 @@ export interface AnswerPart extends Part {
   newcomer: RobotData | null;
   before: number;
   after: number;
-  bound: number;
-  margin: number;
+  bound: number | null;
+  margin: number | null;
   load: Triple;
   weakest: { wrench: Triple; names: string[] } | null;
   worst_loss: string[] | null;
-  question: "quality" | "wind";
-  share: number;
+  question: "quality" | "wind" | "load";
+  share: number | null;
 }
 
 export interface MeshPart extends Part {
@@ -249,8 +251,8 @@ export interface MeshPart extends Part {
   faces: Uint16Array;
   starts: Uint16Array;
   normals: Int8Array;
-  ball: { centre: Triple; radius: number; touches: Triple; face: number | null };
-  before: { radius: number };
+  ball: { centre: Triple; radius: number; touches: Triple; face: number | null } | null;
+  before: number | null;
   needed: Triple;
 }
 
@@ -259,21 +261,22 @@ export interface CapabilityPart extends Part {
   bearings: Float32Array;
   intact: Float32Array;
   lost: Float32Array;
-  before_intact: Float32Array;
-  before_lost: Float32Array;
+  before_intact?: Float32Array;
+  before_lost?: Float32Array;
   least: { bearing: number; speed: number };
+  figure: Figure;
 }
 
 export interface LossesPart extends Part {
   name: "losses";
-  rows: { name: string; value: number; held: boolean; worst: boolean }[];
+  rows: { name: string; value: number; held: boolean; worst: boolean; text: string }[];
   all: number;
   text: string;
 }
 
 export interface SlopesPart extends Part {
   name: "slopes";
-  rows: { name: string; per_metre: number; per_degree: number; direction: number }[];
+  rows: { name: string; per_metre: [number | null, number | null]; per_radian: [number | null, number | null]; text: string }[];
 }
 
 export interface LandscapePiece {
@@ -285,12 +288,17 @@ export interface LandscapePiece {
   rows: number[];
   /** Arc lengths. */
   columns: number[];
+  /** Where its values begin, column by column. */
+  first: number;
 }
 
 export interface LandscapePart extends Part {
   name: "landscape";
   pieces: LandscapePiece[];
   unit: number;
+  low: number;
+  high: number;
+  /** 0 where nothing is allowed, else 1 + value / unit. */
   values: Uint16Array;
   strip: Uint16Array;
 }
@@ -334,4 +342,4 @@ export type Incoming =
   | { kind: "report"; n: number; html: string }
   | { kind: "run"; n: number; [key: string]: unknown }
   | { kind: "live"; [key: string]: unknown }
-  | { kind: "error"; n: number; say: string };
+  | { kind: "error"; n: number | null; say: string };

@@ -54,8 +54,8 @@ export class Speech {
   forceUnit(newtons: number): UnitData {
     const { force } = this.data;
     const size = Math.abs(newtons);
-    if (force.unit !== "N" || size < 1e4) return this.#short(force);
-    return size < 1e7 ? { unit: "kN", size: 1e3 } : { unit: "MN", size: 1e6 };
+    if (force.unit !== "N" || size < 1e4) return force;
+    return size < 1e7 ? { unit: "kN", size: 1e3, label: "kN" } : { unit: "MN", size: 1e6, label: "MN" };
   }
 
   speed(metresASecond: number): string {
@@ -86,7 +86,7 @@ export class Speech {
   /** A point of ours in the file's frame and unit. */
   point(at: Pair, digits = 1): string {
     const [x, y] = this.toFile(at);
-    return `${figure(x, digits)}, ${figure(y, digits)}${SPACE}${this.data.length.unit}`;
+    return `${figure(x, digits)}, ${figure(y, digits)}${SPACE}${this.data.length.label}`;
   }
 
   toFile([x, y]: Pair): Pair {
@@ -103,12 +103,14 @@ export class Speech {
     return [(cos * x + sin * y) * size, side * (cos * y - sin * x) * size];
   }
 
-  /** Tonnes of force are said in one letter. */
-  #short(unit: UnitData): UnitData {
-    return unit.unit === "tf" ? { ...unit, unit: "t" } : unit;
-  }
-
   #text(value: number, unit: UnitData, digits?: number): string {
-    return `${figure(value / unit.size, digits)}${SPACE}${unit.unit}`;
+    return `${figure(value / unit.size, digits)}${SPACE}${unit.label}`;
   }
 }
+
+/** Before there is a scene: SI, our frame. */
+export const SILENT: SpeechData = {
+  length: { unit: "m", size: 1, label: "m" }, force: { unit: "N", size: 1, label: "N" },
+  angle: { unit: "deg", size: Math.PI / 180, label: "°" }, speed: { unit: "m/s", size: 1, label: "m/s" },
+  torque_unit: "N m", robot: "robot", bow: 0, mirrored: false, heading: null, bearings: false,
+};

@@ -2,7 +2,7 @@
 
 import type { Hovered, Mode, Seen } from "./context";
 import { History } from "./history";
-import type { AnyPart, Doc, Fault, Incoming, NewcomerData, ProblemData, RobotData, Scene } from "./messages";
+import type { AnyPart, Doc, Fault, Forces, Incoming, NewcomerData, ProblemData, RobotData, Scene } from "./messages";
 import { Signal } from "./signal";
 
 /** One step of the history: a document, and the text and terms that it was read from. */
@@ -15,8 +15,9 @@ export class Store {
   readonly seen: Signal<Seen | null> = new Signal<Seen | null>(null);
   readonly hover = new Signal<Hovered | null>(null);
   /** Set once: a document to be asked about. */
-  ask: (doc: Doc, moving: boolean) => number = () => 0;
+  ask: (draft: Draft, moving: boolean) => number = () => 0;
   #history: History<Draft> | null = null;
+  #origin: Scene | null = null;
   #moving = false;
   /** Parts of older asks belong to another scene. */
   #oldest = 0;
@@ -33,22 +34,37 @@ export class Store {
     return this.#history?.now ?? null;
   }
 
-  /** A new scene: its history begins here. */
-  open(scene: Scene, doc: Doc = scene.doc): void {
-    this.#history = new History<Draft>({ scene, doc: scene.doc });
-    if (doc !== scene.doc) this.#history.set({ scene, doc });
+  /** The scene as it was opened: what it is to start over. */
+  get origin(): Scene | null {
+    return this.#origin;
+  }
+
+  /** A new scene: its history begins here, and goes on with the changes that were kept. */
+  open(origin: Scene, kept: Draft = { scene: origin, doc: origin.doc }): void {
+    const { scene, doc } = kept;
+    this.#origin = origin;
+    this.#history = new History<Draft>({ scene: origin, doc: origin.doc });
+    if (doc !== origin.doc) this.#history.set({ scene, doc });
     this.#moving = false;
     this.seen.set({
       scene, doc, parts: {}, empty: {}, refused: [], moving: false, chosen: null, mode: "move",
+      forces: null,
       connected: this.seen.value?.connected ?? true,
     });
-    this.#oldest = this.ask(doc, false);
+    this.#oldest = this.ask({ scene, doc }, false);
   }
 
-  /** The same scene read again from a text: one step. */
-  read(scene: Scene): void {
-    this.#history?.set({ scene, doc: scene.doc });
+  /** The same scene read again from a text; typing is a gesture, which ends when it rests. */
+  read(scene: Scene, typing: boolean): void {
+    const draft = { scene, doc: scene.doc };
+    if (typing) this.#history?.move(draft);
+    else this.#history?.set(draft);
     this.#asked(false);
+  }
+
+  /** Back to the scene as it was opened: one step. */
+  startOver(): void {
+    if (this.#origin !== null) this.read(this.#origin, false);
   }
 
   /** One step; with `moving` a part of a gesture, which ends with `settle`. */
@@ -105,7 +121,11 @@ export class Store {
   }
 
   setMode(mode: Mode): void {
-    this.#see({ mode });
+    this.#see({ mode, forces: null });
+  }
+
+  setForces(forces: Forces | null): void {
+    this.#see({ forces });
   }
 
   setConnected(connected: boolean): void {
@@ -140,7 +160,7 @@ export class Store {
     const known = draft.doc.problem.swarm.robots.some((robot) => robot.name === this.seen.value?.chosen)
       || draft.doc.problem.newcomer.name === this.seen.value?.chosen;
     this.#see({ ...draft, moving, ...(known ? {} : { chosen: null }) });
-    this.ask(draft.doc, moving);
+    this.ask(draft, moving);
   }
 
   #see(change: Partial<Seen>): void {

@@ -1,7 +1,7 @@
 /* Asking: one question in flight and one waiting; what was asked when the line fell is asked again. */
 
 import { decoded, encoded } from "./frames";
-import { PROTOCOL, type Doc, type Incoming, type Outgoing, type Welcome } from "./messages";
+import { PROTOCOL, type Doc, type Incoming, type Outgoing, type SpeechData, type Welcome } from "./messages";
 import { Signal } from "./signal";
 import type { Wire } from "./wire";
 
@@ -23,7 +23,7 @@ export class Talk {
   readonly #requests = new Map<number, Waiting>();
   #n = 0;
   #flying: Extract<Outgoing, { kind: "ask" }> | null = null;
-  #next: { doc: Doc; moving: boolean } | null = null;
+  #next: { doc: Doc; speech: SpeechData; moving: boolean } | null = null;
 
   constructor(readonly wire: Wire, readonly key: () => string) {
     wire.hear = (data) => this.#take(decoded(data));
@@ -35,9 +35,9 @@ export class Talk {
    * Asks about a document; a newer one takes the place of one that has not been sent yet. Returns
    * the least number that its answer may bear.
    */
-  ask(doc: Doc, moving: boolean): number {
+  ask(doc: Doc, speech: SpeechData, moving: boolean): number {
     const least = this.#n + 1;
-    this.#next = { doc, moving };
+    this.#next = { doc, speech, moving };
     this.#sendNext();
     return least;
   }
@@ -78,6 +78,7 @@ export class Talk {
 
   #take(message: Incoming): void {
     if (message.kind === "welcome") {
+      this.wire.refusal.set(null);
       this.welcome.set(message);
       this.connected.set(true);
       this.hear(message);
@@ -86,7 +87,7 @@ export class Talk {
       this.#sendNext();
       return;
     }
-    const n = "n" in message ? (message.n as number) : 0;
+    const n = "n" in message ? (message.n as number | null) ?? 0 : 0;
     const waiting = this.#requests.get(n);
     if (waiting !== undefined) {
       this.#requests.delete(n);

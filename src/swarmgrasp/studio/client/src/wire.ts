@@ -4,9 +4,13 @@ import { Signal } from "./signal";
 
 export interface Wire {
   readonly up: Signal<boolean>;
+  /** Why the other side will not have us. */
+  readonly refusal: Signal<string | null>;
   send(data: string | ArrayBuffer): void;
   /** Set once, by who talks over it. */
   hear: (data: string | ArrayBuffer) => void;
+  /** Tries again without waiting. */
+  retry(): void;
   close(): void;
 }
 
@@ -16,14 +20,14 @@ const LONGEST_WAIT = 4000;
 /** A WebSocket that comes back by itself. */
 export class SocketWire implements Wire {
   readonly up = new Signal(false);
+  readonly refusal = new Signal<string | null>(null);
   hear: (data: string | ArrayBuffer) => void = () => undefined;
   #socket: WebSocket | null = null;
   #wait = FIRST_WAIT;
   #timer = 0;
   #closed = false;
 
-  /** @param refused called when the server will not have us, with its reason. */
-  constructor(readonly url: string, readonly refused: (code: number, reason: string) => void) {
+  constructor(readonly url: string) {
     this.#connect();
   }
 
@@ -37,7 +41,6 @@ export class SocketWire implements Wire {
     this.#socket?.close();
   }
 
-  /** Without waiting for the next try. */
   retry(): void {
     if (this.#closed || this.up.value) return;
     clearTimeout(this.#timer);
@@ -57,7 +60,7 @@ export class SocketWire implements Wire {
     socket.onclose = (event) => {
       if (this.#socket !== socket) return;
       this.up.set(false);
-      if (event.code >= 4400) this.refused(event.code, event.reason);
+      if (event.code >= 4400) this.refusal.set(event.reason);
       if (this.#closed) return;
       this.#timer = window.setTimeout(() => this.#connect(), this.#wait);
       this.#wait = Math.min(2 * this.#wait, LONGEST_WAIT);

@@ -2,7 +2,8 @@
 
 import type { Context, View } from "../context";
 import type { Layout } from "../layout";
+import type { PlanLayer } from "../plan/plan";
 
-export function views(_layout: Layout, _context: Context): View[] {
+export function views(_layout: Layout, _context: Context, _layer: PlanLayer): View[] {
   return [];
 }

@@ -1,0 +1,143 @@
+/* The plan: the hull from above, and everything on it that can be seen and moved. */
+
+import type { Context, Seen, View } from "../context";
+import { put, show, svg, write, el } from "../dom";
+import type { OutlineData, Pair, RobotData } from "../messages";
+import { Crowd } from "./crowd";
+import { HandleLayer, outlineKnobs, robotKnobs, zoneKnobs, type Knob } from "./handles";
+import { Hands } from "./hands";
+import { HullLayer, ScaleLayer } from "./hull";
+import { MiddleLayer } from "./middle";
+import type { Box } from "./labels";
+import { NameLayer } from "./names";
+import { PushLayer } from "./push";
+import { NewcomerLayer, RobotLayer } from "./robots";
+import { Screen } from "./screen";
+import { Shape } from "./shape";
+import { stageOf, type Stage } from "./stage";
+import { Weather } from "./weather";
+import { figureOf } from "./figures";
+
+/** Room under the hull for the bar of the chosen robot, where the card is low. */
+const LOW = 430;
+const LIFT = 44;
+
+/** Where another view may draw on the plan. */
+export interface PlanLayer {
+  readonly group: SVGGElement;
+  toScreen(at: Pair): Pair;
+  readonly turned: boolean;
+}
+
+export class Plan implements View {
+  readonly svg = svg("svg", { class: "plan-svg", role: "group", "aria-label": "Plan of the hull and its robots" });
+  readonly robots = new RobotLayer();
+  readonly handles = new HandleLayer();
+  readonly push: PushLayer;
+  readonly newcomer = new NewcomerLayer();
+  readonly hands: Hands;
+  readonly layer: PlanLayer;
+  /** What newcomers after the first would do. */
+  later: readonly RobotData[] = [];
+  readonly #hull = new HullLayer();
+  readonly #middle = new MiddleLayer();
+  readonly #names = new NameLayer();
+  readonly #scale = new ScaleLayer();
+  readonly #weather = new Weather();
+  readonly #crowd = new Crowd();
+  readonly #shares = el("div", { class: "push-words", role: "status" });
+  #shape: { of: OutlineData; shape: Shape } | null = null;
+  #stage: Stage | null = null;
+
+  constructor(readonly card: HTMLElement, readonly context: Context) {
+    this.push = new PushLayer(context);
+    const slopes = svg("g", { class: "slopes" });
+    this.svg.append(
+      this.#hull.group, this.#middle.group, slopes, this.robots.group, this.newcomer.group,
+      this.#names.group, this.push.group, this.handles.group, this.#scale.group,
+    );
+    card.prepend(this.#crowd.canvas, this.svg, this.#weather.node, this.#shares);
+    const plan = this;
+    this.layer = {
+      group: slopes,
+      toScreen: (at) => plan.#stage?.screen.at(at) ?? [0, 0],
+      get turned() {
+        return plan.#stage?.screen.turned ?? false;
+      },
+    };
+    this.hands = new Hands(this);
+    new ResizeObserver(() => this.#redraw()).observe(card);
+    context.hover.listen(() => this.#redraw());
+  }
+
+  get stage(): Stage | null {
+    return this.#stage;
+  }
+
+  draw(seen: Seen): void {
+    const { clientWidth: width, clientHeight: height } = this.card;
+    if (width === 0 || height === 0) return;
+    const bar = this.context.root.querySelector<HTMLElement>(".plan .timeline:not([hidden])");
+    const lift = (height < LOW && seen.chosen !== null ? LIFT : 0) + (bar === null ? 0 : 56);
+    const screen = new Screen(this.#shapeOf(seen.doc.problem.swarm.outline), width, height, lift);
+    const stage = stageOf(seen, this.#shape!.shape, screen, this.context.speech.value, this.context.hover.value);
+    this.#stage = stage;
+    put(this.svg, { viewBox: `0 0 ${width} ${height}`, width, height, class: `plan-svg mode-${seen.mode}${stage.scale.many ? " many" : ""}` });
+    this.#crowd.draw(stage);
+    this.#hull.draw(stage);
+    this.#middle.draw(stage);
+    this.robots.draw(stage);
+    this.newcomer.draw(stage, this.later);
+    this.push.draw(stage);
+    this.handles.draw(this.#knobs(stage));
+    this.#weather.draw(stage);
+    const chosen = seen.chosen !== null;
+    this.#scale.draw(stage, chosen && width < 1100);
+    const later = this.later.map((robot) => figureOf(robot, true, stage.shape, screen, stage.scale));
+    this.#names.draw(stage, seen.mode === "push" ? [] : later, this.#kept(stage, chosen));
+    this.#drawShares(seen);
+  }
+
+  #redraw(): void {
+    const seen = this.context.store.seen.value;
+    if (seen !== null) this.draw(seen);
+  }
+
+  #shapeOf(outline: OutlineData): Shape {
+    if (this.#shape?.of !== outline) this.#shape = { of: outline, shape: new Shape(outline) };
+    return this.#shape.shape;
+  }
+
+  #knobs(stage: Stage): Knob[] {
+    const { seen } = stage;
+    if (seen.mode === "edit") return zoneKnobs(stage);
+    if (seen.mode === "outline") return outlineKnobs(stage);
+    if (seen.mode === "push") return this.push.knobs();
+    const half = seen.doc.problem.newcomer.half_angle ?? Math.PI / 2;
+    const fan = this.newcomer.fanSides().map(({ at, sign }): Knob => ({
+      grip: { kind: "fan", sign }, at, label: `How far off square ${seen.doc.problem.newcomer.name} may be`,
+      value: (half * 180) / Math.PI, text: stage.speech.angle(half).replace("+", "±"),
+    }));
+    return [...robotKnobs(stage), ...fan];
+  }
+
+  /** Corners of the card that are taken. */
+  #kept({ screen: { width, height }, seen }: Stage, chosen: boolean): Box[] {
+    const kept: Box[] = [];
+    if (seen.doc.in_weather) kept.push({ left: 12, top: 12, right: width < 520 ? 76 : 236, bottom: 84 });
+    if (width >= 520) {
+      kept.push({ left: 16, top: height - 44, right: 240, bottom: height });
+      kept.push({ left: width - 270, top: 0, right: width, bottom: 52 });
+    } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });
+    if (chosen) kept.push({ left: Math.max(0, width - 640), top: height - 76, right: width, bottom: height });
+    return kept;
+  }
+
+  #drawShares(seen: Seen): void {
+    const on = seen.mode === "push" && seen.forces !== null;
+    show(this.#shares, on);
+    if (!on) return;
+    write(this.#shares, seen.forces!.say);
+    put(this.#shares, { class: seen.forces!.held ? "push-words" : "push-words unreached" });
+  }
+}

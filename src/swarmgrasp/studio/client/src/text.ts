@@ -1,0 +1,169 @@
+/* The scenario as text: what is drawn is written, what is typed is drawn, faults stand at their line. */
+
+import type { Context, Seen, View } from "./context";
+import { el, put, show, write } from "./dom";
+import type { Doc, Fault, Scene } from "./messages";
+
+const PAUSE = 150;
+
+export class TextPane implements View {
+  readonly #where = el("span", { class: "text-where" });
+  readonly #list = el("div", { class: "text-faults", role: "status" });
+  readonly #gutter = el("div", { class: "text-gutter", "aria-hidden": "true" });
+  readonly #paint = el("pre", { class: "text-paint", "aria-hidden": "true" });
+  readonly source = el("textarea", { class: "text-source", spellcheck: "false", wrap: "off", "aria-label": "Scenario as YAML", autocapitalize: "off" });
+  #faults: readonly Fault[] = [];
+  #shown: { doc: Doc; scene: Scene } | null = null;
+  #timer = 0;
+  #asked = 0;
+
+  constructor(readonly card: HTMLElement, readonly context: Context, readonly read: (scene: Scene) => void) {
+    card.append(
+      el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "Scenario"), this.#where), this.#list,
+      el("div", { class: "text-box" }, this.#gutter, el("div", { class: "text-area" }, this.#paint, this.source)),
+    );
+    this.source.addEventListener("input", () => this.#typed());
+    this.source.addEventListener("scroll", () => this.#follow());
+    this.source.addEventListener("keydown", (event) => this.#key(event));
+    this.source.addEventListener("blur", () => context.store.settle());
+  }
+
+  get isOpen(): boolean {
+    return !this.card.hidden;
+  }
+
+  get #typing(): boolean {
+    return this.source.matches(":focus");
+  }
+
+  toggle(losses: HTMLElement): void {
+    show(this.card, !this.isOpen);
+    show(losses, !this.isOpen);
+    if (!this.isOpen) return;
+    this.#shown = null;
+    const seen = this.context.store.seen.value;
+    if (seen !== null) this.draw(seen);
+    this.source.focus();
+  }
+
+  draw(seen: Seen): void {
+    if (!this.isOpen || (this.#typing && this.#shown !== null)) return;
+    if (seen.moving || (this.#shown?.doc === seen.doc && this.#shown.scene === seen.scene)) return;
+    this.#shown = { doc: seen.doc, scene: seen.scene };
+    if (seen.doc === seen.scene.doc) {
+      this.#set(seen.scene.text);
+      return;
+    }
+    const asked = ++this.#asked;
+    void this.text().then((text) => {
+      if (text !== null && asked === this.#asked && !this.#typing) this.#set(text);
+    });
+  }
+
+  /** The text of what is on the page. */
+  async text(): Promise<string | null> {
+    const seen = this.context.store.seen.value;
+    if (seen === null) return null;
+    if (seen.doc === seen.scene.doc) return seen.scene.text;
+    const reply = await this.context.talk.request({ kind: "write", doc: seen.doc, text: seen.scene.text });
+    if (reply.kind === "text") return reply.text;
+    const why = reply.kind === "error" ? reply.say : reply.kind === "refused" ? reply.faults[0]?.sentence : undefined;
+    this.context.toast(why ?? "This cannot be written as a scenario.");
+    return null;
+  }
+
+  #set(text: string): void {
+    const { scrollTop } = this.source;
+    if (this.source.value !== text) this.source.value = text;
+    this.source.scrollTop = scrollTop;
+    this.#tell([]);
+    this.#colour();
+  }
+
+  #typed(): void {
+    this.#colour();
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => void this.#send(), PAUSE);
+  }
+
+  async #send(): Promise<void> {
+    const seen = this.context.store.seen.value;
+    if (seen === null) return;
+    const text = this.source.value;
+    const reply = await this.context.talk.request({ kind: "text", text, name: seen.scene.name });
+    if (this.source.value !== text) return;
+    if (reply.kind === "faults") this.#tell(reply.faults);
+    else if (reply.kind === "error") this.#tell([{ line: null, column: null, path: "", sentence: reply.say }]);
+    else if (reply.kind === "scene") {
+      this.#tell([]);
+      this.read(reply);
+      this.#shown = { doc: reply.doc, scene: reply };
+    }
+  }
+
+  #tell(faults: readonly Fault[]): void {
+    this.#faults = faults;
+    const first = faults[0];
+    write(this.#where, first?.line == null ? "" : `line ${first.line}, column ${first.column ?? 1}`);
+    put(this.source, { "aria-invalid": faults.length > 0 ? "true" : null });
+    this.#list.replaceChildren(...faults.map((fault) => {
+      const words = `${fault.path === "" ? "" : `${fault.path}: `}${fault.sentence}`;
+      const item = el("button", { type: "button", class: "text-fault" }, words);
+      item.addEventListener("click", () => this.#goTo(fault));
+      return item;
+    }));
+    this.#colour();
+  }
+
+  #goTo(fault: Fault): void {
+    if (fault.line === null) return;
+    const lines = this.source.value.split("\n");
+    const before = lines.slice(0, fault.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
+    const at = before + Math.max(0, (fault.column ?? 1) - 1);
+    this.source.focus();
+    this.source.setSelectionRange(at, at);
+    this.source.scrollTop = Math.max(0, (fault.line - 5) * 18);
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.key === "Tab" && !event.shiftKey) {
+      event.preventDefault();
+      this.source.setRangeText("  ", this.source.selectionStart, this.source.selectionEnd, "end");
+      this.#typed();
+    } else if (event.key === "Escape") {
+      this.source.blur();
+      event.preventDefault();
+    }
+    event.stopPropagation();
+  }
+
+  /** Keys in the colour of robots, comments grey; lines with faults underlined. */
+  #colour(): void {
+    const bad = new Set(this.#faults.map(({ line }) => line));
+    const lines = this.source.value.split("\n");
+    this.#paint.replaceChildren(...lines.map((line, i) => painted(line, bad.has(i + 1))));
+    this.#gutter.replaceChildren(...lines.map((_, i) => el("div", { class: bad.has(i + 1) ? "bad" : null }, String(i + 1))));
+    this.#follow();
+  }
+
+  #follow(): void {
+    const { scrollTop, scrollLeft } = this.source;
+    this.#paint.scrollTop = scrollTop;
+    this.#paint.scrollLeft = scrollLeft;
+    this.#gutter.scrollTop = scrollTop;
+  }
+}
+
+const PIECES = /(#.*$)|([\w"'-][\w "'-]*:)(?=\s|$)/g;
+
+function painted(line: string, bad: boolean): HTMLElement {
+  const row = el("div", { class: bad ? "line bad" : "line" });
+  let at = 0;
+  for (const match of line.matchAll(PIECES)) {
+    if (match[1] !== undefined && match.index > 0 && !/\s/.test(line[match.index - 1]!)) continue;
+    row.append(line.slice(at, match.index), el("span", { class: match[1] === undefined ? "key" : "comment" }, match[0]));
+    at = match.index + match[0].length;
+  }
+  row.append(`${line.slice(at)}\n`);
+  return row;
+}
