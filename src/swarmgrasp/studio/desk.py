@@ -12,7 +12,7 @@ from typing import Any
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.asking import Found, ask
 from swarmgrasp.studio.messages import Ask, Done, Error, Refused, write_message
-from swarmgrasp.studio.parts import MOVING, PARTS, Sheet, tell
+from swarmgrasp.studio.parts import MOVING, NAMED, PARTS, Sheet, tell
 from swarmgrasp.studio.reading import faults_in, question_of
 from swarmgrasp.studio.telling import Telling
 from swarmgrasp.studio.turns import ANSWER, Job, Turns
@@ -70,7 +70,7 @@ class Desk:
         """Take an ask of a window."""
         wanted = list(MOVING if message.moving else PARTS)
         if message.wants is not None:
-            wanted = [part for part in wanted if part in message.wants]
+            wanted = [part for part in wanted if NAMED.get(part, part) in message.wants]
         self.turns.ask(window, Work(message), message.moving, wanted)
         self.pump()
 

@@ -23,6 +23,8 @@ Name = Annotated[str, Meta(max_length=MOST_NAME)]
 Source = Annotated[str, Meta(max_length=MOST_TEXT)]
 Pair = tuple[float, float]
 Triple = tuple[float, float, float]
+PartName = Literal["answer", "mesh", "capability", "losses", "landscape", "slopes", "proof"]
+"""The parts of an answer."""
 ProblemData = dict[str, Any]
 """The plain form of a `Problem`, which `Problem.from_data` checks."""
 EnvironmentData = dict[str, Any]
@@ -118,7 +120,7 @@ class Ask(_Asked, frozen=True, forbid_unknown_fields=True):
     moving: bool
     doc: Doc
     speech: Speech
-    wants: tuple[Name, ...] | None = None
+    wants: tuple[PartName, ...] | None = None
 
 
 class Write(_Asked, frozen=True, forbid_unknown_fields=True):
@@ -255,7 +257,7 @@ class Empty(_Said, frozen=True):
     """Why a part has nothing."""
 
     n: int
-    of: str
+    of: PartName
     why: str
 
 
@@ -277,6 +279,52 @@ class Written(_Said, frozen=True, tag="text"):
 
     n: int
     text: str
+
+
+class ForceTold(Part, frozen=True, forbid_unknown_fields=True):
+    """The force [N, N] of one robot, and its share of the largest it has that way."""
+
+    name: str
+    force: Pair
+    share: float
+    say: str
+
+
+class ForcesTold(_Said, frozen=True, tag="forces"):
+    """How hard each robot pushes: the largest share, and by how much [N] it falls short."""
+
+    n: int
+    robots: tuple[ForceTold, ...]
+    top: float
+    shortfall: float
+    say: str
+    held: bool
+
+
+class Placed(Part, frozen=True, forbid_unknown_fields=True):
+    """One of several newcomers in its place, with the quality [N] before it came and after."""
+
+    newcomer: RobotData
+    place: str
+    do: str
+    before: float
+    after: float
+    text: str
+
+
+class SequenceTold(_Said, frozen=True, tag="sequence"):
+    """Several newcomers, and how far from the best they can be."""
+
+    n: int
+    answers: tuple[Placed, ...]
+    say: str
+
+
+class ReportTold(_Said, frozen=True, tag="report"):
+    """The sheet as one file."""
+
+    n: int
+    html: str
 
 
 # -- parts of an answer -------------------------------------------------------------------
@@ -325,7 +373,7 @@ class Fact(Part, frozen=True, forbid_unknown_fields=True):
     names: tuple[str, ...]
 
 
-class NextBest(Part, frozen=True, forbid_unknown_fields=True):
+class NextPlace(Part, frozen=True, forbid_unknown_fields=True):
     """The best of another place; its share is of the best of all."""
 
     place: str
@@ -356,7 +404,7 @@ class AnswerPart(_PartSaid, frozen=True, kw_only=True, tag="answer"):
     order: Order | None
     figures: tuple[Figure, ...]
     facts: tuple[Fact, ...]
-    next: tuple[NextBest, ...]
+    next: tuple[NextPlace, ...]
     newcomer: RobotData | None
     before: float
     after: float
@@ -456,7 +504,7 @@ class SlopesPart(_PartSaid, frozen=True, kw_only=True, tag="slopes"):
     rows: tuple[Slope, ...]
 
 
-class LandPiece(Part, frozen=True, forbid_unknown_fields=True):
+class LandscapePiece(Part, frozen=True, forbid_unknown_fields=True):
     """A piece of the boundary: its arc lengths [m], and the part of the array that is its own.
 
     Its values stand at `first` and on, column by column: (columns, rows).
@@ -478,7 +526,7 @@ class LandscapePart(_PartSaid, frozen=True, kw_only=True, tag="landscape"):
     the best over the directions of each column, columns after columns.
     """
 
-    pieces: tuple[LandPiece, ...]
+    pieces: tuple[LandscapePiece, ...]
     unit: float
     low: float
     high: float
@@ -495,8 +543,42 @@ class ProofPart(_PartSaid, frozen=True, kw_only=True, tag="proof"):
 PartSaid = (
     AnswerPart | MeshPart | CapabilityPart | LossesPart | SlopesPart | LandscapePart | ProofPart
 )
-ToPage = Welcome | Scene | Faults | Refused | Empty | Done | Error | Written
+ToPage = (
+    Welcome
+    | Scene
+    | Faults
+    | Refused
+    | Empty
+    | Done
+    | Error
+    | Written
+    | ForcesTold
+    | SequenceTold
+    | ReportTold
+)
 """What a server may say, beside parts."""
+
+ARRAYS: dict[str, dict[str, str]] = {
+    "MeshPart": {"corners": "i2", "faces": "u2", "starts": "u2", "normals": "i1"},
+    "CapabilityPart": {
+        "bearings": "f4",
+        "intact": "f4",
+        "lost": "f4",
+        "before_intact?": "f4",
+        "before_lost?": "f4",
+    },
+    "LandscapePart": {"values": "u2", "strip": "u2"},
+}
+"""The arrays that follow parts, and their types; those with "?" may be missing."""
+CALLED = {
+    "Error": "ErrorTold",
+    "ForcesTold": "Forces",
+    "Measure": "UnitData",
+    "ReportTold": "Report",
+    "SequenceTold": "Sequence",
+    "Speech": "SpeechData",
+}
+"""What messages are called in the page, where it is another name."""
 
 _reader = msgspec.json.Decoder(FromPage)
 _writer = msgspec.json.Encoder()

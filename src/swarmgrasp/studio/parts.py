@@ -20,8 +20,8 @@ from swarmgrasp.studio.messages import (
     CapabilityPart,
     Empty,
     Figure,
-    LandPiece,
     LandscapePart,
+    LandscapePiece,
     Least,
     LossesPart,
     LossRow,
@@ -264,7 +264,7 @@ def landscape(sheet: Sheet, ms: Callable[[], float]) -> bytes:
         ).reshape(many, len(ways))  # fmt: skip
         normal = outline.inward_normal(piece.edge)
         told.append(
-            LandPiece(
+            LandscapePiece(
                 piece.place, outline.edge_label(piece.edge), base + piece.start, base + piece.end,
                 tuple((base + alongs).tolist()), tuple((ways - normal).tolist()), first,
             )
@@ -298,13 +298,16 @@ def proof(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     return write_message(ProofPart(n=sheet.n, ms=ms(), ok=bool(verdict), text=text))
 
 
+FINELY = "capability, fine"
+NAMED: Mapping[str, Any] = {FINELY: "capability"}
+"""What parts are called in the page, where it is another name."""
 PARTS: Mapping[str, Callable[[Sheet, Callable[[], float]], bytes]] = {
     "mesh": mesh,
     "capability": coarse_capability,
     "losses": told_losses,
     "landscape": landscape,
     "slopes": slopes,
-    "capability, fine": fine_capability,
+    FINELY: fine_capability,
     "proof": proof,
 }
 """The parts, in the order in which they are told."""
@@ -320,4 +323,4 @@ def tell(part: str, sheet: Sheet, ms: Callable[[], float]) -> bytes:
         said = str(why)
     except SwarmGraspError as error:
         said = error.faults[0]
-    return write_message(Empty(sheet.n, part.partition(",")[0], said))
+    return write_message(Empty(sheet.n, NAMED.get(part, part), said))

@@ -11,7 +11,7 @@ from swarmgrasp.studio.messages import (
     Fact,
     Figure,
     First,
-    NextBest,
+    NextPlace,
     Order,
     WeakestTold,
 )
@@ -210,7 +210,7 @@ class Telling:
             return "no allowed place holds every way"
         return f"within {percent(max(bound / after - 1.0, FINE))} of the best"
 
-    def next_best(self) -> tuple[NextBest, ...]:
+    def next_best(self) -> tuple[NextPlace, ...]:
         """Return the best of other places."""
         found = self.found
         if found.placement is None:
@@ -223,7 +223,7 @@ class Telling:
             if found.about == "wind":
                 value, share = math.sqrt(value), math.sqrt(share)
             told.append(
-                NextBest(
+                NextPlace(
                     runner.place, robot.contact, robot.direction, value, self._with_unit(value),
                     share,
                 )

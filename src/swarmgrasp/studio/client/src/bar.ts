@@ -2,9 +2,9 @@
 
 import type { Context, Seen, View } from "./context";
 import { el, icon, iconButton, put, show, write } from "./dom";
-import type { BlowData, CriterionData, Doc, EnvironmentData } from "./messages";
+import type { CriterionData, Doc, EnvironmentData } from "./messages";
 import type { Later } from "./sequence";
-import { figure } from "./speech";
+import { type BlowData, figure } from "./speech";
 import { Spin, Word, type SpinOptions } from "./spin";
 
 const MOST_LOST = 3;

@@ -1,12 +1,13 @@
-/* What page and server say to each other. Lengths in m, forces in N, angles in rad. */
+/* What page and server say to each other. Lengths in m, forces in N, angles in rad.
 
-export const PROTOCOL = 1;
+Made of the server's messages and the library's plain forms by `make page`: do not edit. */
 
 export type Pair = [number, number];
 export type Triple = [number, number, number];
 
-// -- the plain forms of the library ----------------------------------------------------------
+export const PROTOCOL = 1;
 
+/** A simple polygon, convex or not, with the point that moments are taken about. */
 export interface OutlineData {
   vertices: Pair[];
   origin: Pair;
@@ -14,6 +15,7 @@ export interface OutlineData {
   precision: number;
 }
 
+/** How far a robot's pose and strength may be from what they are said to be. */
 export interface ToleranceData {
   contact: Pair;
   direction: Pair;
@@ -21,11 +23,13 @@ export interface ToleranceData {
   may_be_absent: boolean;
 }
 
+/** The room that a robot takes up, away from its contact: of one that pulls, its line too. */
 export interface BodyData {
   length: number;
   beam: number;
 }
 
+/** A robot in contact with the object, and the forces that it can exert there. */
 export interface RobotData {
   contact: Pair;
   direction: number;
@@ -44,8 +48,15 @@ export interface RobotData {
   lever: number;
 }
 
-export type Attachment = "push" | "pull" | "free";
+/** Robots in contact with an object, each known by its name. */
+export interface SwarmData {
+  outline: OutlineData;
+  robots: RobotData[];
+  characteristic_length: number;
+  force_weights: Pair;
+}
 
+/** The robot to place: how hard it can push and which way it may. */
 export interface NewcomerData {
   limit: number;
   attachment: Attachment;
@@ -59,12 +70,14 @@ export interface NewcomerData {
   body: BodyData | null;
 }
 
+/** A stretch of the boundary, counter-clockwise from `start` to `end`. */
 export interface StretchData {
   start: number;
   end: number;
   name: string;
 }
 
+/** Where a newcomer may attach, and how it may push there. */
 export interface ZoneData {
   stretch: StretchData | null;
   attachment: Attachment | null;
@@ -74,21 +87,26 @@ export interface ZoneData {
   name: string;
 }
 
+/** The convex hull of some wrenches and of no wrench at all. */
+export interface PolytopeData {
+  vertices: Triple[];
+}
+
+/** An ellipsoid of wrenches around no wrench: all sum x_k a_k with sum x_k^2 <= 1. */
+export interface EllipsoidData {
+  axes: Triple[];
+}
+
+/** What quality means: how much of a task is left in the worst of cases. */
 export interface CriterionData {
   losing: number;
   worst_case: boolean;
   load: Triple;
-  task: unknown;
+  task: PolytopeData | EllipsoidData | null;
   failures: string[][];
 }
 
-export interface SwarmData {
-  outline: OutlineData;
-  robots: RobotData[];
-  characteristic_length: number;
-  force_weights: Pair;
-}
-
+/** One newcomer looking for a place. */
 export interface ProblemData {
   swarm: SwarmData;
   newcomer: NewcomerData;
@@ -98,21 +116,71 @@ export interface ProblemData {
   criterion: CriterionData;
 }
 
-/** Wind, current or waves: what stands here is changed in the page, the rest is carried along. */
-export interface BlowData {
+/** Blendermann's coefficients of what a vessel shows to the wind. */
+export interface WindCoefficientsData {
+  transverse: number;
+  bow: number;
+  stern: number;
+  cross_force: number;
+}
+
+/** What the object shows to the wind, and perhaps a wind. */
+export interface WindData {
+  frontal_area: number;
+  lateral_area: number;
+  coefficients: WindCoefficientsData;
+  lateral_centroid: number;
   speed: number | null;
   bearing: number | null;
-  [key: string]: unknown;
+  density: number;
 }
 
+/** The loads of winds by speed and bearing, and perhaps a wind. */
+export interface WindTableData {
+  speeds: number[];
+  bearings: number[];
+  loads: Triple[][];
+  about: Pair | null;
+  speed: number | null;
+  bearing: number | null;
+}
+
+/** Drag coefficients of the underwater hull; those of DNV-ST-0111 for a ship by default. */
+export interface CurrentCoefficientsData {
+  surge: number;
+  sway: number;
+}
+
+/** What the object shows to the current, and the current. */
+export interface CurrentData {
+  frontal_area: number;
+  lateral_area: number;
+  speed: number;
+  bearing: number | null;
+  coefficients: CurrentCoefficientsData;
+  lateral_centroid: number;
+  density: number;
+}
+
+/** A sea, and what of the object meets it; the outline is taken for the waterline. */
+export interface WavesData {
+  height: number | null;
+  period: number | null;
+  bearing: number | null;
+  bow_angle: number | null;
+  aft_fullness: number | null;
+  density: number;
+}
+
+/** Wind, current and waves around an object. */
 export interface EnvironmentData {
-  wind: BlowData;
-  current: BlowData | null;
-  waves: (BlowData & { height?: number | null }) | null;
+  wind: WindData | WindTableData;
+  current: CurrentData | null;
   dynamic_factor: number;
+  waves: WavesData | null;
 }
 
-/** The whole state of the page: what is asked. */
+/** The state of a page: what is asked, in SI units and our frame. */
 export interface Doc {
   name: string;
   description: string;
@@ -122,14 +190,14 @@ export interface Doc {
   newcomer: boolean;
 }
 
+/** A unit: its name in the library, its size in SI units, and what people read. */
 export interface UnitData {
   unit: string;
-  /** SI per unit. */
   size: number;
-  /** What people read: t for tf. */
   label: string;
 }
 
+/** How a file's people speak; angles in radians, the bow in the file's frame. */
 export interface SpeechData {
   length: UnitData;
   force: UnitData;
@@ -143,6 +211,223 @@ export interface SpeechData {
   bearings: boolean;
 }
 
+/** The verdict, and whether it is a good one. */
+export interface First {
+  text: string;
+  good: boolean;
+}
+
+/** Who goes where, and does what: a force acts on the object along `way` [rad]. */
+export interface Order {
+  name: string;
+  place: string;
+  contact: Pair;
+  way: number;
+  do: string;
+}
+
+/** A large figure before and after, in a unit that people read. */
+export interface Figure {
+  before: number | null;
+  after: number;
+  unit: string;
+  text: string;
+}
+
+/** A fact with the mark that is its key in the pictures. */
+export interface Fact {
+  mark: "proven" | "weakest" | "loss" | "load" | "note";
+  label: string;
+  text: string;
+  names: string[];
+}
+
+/** The best of another place; its share is of the best of all. */
+export interface NextPlace {
+  place: string;
+  contact: Pair;
+  direction: number;
+  value: number;
+  text: string;
+  share: number;
+}
+
+/** The weakest wrench [N, N, N m], and who sets it. */
+export interface WeakestTold {
+  wrench: Triple;
+  names: string[];
+}
+
+/** The answer in words and figures. */
+export interface AnswerPart {
+  name: "answer";
+  kind: "part";
+  n: number;
+  ms: number;
+  question: "quality" | "wind" | "load";
+  first: First;
+  second: string;
+  order: Order | null;
+  figures: Figure[];
+  facts: Fact[];
+  next: NextPlace[];
+  newcomer: RobotData | null;
+  before: number;
+  after: number;
+  bound: number | null;
+  margin: number | null;
+  load: Triple;
+  weakest: WeakestTold | null;
+  worst_loss: string[] | null;
+  share: number | null;
+}
+
+/** The largest ball, in the mesh's steps: where it is, and where it touches which face. */
+export interface Ball {
+  centre: Triple;
+  radius: number;
+  touches: Triple;
+  face: number | null;
+}
+
+/** The wrench set in the metric's coordinates, in whole steps of `unit` newtons. */
+export interface MeshPart {
+  name: "mesh";
+  kind: "part";
+  n: number;
+  ms: number;
+  unit: number;
+  ball: Ball | null;
+  before: number | null;
+  needed: Triple;
+  corners: Int16Array;
+  faces: Uint16Array;
+  starts: Uint16Array;
+  normals: Int8Array;
+}
+
+/** The least wind held [m/s], from a bearing [rad]. */
+export interface Least {
+  bearing: number;
+  speed: number;
+}
+
+/** The winds held [m/s] at bearings [rad] clockwise from the bow; none is told as NaN. */
+export interface CapabilityPart {
+  name: "capability";
+  kind: "part";
+  n: number;
+  ms: number;
+  least: Least;
+  figure: Figure;
+  bearings: Float32Array;
+  intact: Float32Array;
+  lost: Float32Array;
+  before_intact?: Float32Array;
+  before_lost?: Float32Array;
+}
+
+/** What the loss of one leaves [N]. */
+export interface LossRow {
+  name: string;
+  value: number;
+  held: boolean;
+  worst: boolean;
+  text: string;
+}
+
+/** What each loss leaves, the worst first, and what all have together [N]. */
+export interface LossesPart {
+  name: "losses";
+  kind: "part";
+  n: number;
+  ms: number;
+  rows: LossRow[];
+  all: number;
+  text: string;
+}
+
+/** How fast the quality rises when one robot moves [N/m] the better way, or turns [N/deg]. */
+export interface Slope {
+  name: string;
+  per_metre: number | null;
+  direction: number | null;
+  per_degree: number | null;
+  text: string;
+}
+
+/** The slopes of every robot: clockwise along the boundary or in turning, and the other way. */
+export interface SlopesPart {
+  name: "slopes";
+  kind: "part";
+  n: number;
+  ms: number;
+  rows: Slope[];
+}
+
+/** A piece of the boundary: its arc lengths [m], and the part of the array that is its own. */
+export interface LandscapePiece {
+  name: string;
+  edge: string;
+  start: number;
+  end: number;
+  columns: number[];
+  rows: number[];
+  first: number;
+}
+
+/** The quality at every allowed place and direction. */
+export interface LandscapePart {
+  name: "landscape";
+  kind: "part";
+  n: number;
+  ms: number;
+  pieces: LandscapePiece[];
+  unit: number;
+  low: number;
+  high: number;
+  values: Uint16Array;
+  strip: Uint16Array;
+}
+
+/** What the check says of the answer. */
+export interface ProofPart {
+  name: "proof";
+  kind: "part";
+  n: number;
+  ms: number;
+  ok: boolean;
+  text: string;
+}
+
+/** What a page keeps to: bytes of a message, messages a second, robots. */
+export interface Limits {
+  message: number;
+  rate: number;
+  text: number;
+  robots: number;
+}
+
+/** A scene to choose. */
+export interface SceneTitle {
+  name: string;
+  title: string;
+}
+
+/** The answer to the right key. */
+export interface Welcome {
+  kind: "welcome";
+  protocol: number;
+  version: string;
+  limits: Limits;
+  scenes: SceneTitle[];
+  opens: string;
+  run: string | null;
+  watch: boolean;
+  demonstration: boolean;
+}
+
+/** One thing that is wrong: at a line and column of the text, or at a key of the document. */
 export interface Fault {
   line: number | null;
   column: number | null;
@@ -150,36 +435,7 @@ export interface Fault {
   sentence: string;
 }
 
-// -- from the page ---------------------------------------------------------------------------
-
-export type Outgoing =
-  | { kind: "hello"; key: string; protocol: number }
-  | { kind: "open"; n: number; name: string }
-  | { kind: "text"; n: number; text: string; name: string }
-  | { kind: "ask"; n: number; moving: boolean; doc: Doc; speech: SpeechData }
-  | { kind: "write"; n: number; doc: Doc; text: string }
-  | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple }
-  | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean }
-  | { kind: "report"; n: number; doc: Doc; text: string; format: "html" }
-  | { kind: "run"; n: number; name: string }
-  | { kind: "watch"; n: number; on: boolean }
-  | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "split" | "join" }
-  | { kind: "cancel"; n: number };
-
-// -- from the server -------------------------------------------------------------------------
-
-export interface Welcome {
-  kind: "welcome";
-  protocol: number;
-  version: string;
-  limits: { message: number; robots: number; [name: string]: number };
-  scenes: { name: string; title: string }[];
-  opens: string;
-  run: string | null;
-  watch: boolean;
-  demonstration: boolean;
-}
-
+/** A scenario as it was read. */
 export interface Scene {
   kind: "scene";
   n: number;
@@ -190,156 +446,139 @@ export interface Scene {
   warnings: Fault[];
 }
 
-export type PartName =
-  | "answer" | "mesh" | "capability" | "losses" | "slopes" | "landscape" | "proof";
-
-interface Part {
-  kind: "part";
+/** What is wrong with a text. */
+export interface Faults {
+  kind: "faults";
   n: number;
-  /** What it took the server. */
-  ms: number;
+  faults: Fault[];
 }
 
-export interface Figure {
-  before: string | null;
-  after: string;
-  unit: string;
+/** What is wrong with a document. */
+export interface Refused {
+  kind: "refused";
+  n: number;
+  faults: Fault[];
+}
+
+/** Why a part has nothing. */
+export interface Empty {
+  kind: "empty";
+  n: number;
+  of: PartName;
+  why: string;
+}
+
+/** All parts of an ask have been told. */
+export interface Done {
+  kind: "done";
+  n: number;
+}
+
+/** What could not be done. */
+export interface ErrorTold {
+  kind: "error";
+  n: number | null;
+  say: string;
+}
+
+/** The text of a document. */
+export interface Written {
+  kind: "text";
+  n: number;
   text: string;
 }
 
-export interface Fact {
-  mark: "proven" | "weakest" | "loss" | "load" | "note";
-  label: string;
-  text: string;
-  names: string[];
-}
-
-export interface NextPlace {
-  place: string;
-  contact: Pair;
-  direction: number;
-  value: number;
-  text: string;
-  share: number;
-}
-
-export interface AnswerPart extends Part {
-  name: "answer";
-  first: { text: string; good: boolean };
-  second: string;
-  order: { name: string; place: string; contact: Pair; way: number; do: string } | null;
-  figures: Figure[];
-  facts: Fact[];
-  next: NextPlace[];
-  newcomer: RobotData | null;
-  before: number;
-  after: number;
-  bound: number | null;
-  margin: number | null;
-  load: Triple;
-  weakest: { wrench: Triple; names: string[] } | null;
-  worst_loss: string[] | null;
-  question: "quality" | "wind" | "load";
-  share: number | null;
-}
-
-export interface MeshPart extends Part {
-  name: "mesh";
-  /** N per step of a corner. */
-  unit: number;
-  corners: Int16Array;
-  faces: Uint16Array;
-  starts: Uint16Array;
-  normals: Int8Array;
-  ball: { centre: Triple; radius: number; touches: Triple; face: number | null } | null;
-  before: number | null;
-  needed: Triple;
-}
-
-export interface CapabilityPart extends Part {
-  name: "capability";
-  bearings: Float32Array;
-  intact: Float32Array;
-  lost: Float32Array;
-  before_intact?: Float32Array;
-  before_lost?: Float32Array;
-  least: { bearing: number; speed: number };
-  figure: Figure;
-}
-
-export interface LossesPart extends Part {
-  name: "losses";
-  rows: { name: string; value: number; held: boolean; worst: boolean; text: string }[];
-  all: number;
-  text: string;
-}
-
-export interface SlopesPart extends Part {
-  name: "slopes";
-  rows: { name: string; per_metre: [number | null, number | null]; per_radian: [number | null, number | null]; text: string }[];
-}
-
-export interface LandscapePiece {
+/** The force [N, N] of one robot, and its share of the largest it has that way. */
+export interface ForceTold {
   name: string;
-  edge: string;
-  start: number;
-  end: number;
-  /** Angles off square. */
-  rows: number[];
-  /** Arc lengths. */
-  columns: number[];
-  /** Where its values begin, column by column. */
-  first: number;
+  force: Pair;
+  share: number;
+  say: string;
 }
 
-export interface LandscapePart extends Part {
-  name: "landscape";
-  pieces: LandscapePiece[];
-  unit: number;
-  low: number;
-  high: number;
-  /** 0 where nothing is allowed, else 1 + value / unit. */
-  values: Uint16Array;
-  strip: Uint16Array;
-}
-
-export interface ProofPart extends Part {
-  name: "proof";
-  ok: boolean;
-  text: string;
-}
-
-export type AnyPart =
-  | AnswerPart | MeshPart | CapabilityPart | LossesPart | SlopesPart | LandscapePart | ProofPart;
-
+/** How hard each robot pushes: the largest share, and by how much [N] it falls short. */
 export interface Forces {
   kind: "forces";
   n: number;
-  robots: { name: string; force: Pair; share: number; say: string }[];
+  robots: ForceTold[];
   top: number;
   shortfall: number;
   say: string;
   held: boolean;
 }
 
+/** One of several newcomers in its place, with the quality [N] before it came and after. */
+export interface Placed {
+  newcomer: RobotData;
+  place: string;
+  do: string;
+  before: number;
+  after: number;
+  text: string;
+}
+
+/** Several newcomers, and how far from the best they can be. */
 export interface Sequence {
   kind: "sequence";
   n: number;
-  answers: { newcomer: RobotData; place: string; do: string; before: number; after: number; text: string }[];
+  answers: Placed[];
+  say: string;
 }
 
+/** The sheet as one file. */
+export interface Report {
+  kind: "report";
+  n: number;
+  html: string;
+}
+
+export type Attachment =
+  | "push"
+  | "pull"
+  | "free";
+
+export type PartName =
+  | "answer"
+  | "mesh"
+  | "capability"
+  | "losses"
+  | "landscape"
+  | "slopes"
+  | "proof";
+
+export type AnyPart =
+  | AnswerPart
+  | MeshPart
+  | CapabilityPart
+  | LossesPart
+  | SlopesPart
+  | LandscapePart
+  | ProofPart;
+
+export type Outgoing =
+  | { kind: "hello"; key: string; protocol: number }
+  | { kind: "open"; n: number; name: string }
+  | { kind: "text"; n: number; text: string; name: string }
+  | { kind: "ask"; n: number; moving: boolean; doc: Doc; speech: SpeechData; wants?: PartName[] | null }
+  | { kind: "write"; n: number; doc: Doc; text: string }
+  | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple }
+  | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean }
+  | { kind: "report"; n: number; doc: Doc; text: string; format: "html" }
+  | { kind: "run"; n: number; name: string }
+  | { kind: "watch"; n: number; on: boolean }
+  | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "split" | "join" }
+  | { kind: "cancel"; n: number };
+
 export type Incoming =
+  | AnyPart
   | Welcome
   | Scene
-  | AnyPart
-  | { kind: "faults"; n: number; faults: Fault[] }
-  | { kind: "empty"; n: number; of: PartName; why: string }
-  | { kind: "done"; n: number }
-  | { kind: "refused"; n: number; faults: Fault[] }
-  | { kind: "text"; n: number; text: string }
+  | Faults
+  | Refused
+  | Empty
+  | Done
+  | ErrorTold
+  | Written
   | Forces
   | Sequence
-  | { kind: "report"; n: number; html: string }
-  | { kind: "run"; n: number; [key: string]: unknown }
-  | { kind: "live"; [key: string]: unknown }
-  | { kind: "error"; n: number | null; say: string };
+  | Report;

@@ -2,6 +2,9 @@
 
 import type { Pair, SpeechData, UnitData } from "./messages";
 
+/** Of wind, current or waves: what is changed in the page. */
+export type BlowData = { speed: number | null; bearing: number | null };
+
 const SPACE = "\u00a0";
 const MINUS = "\u2212";
 const TURN = 2 * Math.PI;

@@ -1,8 +1,8 @@
 /* Wind, current and waves, upper left: where they come from, in arrows and in words. */
 
 import { el, put, show, svg, write } from "../dom";
-import type { BlowData, Pair } from "../messages";
-import type { Speech } from "../speech";
+import type { Pair } from "../messages";
+import type { BlowData, Speech } from "../speech";
 import { arrow } from "./figures";
 import type { Stage } from "./stage";
 
@@ -29,8 +29,8 @@ export class Weather {
     show(this.node, blows);
     if (!blows) return;
     const { wind, current, waves } = environment;
-    const from = (blow: BlowData | null): number | null => (blow === null ? null : blow.bearing ?? wind.bearing);
-    const drawn = (group: SVGGElement, blow: BlowData | null, radius: number, width: number): void => {
+    const from = (blow: Pick<BlowData, "bearing"> | null): number | null => (blow === null ? null : blow.bearing ?? wind.bearing);
+    const drawn = (group: SVGGElement, blow: Pick<BlowData, "bearing"> | null, radius: number, width: number): void => {
       const bearing = from(blow);
       put(group, { hidden: bearing === null || !((blow?.speed ?? 0) > 0 || blow === waves) });
       if (bearing === null) return;
@@ -45,7 +45,7 @@ export class Weather {
     this.#write(wind, current, waves, speech);
   }
 
-  #write(wind: BlowData, current: BlowData | null, waves: BlowData | null, speech: Speech): void {
+  #write(wind: BlowData, current: BlowData | null, waves: Pick<BlowData, "bearing"> | null, speech: Speech): void {
     const words = [
       wind.speed === null ? "no wind" : `wind ${speech.speed(wind.speed)}`,
       wind.bearing === null ? "" : `from ${speech.bearing(wind.bearing)}`,
