@@ -1,7 +1,7 @@
 /* Wind, current and waves, upper left: where they come from, in arrows and in words. */
 
 import { el, put, show, svg, write } from "../dom";
-import type { Pair } from "../messages";
+import type { Pair, WavesData } from "../messages";
 import type { BlowData, Speech } from "../speech";
 import { arrow } from "./figures";
 import type { Stage } from "./stage";
@@ -30,9 +30,9 @@ export class Weather {
     if (!blows) return;
     const { wind, current, waves } = environment;
     const from = (blow: Pick<BlowData, "bearing"> | null): number | null => (blow === null ? null : blow.bearing ?? wind.bearing);
-    const drawn = (group: SVGGElement, blow: Pick<BlowData, "bearing"> | null, radius: number, width: number): void => {
+    const drawn = (group: SVGGElement, blow: BlowData | WavesData | null, radius: number, width: number): void => {
       const bearing = from(blow);
-      put(group, { hidden: bearing === null || !((blow?.speed ?? 0) > 0 || blow === waves) });
+      put(group, { hidden: bearing === null || !(blow !== null && (!("speed" in blow) || (blow.speed ?? 0) > 0)) });
       if (bearing === null) return;
       const way = Math.PI - bearing;
       const [start, end] = [screen.step(MIDDLE, way, -radius), screen.step(MIDDLE, way, radius)];
