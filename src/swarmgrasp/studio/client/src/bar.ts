@@ -60,8 +60,8 @@ export class Bar implements View {
       iconButton("share", "Copy a link to this", buttons.share), this.textButton,
       iconButton("theme", "Dark or light", buttons.theme), iconButton("help", "Keys", buttons.keys));
     bar.append(this.name, sentence, icons);
-    this.#undo.classList.add("undo");
-    this.#redo.classList.add("redo");
+    icons.querySelector(".icon-share")!.parentElement!.classList.add("share-button");
+    icons.querySelector(".icon-help")!.parentElement!.classList.add("help-button");
   }
 
   draw(seen: Seen): void {

@@ -21,6 +21,7 @@ export class Talk {
   /** Set once: everything that is not the answer to a request. */
   hear: (message: Incoming) => void = () => undefined;
   readonly #requests = new Map<number, Waiting>();
+  readonly #last = new Map<Request["kind"], Promise<unknown>>();
   #n = 0;
   #flying: Extract<Outgoing, { kind: "ask" }> | null = null;
   #next: { doc: Doc; speech: SpeechData; moving: boolean } | null = null;
@@ -42,8 +43,15 @@ export class Talk {
     return least;
   }
 
-  /** Sends what has one answer. */
+  /** Sends what has one answer; of each kind one at a time, since the server answers the newest. */
   request(request: Request): Promise<Incoming> {
+    const before = this.#last.get(request.kind) ?? Promise.resolve();
+    const reply = before.then(() => this.#exchange(request));
+    this.#last.set(request.kind, reply);
+    return reply;
+  }
+
+  #exchange(request: Request): Promise<Incoming> {
     const message = { ...request, n: ++this.#n } as Asked;
     return new Promise((answered) => {
       this.#requests.set(message.n, { message, answered });

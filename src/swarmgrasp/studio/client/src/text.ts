@@ -16,6 +16,7 @@ export class TextPane implements View {
   #shown: { doc: Doc; scene: Scene } | null = null;
   #timer = 0;
   #asked = 0;
+  #sending = false;
 
   constructor(readonly card: HTMLElement, readonly context: Context, readonly read: (scene: Scene) => void) {
     card.append(
@@ -86,12 +87,15 @@ export class TextPane implements View {
     this.#timer = window.setTimeout(() => void this.#send(), PAUSE);
   }
 
+  /** Sends what stands there, one text at a time, and the newest next. */
   async #send(): Promise<void> {
     const seen = this.context.store.seen.value;
-    if (seen === null) return;
+    if (seen === null || this.#sending) return;
     const text = this.source.value;
+    this.#sending = true;
     const reply = await this.context.talk.request({ kind: "text", text, name: seen.scene.name });
-    if (this.source.value !== text) return;
+    this.#sending = false;
+    if (this.source.value !== text) return this.#send();
     if (reply.kind === "faults") this.#tell(reply.faults);
     else if (reply.kind === "error") this.#tell([{ line: null, column: null, path: "", sentence: reply.say }]);
     else if (reply.kind === "scene") {

@@ -63,13 +63,21 @@ export function figureOf(robot: RobotData, isNew: boolean, shape: Shape, screen:
   const perNewton = (gap + length) / robot.limit;
   const reach = reachOf(robot).map((corners) =>
     path(corners.map(([x, y]) => screen.step(contact, Math.atan2(sign * y, sign * x), perNewton * Math.hypot(x, y))), true));
+  const round = robot.steers >= Math.PI && robot.envelope === null && robot.sectors === null;
+  const beside = round ? besides(shape, robot.contact) : outward;
   return {
-    robot, isNew, stance, contact, width, reach, free,
+    robot, isNew, stance, contact, width, reach, round,
+    free: round ? screen.step(contact, beside, gap + length) : free,
     from: sign < 0 ? free : near,
     to: sign < 0 ? near : free,
-    angle: screen.angle(outward),
-    round: robot.steers >= Math.PI && robot.envelope === null && robot.sectors === null,
+    angle: screen.angle(beside),
   };
+}
+
+/** Which way a name goes beside one that pushes all round: out of the hull by the shortest way. */
+function besides(shape: Shape, [x, y]: Pair): number {
+  const { left, right, bottom, top } = shape.box;
+  return Math.atan2((2 * y - bottom - top) / (top - bottom), (2 * x - left - right) / (right - left));
 }
 
 /** Shaft and head of an arrow; a head as long as the arrow is drawn alone. */

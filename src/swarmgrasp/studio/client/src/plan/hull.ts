@@ -5,9 +5,12 @@ import type { LandscapePart, Pair, StretchData, ZoneData } from "../messages";
 import { figure } from "../speech";
 import type { Stage } from "./stage";
 import { path } from "./screen";
+import { distance } from "./shape";
 
 const OFF_HULL = 9;
 const ROUND = [1, 2, 5];
+/** Pixels between the word and a contact. */
+const NEAR_WORD = 20;
 
 interface Cell {
   readonly d: string;
@@ -73,12 +76,15 @@ export class HullLayer {
     return hovered?.kind === "zone" && hovered.name === zone ? `${name} hovered` : name;
   }
 
-  #drawBow({ shape, screen }: Stage): void {
+  #drawBow({ shape, screen, figures, newcomer }: Stage): void {
     const { right } = shape.box;
     const heights = shape.vertices.filter(([x]) => x > right - 0.02 * shape.perimeter).map(([, y]) => y);
     const middle = heights.reduce((sum, y) => sum + y, 0) / heights.length;
     const [x, y] = screen.at([right, middle]);
-    put(this.#bow, screen.turned ? { x, y: y + 20 } : { x: x - 44, y });
+    const spots = [20, 50, 80, 110].map((back): Pair => (screen.turned ? [x, y + back] : [x - back - 24, y]));
+    const taken = [...figures, ...(newcomer === null ? [] : [newcomer])].map(({ contact }) => contact);
+    const free = spots.find((spot) => taken.every((contact) => distance(contact, spot) > NEAR_WORD)) ?? spots[0]!;
+    put(this.#bow, { x: free[0], y: free[1] });
     write(this.#bow, "bow");
   }
 
@@ -101,6 +107,7 @@ export class HullLayer {
     const cells: Cell[] = [];
     const spots = new Map<number, number>();
     const span = Math.max(land.high - land.low, 1e-300);
+    const seam = 1 / this.#stage!.screen.scale;
     let first = 0;
     for (const piece of land.pieces) {
       const { columns } = piece;
@@ -113,7 +120,8 @@ export class HullLayer {
           return;
         }
         const from = i === 0 ? piece.start : (columns[i - 1]! + along) / 2;
-        const to = i === columns.length - 1 ? piece.end : (along + columns[i + 1]!) / 2;
+        // Each reaches a little under the next, so that no seam shows.
+        const to = i === columns.length - 1 ? piece.end : Math.min(piece.end, (along + columns[i + 1]!) / 2 + seam);
         if (share > 0.02) cells.push({ d: this.#between(from, to), share });
       });
       first += columns.length;

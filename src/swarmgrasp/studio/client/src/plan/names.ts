@@ -5,7 +5,10 @@ import type { Pair } from "../messages";
 import type { Figure } from "./figures";
 import { NAMES_ONLY } from "./figures";
 import { placed, type Box, type Placed, type Room, type Wanted } from "./labels";
+import { FAN_RADIUS } from "./robots";
 import type { Stage } from "./stage";
+
+const BEYOND_FAN = FAN_RADIUS + 16;
 
 interface Label {
   readonly figure: Figure;
@@ -52,7 +55,7 @@ export class NameLayer {
       return {
         key: figure.isNew ? `new ${name}` : name, end: figure.free, angle: figure.angle,
         width: Math.max(this.#width(name, figure.isNew ? 15 : 13, 600), this.#width(second, 12, 400)),
-        height: second === "" ? 16 : 32, off: chosen && !figure.isNew ? 24 : chosen ? 34 : 9,
+        height: second === "" ? 16 : 32, off: offOf(figure, chosen),
         optional: !chosen && !figure.isNew,
       };
     });
@@ -94,6 +97,12 @@ export class NameLayer {
     }
     return width;
   }
+}
+
+/** Pixels from the free end: beyond the handle of one that is chosen, and beyond a newcomer's fan. */
+function offOf({ isNew, free, contact }: Figure, chosen: boolean): number {
+  if (!chosen) return 9;
+  return isNew ? BEYOND_FAN - Math.hypot(free[0] - contact[0], free[1] - contact[1]) : 24;
 }
 
 export function boxOf(points: readonly Pair[]): Box {

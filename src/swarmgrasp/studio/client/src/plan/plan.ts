@@ -21,6 +21,7 @@ import { figureOf } from "./figures";
 /** Room under the hull for the bar of the chosen robot, where the card is low. */
 const LOW = 430;
 const LIFT = 44;
+const OVERLAP = 12;
 
 /** Where another view may draw on the plan. */
 export interface PlanLayer {
@@ -75,8 +76,10 @@ export class Plan implements View {
   }
 
   draw(seen: Seen): void {
-    const { clientWidth: width, clientHeight: height } = this.card;
-    if (width === 0 || height === 0) return;
+    const width = this.card.clientWidth;
+    // On phones the sheet lies over the card's last pixels.
+    const height = this.card.clientHeight - (width === this.context.root.clientWidth ? OVERLAP : 0);
+    if (width <= 0 || height <= 0) return;
     const bar = this.context.root.querySelector<HTMLElement>(".plan .timeline:not([hidden])");
     const lift = (height < LOW && seen.chosen !== null ? LIFT : 0) + (bar === null ? 0 : 56);
     const screen = new Screen(this.#shapeOf(seen.doc.problem.swarm.outline), width, height, lift);
@@ -129,7 +132,8 @@ export class Plan implements View {
       kept.push({ left: 16, top: height - 44, right: 240, bottom: height });
       kept.push({ left: width - 270, top: 0, right: width, bottom: 52 });
     } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });
-    if (chosen) kept.push({ left: Math.max(0, width - 640), top: height - 76, right: width, bottom: height });
+    const bar = chosen ? this.card.querySelector<HTMLElement>(".inspect:not([hidden])") : null;
+    if (bar !== null) kept.push({ left: bar.offsetLeft - 8, top: bar.offsetTop - 4, right: width, bottom: height });
     return kept;
   }
 

@@ -25,7 +25,7 @@ function parts(group: SVGGElement): Parts {
     head: svg("path", { class: "head" }),
     tail: svg("path", { class: "head" }),
     ring: svg("circle", { class: "ring", r: 11 }),
-    contact: svg("circle", { class: "contact" }),
+    contact: svg("circle", { class: "foot" }),
   };
   group.append(made.reach, made.grab, made.shaft, made.head, made.tail, made.ring, made.contact);
   return made;
@@ -108,7 +108,7 @@ function blend(from: Pair, to: Pair, share: number): Pair {
   return [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])];
 }
 
-const FAN_RADIUS = 92;
+export const FAN_RADIUS = 92;
 
 /** The newcomer at its best place, what it may do there, and where else it might go. */
 export class NewcomerLayer {
