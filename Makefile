@@ -84,6 +84,10 @@ $(VENV)/developing: $(VENV)/locked requirements-dev.lock | $(VENV)/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
 	touch $@
 
+$(VENV)/packing: $(VENV)/locked requirements-packing.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-packing.lock
+	touch $@
+
 $(VENV)/benchmarking: $(VENV)/developing requirements-bench.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-bench.lock
 	touch $@
@@ -105,14 +109,25 @@ $(VENV)/documenting: $(VENV)/developing requirements-docs.lock
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 	--no-emit-find-links --no-header --no-annotate pyproject.toml
 
+# The packages, as an index takes them, and each tried in clean environments: dist/
+dist: $(VENV)/packing
+	rm -rf dist build/wheel && mkdir -p dist
+	$(BIN)/python -m build --no-isolation --sdist --outdir dist .
+	$(BIN)/python -m build --no-isolation --wheel --outdir build/wheel .
+	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/auditwheel repair --wheel-dir dist build/wheel/*.whl
+	$(BIN)/abi3audit --strict --summary dist/*.whl
+	$(BIN)/twine check --strict dist/*
+	$(BIN)/python packaging/try.py dist
+
 lock:
 	$(LOCK) --upgrade --extra build -o requirements.lock
 	$(LOCK) --upgrade --extra build --extra dev -o requirements-dev.lock
 	$(LOCK) --upgrade --extra build --extra dev --extra docs -o requirements-docs.lock
 	$(LOCK) --upgrade --extra build --extra dev --extra bench -o requirements-bench.lock
+	$(LOCK) --upgrade --extra build --extra packing -o requirements-packing.lock
 	$(LOCK) --resolution lowest-direct --extra build --extra test -o requirements-oldest.lock
 
 clean:
-	rm -rf $(VENV) .venv-oldest .venv-newest build demo docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) .venv-oldest .venv-newest build demo dist docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
 	rm -f src/swarmgrasp/kernels/*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
