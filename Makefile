@@ -117,7 +117,7 @@ dist: $(VENV)/packing
 	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/auditwheel repair --wheel-dir dist build/wheel/*.whl
 	$(BIN)/abi3audit --strict --summary dist/*.whl
 	$(BIN)/twine check --strict dist/*
-	$(BIN)/python packaging/try.py dist
+	$(BIN)/python tools/try_packages.py dist
 
 lock:
 	$(LOCK) --upgrade --extra build -o requirements.lock

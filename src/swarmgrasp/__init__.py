@@ -124,3 +124,17 @@ __all__ = [
     "wrenches",
     "write_answer",
 ]
+
+
+def __dir__() -> list[str]:
+    """Return the public names, and no room of the package."""
+    return sorted([*__all__, "__version__"])
+
+
+def __getattr__(name: str) -> str:
+    """Return the version, read from the installed package when it is asked for."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("swarmgrasp")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Hashable, Iterator, Mapping
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from types import MappingProxyType
 from typing import Any, TypeVar
 
@@ -12,6 +12,10 @@ from numpy.typing import NDArray
 Array = TypeVar("Array", bound=NDArray[Any])
 _SETTLED = (float, tuple, bool, str, int, type(None))
 """Most of what objects hold: nothing to freeze."""
+
+
+_FEW = 4
+"""Longer rows are told by their length."""
 
 
 class Frozen:
@@ -31,7 +35,15 @@ class Frozen:
     >>> row = Row(np.array([1.0, np.nan]))
     >>> row.numbers.flags.writeable, row == Row(np.array([1.0, np.nan])), len({row, row})
     (False, True, 1)
+    >>> row, Row(np.zeros((6, 2)))
+    (Row(numbers=[1.0, nan]), Row(numbers=<6 x 2 numbers>))
     """
+
+    def __init_subclass__(cls) -> None:
+        """Keep the short form below where a dataclass would write out all it holds."""
+        super().__init_subclass__()
+        if "__repr__" not in vars(cls):
+            cls.__repr__ = Frozen.__repr__  # type: ignore[method-assign]
 
     def __post_init__(self) -> None:
         """Freeze the fields."""
@@ -64,6 +76,15 @@ class Frozen:
         """Go through the values that make two of them equal."""
         return (getattr(self, f.name) for f in fields(self) if f.compare)  # type: ignore[arg-type]
 
+    def __repr__(self) -> str:
+        """Return what it holds in a line: long rows by length, objects by class."""
+        shown = (
+            f"{part.name}={_brief(getattr(self, part.name))}"
+            for part in fields(self)  # type: ignore[arg-type]
+            if part.repr
+        )
+        return f"{type(self).__name__}({', '.join(shown)})"
+
     def __eq__(self, other: object) -> bool:
         """Compare by value."""
         if self is other:
@@ -89,6 +110,21 @@ def read_only(array: Array) -> Array:
 def _thawed(value: object) -> object:
     """Return a value that can be pickled."""
     return dict(value) if isinstance(value, MappingProxyType) else value
+
+
+def _brief(value: object) -> str:
+    """Return a value in few words."""
+    if is_dataclass(value):
+        return f"<{type(value).__name__}>"
+    if isinstance(value, np.ndarray):
+        if value.size > _FEW:
+            return f"<{' x '.join(map(str, value.shape))} numbers>"
+        return f"{value.tolist()}"
+    if isinstance(value, tuple | Mapping) and len(value) > _FEW:
+        return f"<{len(value)} of {type(next(iter(value))).__name__}>"
+    if isinstance(value, tuple):
+        return f"({', '.join(map(_brief, value))}{',' * (len(value) == 1)})"
+    return repr(value)
 
 
 def _same(one: object, other: object) -> bool:

@@ -264,3 +264,17 @@ def test_normals_and_lengths_are_kept_for_all_edges():
     for array in (outline.inward_normals, outline.lengths, outline.edge_ends(3)[1]):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 9.0
+
+
+def test_an_outline_goes_to_shapely_and_comes_back() -> None:
+    """With its names and origin where they are given; no hole is swallowed."""
+    square = Polygon([(0, 0), (0, 2), (4, 2), (4, 0)])
+    found = Outline.from_shapely(square, (1.0, 1.0), ["left", "top", "right", "bottom"])
+    assert found.to_shapely().equals(square)
+    assert found.area == 8.0
+    assert found.inward_normal("left") == 0.0
+    assert "4 m by 2 m" in found._repr_svg_()
+    with pytest.raises(OutlineInvalid, match="has 1 holes"):
+        Outline.from_shapely(square.difference(Polygon([(1, 1), (2, 1), (2, 1.5)])))
+    with pytest.raises(OutlineInvalid, match="it should be a shapely Polygon"):
+        Outline.from_shapely(square.exterior)

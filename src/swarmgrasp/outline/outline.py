@@ -5,6 +5,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +18,7 @@ from swarmgrasp.outline.polygon import (
     centroid,
     checked_vertices,
     edge_name_faults,
+    exterior,
     signed_area,
 )
 from swarmgrasp.outline.precision import written_precision
@@ -32,6 +34,9 @@ from swarmgrasp.ranges import (
     number,
     shown,
 )
+
+if TYPE_CHECKING:
+    from shapely import Polygon
 
 BOUNDARY_TOLERANCE = 1e-6
 """Largest distance of a contact from the boundary, relative to the outline's extent."""
@@ -185,6 +190,59 @@ class Outline(Frozen, Plain):
         }
         vars(self).update(arrays, edge_names=tuple(map(str, names)), precision=float(precision))
         self._freeze()
+
+    @classmethod
+    def from_shapely(
+        cls,
+        polygon: "Polygon",
+        origin: ArrayLike | None = None,
+        edge_names: Sequence[str] | None = None,
+        precision: float | None = None,
+    ) -> Self:
+        """Make an outline of a polygon of shapely.
+
+        Parameters
+        ----------
+        polygon : shapely.Polygon [m, m]
+            One without holes.
+        origin, edge_names, precision
+            As for `Outline`; names in the order of the polygon's exterior.
+
+        Raises
+        ------
+        OutlineInvalid
+            If it is no polygon or has holes, or as for `Outline`.
+
+        Examples
+        --------
+        >>> from shapely import box
+        >>> Outline.from_shapely(box(0, 0, 4, 2)).to_shapely().equals(box(0, 0, 4, 2))
+        True
+        """
+        return cls(exterior(polygon), origin, edge_names, precision)
+
+    def to_shapely(self) -> "Polygon":
+        """Return the outline as a polygon of shapely, in metres and counter-clockwise."""
+        from shapely import Polygon
+
+        return Polygon(self.vertices)
+
+    def _repr_svg_(self) -> str:
+        """Return a picture for a notebook: the outline, x to the right, and the origin."""
+        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
+        width, height = (high - low).tolist()
+        margin, line = 0.04 * self.extent, 0.004 * self.extent
+        corners = " ".join(f"{x:.6g},{-y:.6g}" for x, y in self.vertices.tolist())
+        x, y = self.origin.tolist()
+        return (
+            '<svg xmlns="http://www.w3.org/2000/svg" width="320" role="img" '
+            f'aria-label="outline of {len(self)} edges, {width:.6g} m by {height:.6g} m" '
+            f'viewBox="{low[0] - margin:.6g} {-high[1] - margin:.6g} '
+            f'{width + 2.0 * margin:.6g} {height + 2.0 * margin:.6g}">'
+            f'<polygon points="{corners}" fill="#eef2f5" stroke="#25323e" '
+            f'stroke-width="{line:.3g}"/>'
+            f'<circle cx="{x:.6g}" cy="{-y:.6g}" r="{2.0 * line:.3g}" fill="#25323e"/></svg>'
+        )
 
     # -- measures ---------------------------------------------------------------------
 

@@ -52,6 +52,23 @@ def checked_vertices(vertices: ArrayLike) -> NDArray[np.float64]:
     return corners
 
 
+def exterior(polygon: object) -> NDArray[np.float64]:
+    """Return the corners (k, 2) of a polygon of shapely, or raise `OutlineInvalid`."""
+    from shapely import Polygon, get_coordinates
+
+    if not isinstance(polygon, Polygon):
+        raise OutlineInvalid(
+            f"the polygon is {shown(type(polygon).__name__)}; it should be a shapely Polygon"
+        )
+    if polygon.interiors:
+        raise OutlineInvalid(
+            f"the polygon has {len(polygon.interiors)} holes; it should be its exterior alone, "
+            "Polygon(polygon.exterior)"
+        )
+    corners: NDArray[np.float64] = get_coordinates(polygon.exterior)
+    return corners
+
+
 def is_simple(corners: Sequence[Sequence[float]]) -> bool:
     """Tell whether corners, in order, are a spot, a line, or a polygon that crosses nothing."""
     from shapely import Polygon

@@ -14,7 +14,7 @@ from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import search_for
 from swarmgrasp.placement.spans import SpanSearch
-from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.criterion import Terms, criterion_of
 from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
 from swarmgrasp.swarm.columns import check_contacts, checked_columns
@@ -69,7 +69,7 @@ def qualities_with(
     [0.696311, 0.0]
     """
     check_swarm(swarm)
-    criterion = Criterion(**terms)
+    criterion = criterion_of("qualities_with", terms)
     columns = checked_columns(contacts, directions, limits, False)
     check_contacts(swarm.outline, columns, numbered(len(columns.limits)))
     if not len(columns.limits):

@@ -19,7 +19,7 @@ from swarmgrasp.placement.spans import SpanSearch, Stand, robot_on
 from swarmgrasp.placement.tolerant import Found as Aimed
 from swarmgrasp.placement.tolerant import TolerantSearch
 from swarmgrasp.quality.aim import Aim, Work
-from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
+from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms, criterion_of
 from swarmgrasp.quality.robot_sets import UNSURE
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import call_faults, count_faults, gap_faults, items, number, shown
@@ -449,7 +449,7 @@ def _posed(parts: tuple[Any, ...], terms: Terms, faults: list[str]) -> Problem:
     kinds: list[tuple[type[SwarmGraspError], Sequence[str]]] = [(ProblemInvalid, faults)]
     criterion = NOMINAL
     try:
-        criterion = Criterion(**terms) if terms else NOMINAL
+        criterion = criterion_of("place", terms)
     except SwarmGraspError as error:
         kinds.insert(0, (type(error), error.faults))
     try:

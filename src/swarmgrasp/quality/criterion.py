@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
 from swarmgrasp.quality.task import Task
-from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, items, numbers, shown
+from swarmgrasp.ranges import STRONGEST, flag_faults, is_whole, items, nearest_name, numbers, shown
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.words import TIMES, Unit, list_words, machine_words, wrench_words
 
@@ -223,4 +223,28 @@ class Criterion(Plain):
 
 
 NOMINAL = Criterion()
+
+
+def criterion_of(asker: str, terms: Terms) -> Criterion:
+    """Return the criterion of the keywords that a function was given.
+
+    Raises
+    ------
+    TypeError
+        If a keyword is no part of a criterion; it names the function.
+
+    Examples
+    --------
+    >>> criterion_of("quality", {"loosing": 1})
+    Traceback (most recent call last):
+    ...
+    TypeError: quality() got an unexpected keyword argument 'loosing'; did you mean 'losing'?
+    """
+    for name in terms:
+        if name not in Terms.__annotations__:
+            near = nearest_name(name, list(Terms.__annotations__))
+            raise TypeError(f"{asker}() got an unexpected keyword argument {name!r}{near}")
+    return Criterion(**terms) if terms else NOMINAL
+
+
 """The quality of a swarm as it stands, alone, in newtons."""

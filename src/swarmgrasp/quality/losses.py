@@ -5,7 +5,7 @@ from typing import Any, Unpack
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
-from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.criterion import Terms, criterion_of
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
@@ -85,7 +85,7 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
     (0.0, 'R5', 0.6963)
     """
     check_swarm(swarm)
-    Criterion(**terms)
+    criterion_of("losses", terms)
     before = quality(swarm, **terms).value
     machines: dict[str | int, list[int]] = {}
     for i in range(len(swarm)):

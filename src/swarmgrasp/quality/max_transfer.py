@@ -12,7 +12,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked, plain
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.changing import changing_bounds
-from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms
+from swarmgrasp.quality.criterion import Criterion, Terms, criterion_of
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.mean_reach import mean_reach
@@ -258,7 +258,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     (0.0, 'no', 3)
     """
     check_swarm(swarm)
-    criterion = Criterion(**terms) if terms else NOMINAL
+    criterion = criterion_of("quality", terms)
     held, choice, most = swarm, None, None
     if swarm.rare.gaps:
         held, choice, most = best_choice(swarm, criterion)

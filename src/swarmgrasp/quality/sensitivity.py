@@ -10,7 +10,7 @@ from swarmgrasp.errors import CriterionInvalid, ForceSetUnsupported
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.aim import Aim
-from swarmgrasp.quality.criterion import Criterion, Terms
+from swarmgrasp.quality.criterion import Criterion, Terms, criterion_of
 from swarmgrasp.quality.heights import Array, Heights
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.opposed import opposition
@@ -147,7 +147,7 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
     """
     check_swarm(swarm)
-    criterion = Criterion(**terms)
+    criterion = criterion_of("sensitivities", terms)
     if criterion.worst_case:
         raise CriterionInvalid(
             "worst_case is True; sensitivities are of robots whose poses are known: leave it out, "

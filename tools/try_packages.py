@@ -1,4 +1,4 @@
-"""Try the packages as somebody does who has just found them: in clean environments, by two commands.
+"""Try the packages as somebody does who has just found them: in clean environments.
 
 The wheel goes in where no compiler can be had; the source archive is built, and its own tests run.
 Run by `make dist`, with each Python of the versions below that this machine has.
@@ -16,7 +16,15 @@ from pathlib import Path
 VERSIONS = ("3.11", "3.12", "3.13", "3.14")
 ROOMS = ("tests/kernels", "tests/outline", "tests/swarm", "tests/test_command.py")
 """Tests that run with every Python; the first runs them all if it is asked to."""
-PINNED = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--require-hashes", "-r")
+PINNED = (
+    "-m",
+    "pip",
+    "install",
+    "--quiet",
+    "--disable-pip-version-check",
+    "--require-hashes",
+    "-r",
+)
 OWN = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps")
 
 
@@ -51,7 +59,8 @@ def run(*command: object, where: Path, **environment: str) -> str:
         check=False,
     )
     if done.returncode:
-        sys.exit(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+        said = " ".join(map(str, command))
+        sys.exit(f"{said} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
     return done.stdout
 
 
@@ -63,7 +72,7 @@ def environment(python: Path, folder: Path, locked: Path) -> Path:
 
 
 def first_answer(commands: Path, folder: Path) -> str:
-    """Have an answer, and its proof checked, in an empty folder; return the verdict's first line."""
+    """Have an answer and its proof checked; return the verdict's first line."""
     run(commands / "swarmgrasp", "place", "deck-barge", "--json", "answer.json", where=folder)
     said = run(commands / "swarmgrasp", "verify", "answer.json", where=folder)
     return said.splitlines()[0]
@@ -78,7 +87,7 @@ def try_wheel(python: Path, wheel: Path, locked: Path, folder: Path) -> str:
 
 
 def try_source(python: Path, archive: Path, folder: Path, tests: tuple[str, ...]) -> str:
-    """Unpack the source archive, build and install it, and run its tests; return their last line."""
+    """Build and install the source archive, and run its tests; return their last line."""
     with tarfile.open(archive) as packed:
         packed.extractall(folder, filter="data")
     (source,) = folder.glob("swarmgrasp-*")
@@ -105,7 +114,9 @@ def main() -> None:
     for number, (version, python) in enumerate(found.items()):
         with tempfile.TemporaryDirectory() as made:
             folder = Path(made)
-            print(f"Python {version}, wheel: {try_wheel(python, wheel, locked, folder)}", flush=True)
+            print(
+                f"Python {version}, wheel: {try_wheel(python, wheel, locked, folder)}", flush=True
+            )
             tests = () if options.whole and number == 0 else ROOMS
             said = try_source(python, archive, folder, tests)
             print(f"Python {version}, source: {said}", flush=True)
