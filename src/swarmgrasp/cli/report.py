@@ -71,7 +71,7 @@ def report(
     scenario = read_scenario(file, faults)
     if scenario.answer is not None:
         _check_answer(scenario.answer, file, date, weather)
-    job = _solved(weather.on(scenario, file), file, date)
+    job = _solved(weather.on(scenario, file), file, _source_of(file), date)
     if job.verdict is not None and not job.verdict:
         complain(f"{job.source}: {fault}" for fault in job.verdict.faults)
         complain([f"{job.source}: the answer is refused, and {page} is not written"])
@@ -80,6 +80,21 @@ def report(
         sheet = _sheet(job, phrasing.terms(job.scenario))
     _write(sheet, page, markdown)
     return 0
+
+
+def html_of(scenario: "Scenario", source: str, text: str) -> str:
+    """Return the sheet about a scenario, as one HTML file.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    source : str
+        What the sheet calls the file.
+    text : str
+        What stands in it.
+    """
+    job = _solved(scenario, source, (source, text.encode()), None)
+    return _sheet(job, scenario.terms).html()
 
 
 @dataclass(frozen=True)
@@ -152,7 +167,9 @@ def _check_answer(answer: Mapping[str, Any], file: str, date: str | None, weathe
         raise UsageFault(faults)
 
 
-def _solved(scenario: "Scenario", file: str, date: str | None) -> _Job:
+def _solved(
+    scenario: "Scenario", file: str, source: tuple[str, bytes | None], date: str | None
+) -> _Job:
     """Answer a job, or take the answer that stands in its file, and check it."""
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.place import solve
@@ -175,27 +192,30 @@ def _solved(scenario: "Scenario", file: str, date: str | None) -> _Job:
             verdict = verify_document(dict(document))
         if verdict and not answers:
             answers = placements_in(document)
-    origin = _origin(scenario, file, date or str(document["date"])[:10])
+    origin = _origin(scenario, *source, date or str(document["date"])[:10])
     return _Job(scenario, origin.source, answers, document, verdict, origin)
 
 
-def _origin(scenario: "Scenario", file: str, date: str) -> "Origin":
+def _source_of(file: str) -> tuple[str, bytes | None]:
+    """Return what the sheet calls a file, and what stands in it; None of standard input."""
+    from swarmgrasp.scenario import example_text
+
+    if file == DASH:
+        return STDIN, None
+    if os.path.lexists(file):
+        return Path(file).name, Path(file).read_bytes()
+    return f"{file}, a built-in example", example_text(file).encode()
+
+
+def _origin(scenario: "Scenario", source: str, content: bytes | None, date: str) -> "Origin":
     """Return where the numbers come from."""
     import hashlib
     from importlib.metadata import version
 
     from swarmgrasp.plain import plain
     from swarmgrasp.report import Origin
-    from swarmgrasp.scenario import example_text
     from swarmgrasp.verify.digest import digest_of
 
-    source, content = Path(file).name, None
-    if file == DASH:
-        source = STDIN
-    elif os.path.lexists(file):
-        content = Path(file).read_bytes()
-    else:
-        source, content = f"{file}, a built-in example", example_text(file).encode()
     asked = {"problem": scenario.problem().to_data(), "environment": plain(scenario.environment)}
     return Origin(
         version=version("swarmgrasp"),

@@ -49,13 +49,14 @@ def studio(
     faults = whole_faults("--port", port, 0, 65535)
     if faults:
         raise UsageFault(faults)
+    from swarmgrasp.cli.report import html_of
     from swarmgrasp.studio.scenes import built_in
     from swarmgrasp.studio.server import Settings, opened
 
     scenes = built_in()
     name, scenes[name] = _scene(file, scenes)
     try:
-        serving = opened(Settings(scenes, name, port=int(port)))
+        serving = opened(Settings(scenes, name, port=int(port), reporting=html_of))
     except OSError as error:
         raise UsageFault(
             f"port {port} of 127.0.0.1 cannot be listened at: {error.strerror}"

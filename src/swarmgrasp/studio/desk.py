@@ -3,7 +3,7 @@
 import asyncio
 import itertools
 import logging
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from time import thread_time
@@ -76,16 +76,22 @@ class Desk:
 
     def errand(self, window: int, message: Any) -> None:
         """Take any other message of a window that is computed."""
-        self.turns.errand(window, type(message).__name__, message)
+        overtaken = self.turns.errand(window, type(message).__name__, message)
+        if overtaken is not None:
+            self._start(self._send(window, write_message(Done(overtaken.n))))
         self.pump()
 
     def pump(self) -> None:
         """Begin whatever may begin."""
         loop = asyncio.get_running_loop()
         while (job := self.turns.next(loop.time())) is not None:
-            task = loop.create_task(self._run(job))
-            self._running.add(task)
-            task.add_done_callback(self._running.discard)
+            self._start(self._run(job))
+
+    def _start(self, doing: Coroutine[Any, Any, None]) -> None:
+        """Begin something, and keep it until it is done."""
+        task = asyncio.get_running_loop().create_task(doing)
+        self._running.add(task)
+        task.add_done_callback(self._running.discard)
 
     async def _run(self, job: Job) -> None:
         """Compute a job, send what came of it, and go on."""
@@ -93,6 +99,8 @@ class Desk:
         cost = 0.0
         try:
             frame, cost = await loop.run_in_executor(self._pool, self._computed, job)
+            if job.kind == ANSWER and job.work.found is None:
+                self.turns.refuse(job.window)
             await self._send(job.window, frame)
         finally:
             self.turns.finish(job, cost, loop.time())
@@ -125,22 +133,30 @@ class Desk:
             return 1e3 * (thread_time() - start)
 
         if job.is_errand:
-            return self.errands[type(job.work)](job.work)
+            return self._errand(job.work)
         work: Work = job.work
         if job.kind == ANSWER:
-            return self._answer(work, job, spent)
+            return self._answer(work, spent)
         if work.found is None:
             return b""
         sheet = Sheet(work.ask.n, work.found, lambda: self.turns.is_overtaken(job.window, work))
         return tell(job.kind, sheet, spent)
 
-    def _answer(self, work: Work, job: Job, spent: Callable[[], float]) -> bytes:
+    def _errand(self, message: Any) -> bytes:
+        """Do an errand."""
+        try:
+            return self.errands[type(message)](message)
+        except SwarmGraspError as error:
+            if hasattr(message, "doc"):
+                return write_message(Refused(message.n, faults_in(error.faults)))
+            return write_message(Error(message.n, error.faults[0]))
+
+    def _answer(self, work: Work, spent: Callable[[], float]) -> bytes:
         """Answer an ask."""
         try:
             question = question_of(work.ask.doc, work.ask.speech)
             work.found = ask(question, None if work.ask.moving else 0.0)
         except SwarmGraspError as error:
-            self.turns.refuse(job.window)
             return write_message(Refused(work.ask.n, faults_in(error.faults)))
         return write_message(Telling(work.found).part(work.ask.n, spent()))
 

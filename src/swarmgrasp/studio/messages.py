@@ -155,6 +155,7 @@ class Report(_Asked, frozen=True, forbid_unknown_fields=True):
 
     n: Number
     doc: Doc
+    speech: Speech
     text: Source
     format: Literal["html"]
 

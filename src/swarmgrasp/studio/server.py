@@ -16,14 +16,18 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.studio.desk import Desk, Errand
+from swarmgrasp.studio.errands import Reporting, told_forces, told_report, told_sequence
 from swarmgrasp.studio.guard import HEADERS, MOST_BYTES, RATE, Guard, new_key
 from swarmgrasp.studio.messages import (
     MOST_TEXT,
     PROTOCOL,
     Error,
     Faults,
+    Forces,
     Limits,
     Open,
+    Report,
+    Sequence,
     Text,
     Welcome,
     write_message,
@@ -60,6 +64,8 @@ class Settings:
         0 for any that is free.
     names : tuple of str
         Under which the server is asked, beside those of this machine.
+    reporting : callable, optional
+        Makes the sheet about a job.
     certificate, private_key : str, optional
         Files of TLS.
     """
@@ -69,6 +75,7 @@ class Settings:
     host: str = "127.0.0.1"
     port: int = 0
     names: tuple[str, ...] = ()
+    reporting: Reporting | None = None
     certificate: str | None = None
     private_key: str | None = None
     key: str = field(default_factory=new_key, repr=False)
@@ -172,7 +179,16 @@ def _errands(settings: Settings) -> dict[type, Errand]:
         except ScenarioInvalid as error:
             return write_message(Faults(n, faults_of(name, error)))
 
-    return {Open: opened, Text: typed}
+    errands: dict[type, Errand] = {
+        Open: opened,
+        Text: typed,
+        Forces: told_forces,
+        Sequence: told_sequence,
+    }
+    reporting = settings.reporting
+    if reporting is not None:
+        errands[Report] = lambda message: told_report(message, reporting)
+    return errands
 
 
 class Server(uvicorn.Server):

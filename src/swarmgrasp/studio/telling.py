@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from swarmgrasp.outline import Outline
 from swarmgrasp.quality import Quality
 from swarmgrasp.studio.asking import Found
 from swarmgrasp.studio.figures import DEGREE, SPACE, Figures, count
@@ -139,27 +140,13 @@ class Telling:
         if placement is None:
             return None
         robot = placement.robot
-        return Order(robot.name, placement.place, robot.contact, robot.direction, self.do(robot))
-
-    def do(self, robot: Robot) -> str:
-        """Say what a robot is to do."""
-        limit = self.figures.forces(robot.limit)
-        if robot.steers >= math.pi or robot.lever:
-            return f"Push {limit} any way"
-        towards = f"towards {self.figures.bearing(robot.direction)}"
-        if robot.mounted:
-            return f"Push {limit} {towards}"
-        outline = self.found.problem.swarm.outline
-        normal = outline.at_point(robot.contact).inward
-        off = turned(robot.direction - normal)
-        verb = "Push"
-        if abs(off) > 90.0:
-            verb, normal = "Pull", normal + math.pi
-            off = turned(robot.direction - normal)
-        if robot.steers:
-            half = round(math.degrees(robot.steers))
-            return f"{verb} {limit} within {half}{DEGREE} of {towards.removeprefix('towards ')}"
-        return f"{verb} {limit} {towards}, {_lean(off, normal)}"
+        return Order(
+            robot.name,
+            placement.place,
+            robot.contact,
+            robot.direction,
+            do_words(robot, self.found.problem.swarm.outline, self.figures),
+        )
 
     # -- figures and facts -----------------------------------------------------------------
 
@@ -268,6 +255,26 @@ class Telling:
             wrench = after.direction / self.found.swarm.scale
         x, y, turn = wrench.tolist()
         return WeakestTold((x, y, turn), after.facet_robots)
+
+
+def do_words(robot: Robot, outline: Outline, figures: Figures) -> str:
+    """Say what a robot is to do."""
+    limit = figures.forces(robot.limit)
+    if robot.steers >= math.pi or robot.lever:
+        return f"Push {limit} any way"
+    towards = figures.bearing(robot.direction)
+    if robot.mounted:
+        return f"Push {limit} towards {towards}"
+    normal = outline.at_point(robot.contact).inward
+    off = turned(robot.direction - normal)
+    verb = "Push"
+    if abs(off) > 90.0:
+        verb, normal = "Pull", normal + math.pi
+        off = turned(robot.direction - normal)
+    if robot.steers:
+        half = round(math.degrees(robot.steers))
+        return f"{verb} {limit} within {half}{DEGREE} of {towards}"
+    return f"{verb} {limit} towards {towards}, {_lean(off, normal)}"
 
 
 def _figure(

@@ -89,9 +89,12 @@ class Turns:
         """Take an ask: the newest wins."""
         self._windows[window].waiting = Asked(work, is_moving, list(parts))
 
-    def errand(self, window: int, kind: str, work: Any) -> None:
-        """Take an errand: of each kind the newest wins."""
-        self._windows[window].errands[kind] = work
+    def errand(self, window: int, kind: str, work: Any) -> Any | None:
+        """Take an errand: of each kind the newest wins; return the one that is overtaken."""
+        errands = self._windows[window].errands
+        overtaken = errands.get(kind)
+        errands[kind] = work
+        return overtaken
 
     def cancel(self, window: int) -> None:
         """Leave the parts that are not begun."""

@@ -89,7 +89,7 @@ export class Menu {
     const seen = this.context.store.seen.value;
     const text = await this.actions.text();
     if (seen === null || text === null) return;
-    const reply = await this.context.talk.request({ kind: "report", doc: seen.doc, text, format: "html" });
+    const reply = await this.context.talk.request({ kind: "report", doc: seen.doc, speech: seen.scene.speech, text, format: "html" });
     if (reply.kind === "report") this.#download(new Blob([reply.html], { type: "text/html" }), "html");
     else this.context.toast(reply.kind === "error" ? reply.say : "The report cannot be made of this.");
   }

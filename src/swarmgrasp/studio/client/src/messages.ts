@@ -563,7 +563,7 @@ export type Outgoing =
   | { kind: "write"; n: number; doc: Doc; text: string }
   | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple }
   | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean }
-  | { kind: "report"; n: number; doc: Doc; text: string; format: "html" }
+  | { kind: "report"; n: number; doc: Doc; speech: SpeechData; text: string; format: "html" }
   | { kind: "run"; n: number; name: string }
   | { kind: "watch"; n: number; on: boolean }
   | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "split" | "join" }
