@@ -10,6 +10,4 @@ node_modules/.bin/esbuild src/boot.ts --bundle --minify --format=esm --target=es
 node_modules/.bin/esbuild src/page.css --bundle --minify --target=es2022 \
   --legal-comments=none --log-level=warning --external:*.woff2 --outfile="$page/page.css"
 cp index.html "$page/"
-for font in fonts/*.woff2; do
-  if [ -e "$font" ]; then cp "$font" "$page/"; fi
-done
+cp fonts/*.woff2 fonts/OFL.txt "$page/"

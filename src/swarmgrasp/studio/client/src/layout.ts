@@ -14,6 +14,9 @@ export interface Layout {
   readonly bar: HTMLElement;
   readonly plan: HTMLElement;
   readonly timeline: HTMLElement;
+  /** Of the rail and the tiles, which a phone draws up from below. */
+  readonly drawer: HTMLElement;
+  readonly tiles: HTMLElement;
   readonly side: HTMLElement;
   /** The answer in words. */
   readonly answer: HTMLElement;
@@ -50,13 +53,16 @@ export function layout(root: HTMLElement): Layout {
   const land = tile("land", "Places and directions");
   const side = el("div", { class: "side" }, answer, losses.card, text);
   const tiles = el("div", { class: "tiles" }, wrench.card, rose.card, land.card);
+  const drawer = el("div", { class: "drawer" }, side, tiles);
   const banner = el("div", { class: "banner", role: "status", hidden: true });
   const toasts = el("div", { class: "toasts", role: "status" });
   const spoken = el("div", { class: "spoken", role: "status", "aria-live": "polite" });
   const over = el("div", { class: "over" });
-  const main = el("main", { class: "main" }, plan, side, tiles);
+  const main = el("main", { class: "main" }, plan, drawer);
   root.classList.add("studio");
   root.replaceChildren(bar, banner, main, toasts, spoken, over);
   plan.append(timeline);
-  return { bar, plan, timeline, side, answer, losses, text, wrench, rose, land, banner, toasts, spoken, over };
+  return {
+    bar, plan, timeline, drawer, tiles, side, answer, losses, text, wrench, rose, land, banner, toasts, spoken, over,
+  };
 }

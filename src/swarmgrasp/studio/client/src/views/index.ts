@@ -3,7 +3,22 @@
 import type { Context, View } from "../context";
 import type { Layout } from "../layout";
 import type { PlanLayer } from "../plan/plan";
+import { Answer } from "./answer";
+import { Body } from "./body";
+import { makeDrawer } from "./drawer";
+import { Landscape } from "./landscape";
+import { Losses } from "./losses";
+import { Rose } from "./rose";
+import { Slopes } from "./slopes";
 
-export function views(_layout: Layout, _context: Context, _layer: PlanLayer): View[] {
-  return [];
+export function views(layout: Layout, context: Context, layer: PlanLayer): View[] {
+  makeDrawer(layout, context);
+  return [
+    new Answer(layout.answer, context),
+    new Losses(layout.losses, context),
+    new Body(layout.wrench, context),
+    new Rose(layout.rose, context),
+    new Landscape(layout.land, context),
+    new Slopes(layer, context),
+  ];
 }

@@ -1,0 +1,146 @@
+/* The landscape's measures: a column for each piece, degrees off square up, names below. No DOM. */
+
+import type { LandscapePiece } from "../messages";
+import { folded, type Shape } from "../plan/shape";
+
+const DEGREE = Math.PI / 180;
+const RANGES = [35, 65, 90, 180];
+const LEAST_WIDTH = 18;
+const GAP = 5;
+
+export interface Axis {
+  /** Of the picture, either way off square [rad]. */
+  readonly range: number;
+  /** Where lines and figures stand [rad]. */
+  readonly ticks: readonly number[];
+}
+
+export interface Column {
+  readonly piece: LandscapePiece;
+  readonly edge: number;
+  readonly left: number;
+  readonly width: number;
+  /** Off square into the hull, or out of it [rad], one for each row. */
+  readonly off: readonly number[];
+}
+
+/** Off square, of a push and of a pull alike: both are square at 0. */
+export function offOf(row: number): number {
+  const off = folded(row);
+  return Math.abs(off) <= Math.PI / 2 + 1e-9 ? off : folded(off - Math.PI);
+}
+
+/** Whether a piece may be taken in all directions, so that its rows are more than half a turn. */
+export function isFree(piece: LandscapePiece): boolean {
+  const { rows } = piece;
+  return rows.length > 1 && Math.abs(rows[rows.length - 1]! - rows[0]!) > Math.PI + 1e-6;
+}
+
+export function axisOf(pieces: readonly LandscapePiece[]): Axis {
+  const free = pieces.some(isFree);
+  const most = Math.max(0, ...pieces.flatMap((piece) => ends(piece).map((row) => Math.abs(free ? folded(row) : offOf(row)))));
+  const degrees = free ? 180 : RANGES.find((range) => most <= range * DEGREE + 1e-9) ?? 180;
+  const step = degrees > 90 ? 90 : degrees > 65 ? 45 : degrees > 35 ? 30 : 15;
+  const ticks = [];
+  for (let tick = -Math.floor(degrees / step) * step; tick <= degrees; tick += step) ticks.push(tick * DEGREE);
+  return { range: degrees * DEGREE, ticks };
+}
+
+function ends({ rows }: LandscapePiece): number[] {
+  return rows.length === 0 ? [] : [rows[0]!, rows[rows.length - 1]!];
+}
+
+/** The edge that a piece lies on; of a corner the one that is named. */
+export function edgeOf({ edge: name, start, end }: LandscapePiece, shape: Shape): number {
+  const edge = shape.edgeAt((start + end) / 2);
+  const before = (edge + shape.vertices.length - 1) % shape.vertices.length;
+  const isNamed = (index: number): boolean => name === (shape.names[index] || `edge ${index}`);
+  const atCorner = end === start && Math.abs(shape.wrapped(start) - shape.starts[edge]!) < 1e-6 * shape.perimeter;
+  return atCorner && !isNamed(edge) && isNamed(before) ? before : edge;
+}
+
+/** Columns side by side, as they stand round the outline: all wide enough to hit, and longer pieces wider. */
+export function columnsOf(pieces: readonly LandscapePiece[], shape: Shape, left: number, width: number): Column[] {
+  const gap = Math.min(GAP, width / (3 * pieces.length));
+  const room = width - gap * (pieces.length - 1);
+  const base = Math.min(LEAST_WIDTH, room / pieces.length);
+  const total = pieces.reduce((sum, piece) => sum + piece.end - piece.start, 0);
+  const spare = room - base * pieces.length;
+  const free = pieces.some(isFree);
+  let at = left;
+  return [...pieces].sort((a, b) => a.start - b.start).map((piece) => {
+    const wide = base + spare * (total > 0 ? (piece.end - piece.start) / total : 1 / pieces.length);
+    const edge = edgeOf(piece, shape);
+    const column = { piece, edge, left: at, width: wide, off: piece.rows.map((row) => (free ? folded(row) : offOf(row))) };
+    at += wide + gap;
+    return column;
+  });
+}
+
+/**
+ * The value at a place within a column (0 to 1 along it) and off square, in steps; null where
+ * nothing is allowed. Between cells it is interpolated.
+ */
+export function valueAt(column: Column, values: ArrayLike<number>, along: number, off: number): number | null {
+  const { piece: { columns, first }, off: rows } = column;
+  const row = position(rows, off);
+  if (row === null) return null;
+  const at = along * (columns.length - 1);
+  const [i, j] = [Math.floor(at), Math.floor(row)];
+  const [u, v] = [at - i, row - j];
+  const cell = (a: number, b: number): number =>
+    values[first + Math.min(a, columns.length - 1) * rows.length + Math.min(b, rows.length - 1)]!;
+  const corners = [cell(i, j), cell(i + 1, j), cell(i, j + 1), cell(i + 1, j + 1)] as const;
+  if (corners.some((value) => value === 0)) {
+    const nearest = cell(Math.round(at), Math.round(row));
+    return nearest === 0 ? null : nearest - 1;
+  }
+  const [low, high] = [corners[0] + u * (corners[1] - corners[0]), corners[2] + u * (corners[3] - corners[2])];
+  return low + v * (high - low) - 1;
+}
+
+/** Half the height of a row that stands alone [rad]. */
+const ALONE = 2 * DEGREE;
+
+/** The place of an angle among rows that rise evenly; null beyond them. */
+function position(rows: readonly number[], off: number): number | null {
+  const [low, high] = [rows[0]!, rows[rows.length - 1]!];
+  if (rows.length === 1) return Math.abs(off - low) <= ALONE ? 0 : null;
+  if (off < low - 1e-9 || off > high + 1e-9) return null;
+  return Math.max(0, Math.min(rows.length - 1, ((off - low) / (high - low)) * (rows.length - 1)));
+}
+
+const KINDS = /^(bollards?|pads?|fairleads?|chocks?|cleats?|sides?|places?)$/;
+
+/** A name short enough to stand under a column: what kind of place it is goes without saying. */
+export function shortName(name: string): string {
+  const words = name.split(/\s+/).map((word) => (word === "starboard" ? "stbd" : word));
+  const kept = words.filter((word) => !KINDS.test(word));
+  return (kept.length > 0 ? kept : words).join(" ");
+}
+
+export interface Named {
+  readonly text: string;
+  /** Its middle. */
+  readonly x: number;
+  readonly column: number;
+}
+
+/** Names that do not touch each other, the first column of `before` others first. */
+export function namesOf(
+  columns: readonly Column[], first: number, measure: (text: string) => number, left: number, right: number,
+): Named[] {
+  const order = columns.map((_, i) => i).sort((a, b) => Number(b === first) - Number(a === first) || a - b);
+  const placed: { from: number; to: number; named: Named }[] = [];
+  for (const i of order) {
+    const column = columns[i]!;
+    const text = shortName(column.piece.name);
+    if (text === "" || placed.some(({ named }) => named.text === text)) continue;
+    const half = measure(text) / 2;
+    const x = Math.max(left + half, Math.min(right - half, column.left + column.width / 2));
+    const [from, to] = [x - half - 6, x + half + 6];
+    if (2 * half > right - left || placed.some((other) => from < other.to && to > other.from)) continue;
+    placed.push({ from, to, named: { text, x, column: i } });
+  }
+  return placed.map(({ named }) => named);
+}
