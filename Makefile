@@ -7,7 +7,7 @@ KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch] src/swarmgrasp/kernels/pytho
 # Warnings are errors here, but where the package is installed for use: make WARNINGS= builds anyway.
 WARNINGS := -Wall -Wextra -Werror
 
-.PHONY: demo test test-c test-long test-oldest test-newest lint docs bench paper page lock clean
+.PHONY: demo test test-c test-long test-oldest test-newest lint docs bench paper page page-tools lock clean
 
 demo: $(VENV)/installed
 	mkdir -p demo
@@ -59,8 +59,10 @@ paper: $(VENV)/developing
 
 # The page of the studio from its sources: with Node, which users of the package need not have.
 CLIENT := src/swarmgrasp/studio/client
-page: $(CLIENT)/node_modules/.package-lock.json
+page: page-tools
 	cd $(CLIENT) && npm run --silent check && npm run --silent build
+
+page-tools: $(CLIENT)/node_modules/.package-lock.json
 
 $(CLIENT)/node_modules/.package-lock.json: $(CLIENT)/package-lock.json
 	cd $(CLIENT) && npm ci --silent --ignore-scripts --no-audit --no-fund
