@@ -120,8 +120,10 @@ class Frame:
         270.0
         >>> round(math.degrees(Frame(heading=math.radians(30)).bearing(math.pi / 2)), 9)
         300.0
+        >>> Frame().bearing(1e-17)
+        0.0
         """
-        return ((self.heading or 0.0) - direction) % math.tau
+        return ((self.heading or 0.0) - direction) % math.tau % math.tau
 
 
 OURS: Final = Frame()

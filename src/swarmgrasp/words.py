@@ -1,6 +1,7 @@
 """Numbers and units for people: forces, lengths, angles, shares, wrenches, lists of names."""
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -89,10 +90,12 @@ def plural(word: str) -> str:
 
     Examples
     --------
-    >>> plural("tug")
-    'tugs'
+    >>> [plural(word) for word in ("tug", "launch", "ferry", "buoy")]
+    ['tugs', 'launches', 'ferries', 'buoys']
     """
-    return f"{word}s"
+    if re.search("(s|x|z|ch|sh)$", word):
+        return f"{word}es"
+    return f"{word[:-1]}ies" if re.search("[^aeiou]y$", word) else f"{word}s"
 
 
 def list_words(names: Sequence[str]) -> str:
@@ -187,7 +190,7 @@ class Unit:
         return f"{self._part(force, whole, self.newtons)} {self.name}"
 
     def turn(self, torque: float, whole: float) -> str:
-        """Do the same for a part of a torque [N m].
+        """Return a part of a torque [N m] with its unit, to the last digit of the whole.
 
         Examples
         --------
@@ -221,12 +224,12 @@ def digits(value: float, size: float, figures: int = 5) -> str:
     --------
     >>> digits(2.0, 2.0, 4), digits(0.5, 100.0, 4), digits(0.0, 0.0), digits(-1e-9, 1.0)
     ('2.000', '0.5', '0', '0')
-    >>> [digits(v, v) for v in (123.456, 0.000123456, 1234567.0, -2.5, 1.25e-7)]
-    ['123.46', '0.00012346', '1234567', '-2.5000', '1.2500e-07']
+    >>> [digits(v, v) for v in (123.456, 0.000123456, 1234567.0, -2.5, 1.25e-7, 9.99996)]
+    ['123.46', '0.00012346', '1234567', '-2.5000', '1.2500e-07', '10.000']
     """
     if value == 0.0 or size == 0.0:
         return "0"
-    power = math.floor(math.log10(abs(size)))
+    power = _power(size, figures)
     if power <= -6:
         return f"{value:.{figures - 1}e}"
     decimals = max(0, figures - 1 - power)
@@ -239,15 +242,20 @@ def percent(share: float) -> str:
 
     Examples
     --------
-    >>> percent(1.0806), percent(0.975), percent(0.0), percent(2.2e-7)
-    ('108 %', '97.5 %', '0 %', '0.000022 %')
+    >>> percent(1.0806), percent(0.975), percent(0.0), percent(2.2e-7), percent(0.999996)
+    ('108 %', '97.5 %', '0 %', '0.000022 %', '100 %')
     """
     value = 100.0 * share
     if value == 0.0:
         return "0 %"
-    power = math.floor(math.log10(abs(value)))
+    power = _power(value, 3)
     figures = 2 if power >= -1 else 1
     return f"{value:.{max(0, figures - power)}f} %"
+
+
+def _power(value: float, figures: int) -> int:
+    """Return the power of ten of a number's first digit, once it is rounded to some digits."""
+    return int(f"{value:.{figures - 1}e}".partition("e")[2])
 
 
 @dataclass(frozen=True)
