@@ -1,9 +1,9 @@
 """A scenario made of what people have: an outline or a matrix, robots, and what was assumed."""
 
-import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from swarmgrasp.scenario.build import build
 from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults
 from swarmgrasp.scenario.imports.allocation import is_allocation_file, read_allocation
-from swarmgrasp.scenario.imports.expand import OUTLINE_OPTIONS, expand, noded
+from swarmgrasp.scenario.imports.expand import OUTLINE_OPTIONS, expand, length_unit, noded
 from swarmgrasp.scenario.imports.outlines import DETECT
 from swarmgrasp.scenario.imports.source import Source
 from swarmgrasp.scenario.reading import load_scenario
@@ -25,8 +25,8 @@ from swarmgrasp.swarm.matrix import reach_of
 
 SCENARIOS = (".yaml", ".yml")
 """Of files that may be scenarios already, perhaps of several files."""
-FILE_KEYS = ("units", "frame", "bow", "heading")
-"""Keys of a scenario that say how a file is written."""
+ROUNDED = 1e-15
+"""By how much a beam may exceed the length it is equal to, relative to it."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,16 @@ def convert(
     *,
     outline: str | Path | None = None,
     robots: str | Path | None = None,
-    **options: Any,
+    units: Mapping[str, str] | None = None,
+    frame: Literal["ENU", "NED"] | None = None,
+    bow: float | str | None = None,
+    heading: float | str | None = None,
+    limits: Sequence[Any] | None = None,
+    part: str | None = None,
+    scale: float | None = None,
+    tolerance: float | str | None = None,
+    mirror: bool | None = None,
+    coordinates: Literal["degrees", "metres"] | None = None,
 ) -> Converted:
     """Make a scenario of an outline or of an allocation matrix in a file.
 
@@ -69,10 +78,17 @@ def convert(
         out.
     robots : str or Path, optional
         A table of robots that hold the object; none when left out.
-    **options
-        `units`, `frame`, `bow` and `heading`, as in a scenario; `limits` of a matrix; and what
-        `outline` takes beside `file` there: part, scale, tolerance, mirror and coordinates. Without
-        `mirror`, what looks like one half of a hull is mirrored, its bow where it is pointed.
+    units, frame, bow, heading
+        As in a scenario.
+    limits : sequence, optional
+        Of the columns of a matrix, as in a scenario.
+    part, scale, tolerance, mirror, coordinates
+        What `outline` takes beside `file` in a scenario. Without `mirror`, what looks like one half
+        of a hull is mirrored, its bow where it is pointed.
+
+    Returns
+    -------
+    Converted
 
     Raises
     ------
@@ -81,36 +97,41 @@ def convert(
     """
     file, faults = Path(path), Faults(str(path))
     is_matrix = is_allocation_file(file)
-    given = {"outline": outline, "robots": robots, **options}
-    _check_options(file, is_matrix, [key for key, value in given.items() if value is not None])
+    of_outline = {
+        "part": part, "scale": scale, "tolerance": tolerance, "mirror": mirror,
+        "coordinates": coordinates,
+    }  # fmt: skip
+    of_file = {"units": units and dict(units), "frame": frame, "bow": bow, "heading": heading}
+    of_outline, of_file = _given(of_outline), _given(of_file)
+    beside = _given({"outline": outline, "robots": robots, "limits": limits})
+    _check_options(file, is_matrix, {**beside, **of_file, **of_outline})
     if file.suffix.lower() in SCENARIOS and not is_matrix:
         return Converted(load_scenario(file), ())
-    document = {key: options[key] for key in FILE_KEYS if options.get(key) is not None}
-    document["robots"] = [] if robots is None else _file(robots)
+    document: dict[str, Any] = {**of_file, "robots": [] if robots is None else _file(robots)}
     said: tuple[str, ...] = ()
     if is_matrix:
         document["allocation"] = _file(file)
-        if options.get("limits") is not None:
-            document["allocation"]["limits"] = options["limits"]
+        if limits is not None:
+            document["allocation"]["limits"] = list(limits)
     if is_matrix and outline is None:
         said = _square(document, Source(file, faults))
     else:
-        of_outline = {key: options[key] for key in OUTLINE_OPTIONS if options.get(key) is not None}
-        document["outline"] = {
-            **_file(outline or file),
-            "mirror": DETECT,
-            **of_outline,
-        }
+        document["outline"] = {**_file(outline or file), "mirror": DETECT, **of_outline}
     if faults:
         raise faults.error()
     root = noded(document)
     taken = expand(root, faults, Path())
     if not taken.stand_ins:
-        said += (*taken.said, *_ahead(root, taken.bow, options.get("bow")))
+        said += (*taken.said, *_ahead(root, taken.bow, bow))
     return Converted(build(check(root, faults, taken.stand_ins), file.stem), said)
 
 
-def _check_options(file: Path, is_matrix: bool, given: list[str]) -> None:
+def _given(options: dict[str, Any]) -> dict[str, Any]:
+    """Return the options that are given."""
+    return {key: value for key, value in options.items() if value is not None}
+
+
+def _check_options(file: Path, is_matrix: bool, given: dict[str, Any]) -> None:
     """Refuse options that play no part for what a file is.
 
     Raises
@@ -118,13 +139,14 @@ def _check_options(file: Path, is_matrix: bool, given: list[str]) -> None:
     ScenarioInvalid
         All of them are told.
     """
+    what, idle = "an outline", {"outline", "limits"}
     if is_matrix:
-        return
-    what, idle = "an outline", [key for key in given if key in ("outline", "limits")]
-    if file.suffix.lower() in SCENARIOS:
-        what, idle = "a scenario", [key for key in given if key != "units"]
-    if idle:
-        raise ScenarioInvalid(f"{file} is {what}: leave out {key}" for key in idle)
+        what = "a matrix, and no outline is given"
+        idle = set() if "outline" in given else set(OUTLINE_OPTIONS)
+    elif file.suffix.lower() in SCENARIOS:
+        what, idle = "a scenario", set(given) - {"units"}
+    if idle & set(given):
+        raise ScenarioInvalid(f"{file} is {what}: leave out {k}" for k in given if k in idle)
 
 
 def _file(path: str | Path) -> dict[str, Any]:
@@ -134,14 +156,14 @@ def _file(path: str | Path) -> dict[str, Any]:
 
 def _square(document: dict[str, Any], source: Source) -> tuple[str, ...]:
     """Put a square and a length into a document for a matrix; return what was assumed."""
-    found = read_allocation(source)
+    length = length_unit(noded(document))
+    found = read_allocation(source, length)
     if found is None:
         return ()
     half = reach_of(np.array(found.rows).T) or 1.0
     corners = [[-half, -half], [half, -half], [half, half], [-half, half]]
     document["outline"] = {"vertices": corners, "origin": [0.0, 0.0]}
     document["metric"] = {"characteristic_length": half}
-    length = (document.get("units") or {}).get("length", "m")
     return (
         f"The matrix has no outline: a square of {2.0 * half:.6g} {length} about its origin stands "
         "for the object.",
@@ -166,15 +188,14 @@ def _ahead(root: Node, pointed: str, bow: Any) -> tuple[str, ...]:
     corners = root.find(("outline", "vertices"))
     points = np.array(corners.plain(), dtype=float)
     if signed_area(points) < 0.0 and isinstance(corners.value, list):
-        corners.value[1:] = corners.value[
-            :0:-1
-        ]  # so that edges need no names to keep their numbers
+        # so that edges need no names to keep their numbers
+        corners.value[1:] = corners.value[:0:-1]
     if bow is not None or not isinstance(root.value, dict):
         return ()
     if pointed not in ("", "+x"):
         root.value["bow"] = noded(pointed)
         return (f"The bow is where the hull is pointed, along {pointed}; it is turned to +x.",)
     length, beam = np.ptp(points, axis=0).tolist()
-    if beam > length * (1.0 + math.ulp(1.0) * 8):
+    if beam > length * (1.0 + ROUNDED):
         return ("The outline is longest along y, and x is taken for forward; bow says otherwise.",)
     return ()

@@ -342,3 +342,20 @@ def test_robots_from_a_table(tmp_path: Path) -> None:
     with pytest.raises(ScenarioInvalid, match="did you mean 'limit'") as caught:
         load_scenario(path)
     assert "has a column x and none of y" in caught.value.faults[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "options", "said"),
+    [
+        ("a.csv", "0,0\n9,0\n9,9\n", {"tolerance": 0.1}, "has no curves; leave out tolerance"),
+        ("a.csv", "lon,lat\n9,50\n9.001,50\n9,50.001\n", {"scale": 2.0}, "leave out scale"),
+        ("a.csv", "0,0\n9,0\n9,9\n", {"part": "hull"}, "has no parts by name"),
+    ],
+)
+def test_what_plays_no_part_is_refused(
+    tmp_path: Path, name: str, content: str, options: dict[str, object], said: str
+) -> None:
+    """A tolerance without curves, a scale of degrees, a part of what has none."""
+    (tmp_path / name).write_text(content)
+    with pytest.raises(ScenarioInvalid, match=said):
+        convert(tmp_path / name, **options)

@@ -1,8 +1,9 @@
 """Allocation matrices from files: CSV, JSON, YAML or NumPy's own."""
 
 import json
+import math
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -13,8 +14,16 @@ from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.ranges import array_of, shown
 from swarmgrasp.scenario.document import read_document
 from swarmgrasp.scenario.faults import Faults
-from swarmgrasp.scenario.imports.cells import Cells, check_units, read_cells
+from swarmgrasp.scenario.imports.cells import (
+    Cells,
+    Heading,
+    Row,
+    check_units,
+    heading_of,
+    read_cells,
+)
 from swarmgrasp.scenario.imports.source import Source
+from swarmgrasp.units import quantity, size
 
 AXES = ("fx", "fy", "mz")
 """What the rows of a matrix are called."""
@@ -24,6 +33,14 @@ _CALLED = {
     "max": "limit", "least": "least", "min": "least", "name": "name", "thruster": "name",
 }  # fmt: skip
 """What else people call them, and the limits and names beside them."""
+_OF_POINTS = ("x", "y", "n")
+"""What the columns of surveyed points are called, too: their numbers, x and y."""
+_KINDS = {
+    called: "length" if known == "mz" else "force"
+    for called, known in _CALLED.items()
+    if known in ("mz", "limit", "least")
+}
+"""What columns measure: a yaw is for each unit of force, as surge and sway, which are numbers."""
 _MATRICES = ("matrix", "tam", "T", "B")
 """Keys that a matrix stands under."""
 _SPACE = (0, 1, 5)
@@ -55,15 +72,15 @@ class Matrix:
     said: tuple[str, ...] = field(default=())
 
 
-def read_allocation(source: Source) -> Matrix | None:
-    """Read an allocation matrix; None after a fault."""
+def read_allocation(source: Source, unit: str) -> Matrix | None:
+    """Read an allocation matrix, its yaw in a unit of length; None after a fault."""
     suffix = source.path.suffix.lower()
     if suffix == ".npy":
         return _of_numpy(source)
     if suffix in (".json", ".yaml", ".yml"):
         return _of_mapping(source)
     if suffix in SUFFIXES:
-        return _of_table(source)
+        return _of_table(source, unit)
     source.fault(f"is no matrix by its name; that should end in {', '.join(SUFFIXES)}")
     return None
 
@@ -94,10 +111,24 @@ def is_allocation_file(path: Path) -> bool:
 
 
 def is_allocation(cells: Cells) -> bool:
-    """Tell whether a table is an allocation matrix by its headings, or by those of its rows."""
-    above = {_CALLED.get(heading.name) for heading in cells.headings}
-    beside = {_CALLED.get(row.cells[0].lower()) for row in cells.rows}
-    return above >= {"fx", "fy", "mz"} or beside >= {"fx", "fy", "mz"}
+    """Tell whether a table is an allocation matrix by its headings, or by those of its rows.
+
+    Columns x, y and n are those of surveyed points unless limits stand beside them.
+    """
+    above = [heading.name for heading in cells.headings]
+    return _are_axes(above) or _are_axes([_heading_of(row).name for row in cells.rows])
+
+
+def _are_axes(names: list[str]) -> bool:
+    """Tell whether headings can only be those of a matrix."""
+    called = {_CALLED.get(name) for name in names}
+    sure = {_CALLED.get(name) for name in names if name not in _OF_POINTS}
+    return called >= set(AXES) and bool(sure & {*AXES, "limit", "least"})
+
+
+def _heading_of(row: Row) -> Heading:
+    """Return what a line of a table is called, by its first cell."""
+    return heading_of(row.cells[0])
 
 
 def _of_numpy(source: Source) -> Matrix | None:
@@ -111,7 +142,7 @@ def _of_numpy(source: Source) -> Matrix | None:
     except Exception as error:  # NumPy stumbles in many ways over a wrong header
         source.fault(f"cannot be read as an array of NumPy: {shown(str(error))}")
         return None
-    return _checked(source, found if isinstance(found, np.ndarray) else None)
+    return _checked(source, found if isinstance(found, np.ndarray) else ())
 
 
 def _of_mapping(source: Source) -> Matrix | None:
@@ -121,7 +152,7 @@ def _of_mapping(source: Source) -> Matrix | None:
         return None
     own = Faults(str(source.path))
     try:
-        data: Any = json.loads(text) if source.path.suffix == ".json" else None
+        data: Any = json.loads(text) if source.path.suffix.lower() == ".json" else None
         if isinstance(data, list):
             return _checked(source, data)
         root = read_document(text.replace("\t", " "), own)
@@ -150,60 +181,89 @@ def _of_mapping(source: Source) -> Matrix | None:
     )
 
 
-def _of_table(source: Source) -> Matrix | None:
+def _of_table(source: Source, unit: str) -> Matrix | None:
     """Read a table: a thruster a row, or a thruster a column, or numbers alone."""
     cells = read_cells(source, width=1)
     if cells is None:
         return None
     if not cells.headings and is_allocation(cells):
-        return _by_rows(source, cells, None)
+        return _by_rows(source, cells, unit)
     if not cells.headings:
-        rows = [[cells.number(cell) for cell in row.cells] for row in cells.rows]
-        return _checked(source, rows, cells.rows[0].line)
+        columns = [f"column {k + 1}" for k in range(len(cells.rows[0].cells))]
+        return _checked(source, _numbers(source, cells, cells.rows, columns))
     above = [_CALLED.get(heading.name, "") for heading in cells.headings]
-    if {"fx", "fy", "mz"} <= set(above):
-        return _by_columns(source, cells, above)
-    return _by_rows(source, cells, [heading.name for heading in cells.headings])
+    if set(AXES) <= set(above):
+        return _by_columns(source, cells, above, unit)
+    return _by_rows(source, cells, unit)
 
 
-def _by_columns(source: Source, cells: Cells, above: list[str]) -> Matrix | None:
+def _by_columns(source: Source, cells: Cells, above: list[str], unit: str) -> Matrix | None:
     """Read a table of a thruster a line."""
     before = len(source.faults)
-    check_units(cells, {"limit": "force", "limits": "force", "max": "force", "least": "force",
-                        "min": "force"}, source)  # fmt: skip
+    check_units(cells.headings, _KINDS, source)
     strange = [h.name for h, known in zip(cells.headings, above, strict=True) if not known]
-    sound = len(source.faults) == before
     twice = {name for name in above if name and above.count(name) > 1}
     for name in (*strange, *sorted(twice)):
         source.fault(f"has a column {name!r} too many; known: name, Fx, Fy, Mz, limit, least", 1)
-    if strange or twice or not sound:
+    if strange or twice or len(source.faults) > before:
         return None
     lists = {name: [row.cells[k] for row in cells.rows] for k, name in enumerate(above)}
     units = {name: h.unit for name, h in zip(above, cells.headings, strict=True)}
-    rows = [[cells.number(cell) for cell in lists[axis]] for axis in AXES]
-    found = _checked(source, rows, cells.rows[0].line)
-    limits = _limits(cells, lists, units)
-    return found and Matrix(found.rows, limits, lists.get("name"), said=found.said)
+    at = [above.index(axis) for axis in AXES]
+    lines = [Row(row.line, [row.cells[k] for k in at]) for row in cells.rows]
+    numbers = _numbers(source, cells, lines, [axis.capitalize() for axis in AXES])
+    found = _checked(source, numbers and [list(axis) for axis in zip(*numbers, strict=True)])
+    return found and _whole(cells, found, lists, units, lists.get("name"), unit)
 
 
-def _by_rows(source: Source, cells: Cells, names: list[str] | None) -> Matrix | None:
+def _by_rows(source: Source, cells: Cells, unit: str) -> Matrix | None:
     """Read a table of a line each for Fx, Fy and Mz, the first cell saying which."""
-    held: dict[str, list[str]] = {}
+    held, units, before = dict[str, Row](), dict[str, str](), len(source.faults)
     for row in cells.rows:
-        called = _CALLED.get(row.cells[0].lower(), "")
+        heading = _heading_of(row)
+        called = _CALLED.get(heading.name, "")
         if called in ("", "name") or called in held:
             known = "Fx, Fy, Mz, limit and least, each once"
             source.fault(f"a row is called {row.cells[0]!r}; known: {known}", row.line)
-            return None
-        held[called] = row.cells[1:]
+            continue
+        check_units([heading], _KINDS, source, row.line)
+        held[called], units[called] = row, heading.unit
     missing = [axis.capitalize() for axis in AXES if axis not in held]
     if missing:
         source.fault(f"has no row {', '.join(missing)}")
+    if len(source.faults) > before:
         return None
-    rows = [[cells.number(cell) for cell in held[axis]] for axis in AXES]
-    found = _checked(source, rows, cells.rows[0].line)
-    limits = _limits(cells, held, {})
-    return found and Matrix(found.rows, limits, names[1:] if names else None, said=found.said)
+    lines = [Row(held[axis].line, held[axis].cells[1:]) for axis in AXES]
+    columns = [f"column {k + 2}" for k in range(len(lines[0].cells))]
+    found = _checked(source, _numbers(source, cells, lines, columns))
+    names = [heading.name for heading in cells.headings][1:]
+    lists = {name: row.cells[1:] for name, row in held.items()}
+    return found and _whole(cells, found, lists, units, names or None, unit)
+
+
+def _numbers(
+    source: Source, cells: Cells, lines: list[Row], columns: list[str]
+) -> list[list[float]] | None:
+    """Return the numbers of lines of a table, what their columns are called; None after a fault."""
+    found = [[cells.number(cell) for cell in line.cells] for line in lines]
+    before = len(source.faults)
+    for line, values in zip(lines, found, strict=True):
+        for cell, value, name in zip(line.cells, values, columns, strict=True):
+            if math.isnan(value):
+                source.fault(f"{name} should be a finite number (got {shown(cell)})", line.line)
+    return found if len(source.faults) == before else None
+
+
+def _whole(
+    cells: Cells, found: Matrix, lists: dict[str, list[str]], units: dict[str, str],
+    names: list[str] | None, unit: str,
+) -> Matrix:  # fmt: skip
+    """Return a matrix with the limits and names of a table, its yaw in a unit of length."""
+    x, y, turns = found.rows
+    if own := units.get("mz"):
+        factor = quantity(f"1 {own}", "length") / size(unit, "length")
+        turns = [factor * turn for turn in turns]
+    return replace(found, rows=[x, y, turns], limits=_limits(cells, lists, units), names=names)
 
 
 def _limits(cells: Cells, held: dict[str, list[str]], units: dict[str, str]) -> list[Any] | None:
@@ -227,14 +287,17 @@ def _told(cells: Cells, cell: str, unit: str) -> float | str:
 
 def _checked(source: Source, given: Any, line: int = 0) -> Matrix | None:
     """Return a matrix of three rows, of three given or six; None after a fault."""
-    rows = None if given is None else array_of(given)
-    if rows is None or rows.ndim != 2 or rows.shape[0] not in (3, 6) or not rows.size:
-        size = "" if rows is None else f" (got {rows.shape})"
-        source.fault(f"should be a matrix of 3 rows, Fx, Fy and Mz, of numbers{size}", line)
+    if given is None:
         return None
-    if not np.isfinite(rows).all():
-        i, k = np.argwhere(~np.isfinite(rows))[0]
+    rows = array_of(given)
+    if rows is None or rows.ndim != 2 or rows.shape[0] not in (3, 6) or not rows.size:
+        got = "" if rows is None else f" (got {rows.shape})"
+        source.fault(f"should be a matrix of 3 rows, Fx, Fy and Mz, of numbers{got}", line)
+        return None
+    wrong = np.argwhere(~np.isfinite(rows))
+    for i, k in wrong:
         source.fault(f"row {i + 1}, column {k + 1} of the matrix is no finite number", line)
+    if len(wrong):
         return None
     if rows.shape[0] == 3:
         return Matrix(rows.tolist())

@@ -105,18 +105,27 @@ def read_cells(source: Source, *, width: int = 2) -> Cells | None:
         return None
     found = Cells((), rows, has_comma)
     if not any(_NUMBER.fullmatch(cell) for cell in rows[0].cells):
-        found = Cells(tuple(map(_heading, rows[0].cells)), rows[1:], has_comma)
+        found = Cells(tuple(map(heading_of, rows[0].cells)), rows[1:], has_comma)
         if not found.rows:
             source.fault("has a header and no rows", rows[0].line)
             return None
     return found if _is_even(found, width, source, separator) else None
 
 
+def heading_of(cell: str) -> Heading:
+    """Return a heading, its unit in brackets apart."""
+    found = _UNIT.fullmatch(cell)
+    if found is None:
+        return Heading(cell.strip().lower())
+    return Heading(found[1].strip().lower(), (found[2] or found[3] or "").strip())
+
+
 def column(cells: Cells, names: Sequence[str], source: Source, said: str) -> int | None:
-    """Return which column has one of some names; None after a fault."""
-    for index, heading in enumerate(cells.headings):
-        if heading.name in names:
-            return index
+    """Return which column has one of some names, the first of them first; None after a fault."""
+    called = [heading.name for heading in cells.headings]
+    for name in names:
+        if name in called:
+            return called.index(name)
     known = ", ".join(repr(heading.name) for heading in cells.headings)
     source.fault(f"has no column of {said}, called {names[0]}; its columns are {known}", 1)
     return None
@@ -135,25 +144,29 @@ def check_headings(cells: Cells, known: Sequence[str], source: Source) -> None:
         seen.add(heading.name)
 
 
-def check_units(cells: Cells, kinds: Mapping[str, str], source: Source) -> None:
-    """Note units in headings that are none of what their columns measure.
+def check_units(
+    headings: Sequence[Heading], kinds: Mapping[str, str], source: Source, line: int = 1
+) -> None:
+    """Note units in headings that are none of what their columns, or lines, measure.
 
     Parameters
     ----------
-    cells : Cells
+    headings : sequence of Heading
     kinds : mapping of str to str
-        What columns measure, by their names; others measure nothing.
+        What they measure, by their names; others measure nothing.
     source : Source
+    line : int
+        In which they stand.
     """
-    for heading in cells.headings:
+    for heading in headings:
         kind = kinds.get(heading.name, "")
         if heading.unit and not kind:
-            source.fault(f"the column {shown(heading.name)} has no unit; leave it out", 1)
+            source.fault(f"{shown(heading.name)} has no unit; leave it out", line)
         elif heading.unit:
             try:
                 quantity(f"1 {heading.unit}", kind)
             except QuantityInvalid as error:
-                source.fault(f"the column {shown(heading.name)}: {'; '.join(error.faults)}", 1)
+                source.fault(f"{shown(heading.name)}: {'; '.join(error.faults)}", line)
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
@@ -186,14 +199,6 @@ def _split(line: str, separator: str) -> list[str]:
         return line.split()
     cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True, strict=True))
     return [cell.strip() for cell in cells]
-
-
-def _heading(cell: str) -> Heading:
-    """Return a heading, its unit in brackets apart."""
-    found = _UNIT.fullmatch(cell)
-    if found is None:
-        return Heading(cell.strip().lower())
-    return Heading(found[1].strip().lower(), (found[2] or found[3] or "").strip())
 
 
 def _is_even(cells: Cells, width: int, source: Source, separator: str) -> bool:

@@ -1,4 +1,4 @@
-"""Put into a document what it takes from other files: an outline, robots."""
+"""Put into a document what it takes from other files: an outline, robots, a matrix, loads."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -22,6 +22,8 @@ OUTLINE_OPTIONS = ("part", "scale", "tolerance", "mirror", "coordinates")
 OUTLINE_BESIDE = ("edges", "origin", "precision")
 """And those that an outline has wherever its corners come from."""
 _FILE = "file"
+LARGEST = 1e9
+"""A scale or a tolerance is no larger."""
 
 
 class Taken(NamedTuple):
@@ -92,7 +94,7 @@ def _outline(root: Node, faults: Faults, folder: Path | None) -> Hull | None:
     if "vertices" in held:
         faults.add(node.key_marks[_FILE], (*keys, _FILE), "vertices and file each say it; keep one")
     path = _path(held[_FILE], (*keys, _FILE), faults, folder)
-    wish = _wish(node, keys, _length(root), faults)
+    wish = _wish(node, keys, length_unit(root), faults)
     for key in [k for k in held if k not in (*known, "vertices")]:
         faults.add(node.key_marks[key], (*keys, key), unknown_key(key, known))
         del held[key]
@@ -101,7 +103,7 @@ def _outline(root: Node, faults: Faults, folder: Path | None) -> Hull | None:
     hull = None
     if path is not None and "vertices" not in held:
         source = Source(path, faults, keys)
-        hull = read_outline(source, _length(root), wish or Wish(mirror=DETECT))
+        hull = read_outline(source, length_unit(root), wish or Wish(mirror=DETECT))
     if hull is None or wish is None:
         held.setdefault("vertices", _stand_in(node))
         return None
@@ -119,7 +121,7 @@ def _allocation(root: Node, faults: Faults, folder: Path | None) -> Matrix | Non
     if "matrix" in held:
         faults.add(node.key_marks[_FILE], (*keys, _FILE), "matrix and file each say it; keep one")
     path = _path(held.pop(_FILE), (*keys, _FILE), faults, folder)
-    found = None if path is None else read_allocation(Source(path, faults, keys))
+    found = None if path is None else read_allocation(Source(path, faults, keys), length_unit(root))
     if found is None or len(faults) > before:
         del root.value[keys[0]]  # type: ignore[union-attr, arg-type]
         return None
@@ -204,7 +206,7 @@ def _path(node: Node, keys: Keys, faults: Faults, folder: Path | None) -> Path |
     return None
 
 
-def _length(root: Node) -> str:
+def length_unit(root: Node) -> str:
     """Return the document's unit of length; the metre where what it says is none."""
     said = root.find(("units", "length")).value
     return (canonical(said, "length") if isinstance(said, str) else None) or "m"
@@ -214,8 +216,8 @@ def _wish(node: Node, keys: Keys, unit: str, faults: Faults) -> Wish | None:
     """Return how an outline is to be understood; None after a fault."""
     checks: dict[str, tuple[Callable[[Any], Any], str]] = {
         "part": (lambda v: v if isinstance(v, str) and v else None, "the name of a part"),
-        "scale": (lambda v: _positive(v, ""), "a number greater than 0"),
-        "tolerance": (lambda v: _positive(v, unit), "a length greater than 0"),
+        "scale": (lambda v: _positive(v, ""), f"a number 0 < scale <= {LARGEST:g}"),
+        "tolerance": (lambda v: _positive(v, unit), f"0 < tolerance <= {LARGEST:g} {unit}"),
         "mirror": (lambda v: v if isinstance(v, bool) or v is DETECT else None, "true or false"),
         "coordinates": (
             lambda v: v if v in ("degrees", "metres") else None, "degrees or metres",
@@ -241,4 +243,4 @@ def _positive(value: Any, unit: str) -> float | None:
     except QuantityInvalid:
         return None
     is_number = isinstance(found, int | float) and not isinstance(found, bool)
-    return float(found) if is_number and 0.0 < found <= 1e9 else None
+    return float(found) if is_number and 0.0 < found <= LARGEST else None

@@ -30,7 +30,7 @@ def read_loads(source: Source) -> list[list[float | str]] | None:
         return None
     before = len(source.faults)
     check_headings(cells, list(_CALLED), source)
-    check_units(cells, {name: _KINDS[column] for name, column in _CALLED.items()}, source)
+    check_units(cells.headings, {name: _KINDS[column] for name, column in _CALLED.items()}, source)
     called = [_CALLED.get(h.name, h.name) for h in cells.headings] or list(COLUMNS)
     missing = [name for name in COLUMNS if name not in called]
     if missing and len(source.faults) == before:

@@ -19,6 +19,8 @@ from swarmgrasp.units import canonical, size, spellings
 Coordinates = Literal["degrees", "metres"]
 SUFFIXES = (".geojson", ".json", ".csv", ".tsv", ".txt", ".svg", ".dxf")
 """Of files that hold outlines."""
+MAPS = (".geojson", ".json")
+"""Of those in GeoJSON."""
 ROUNDED = 1.5e-4
 """By how much rounding projected corners changes a distance at most [m]."""
 DETECT: Final = "detect"
@@ -93,10 +95,13 @@ def _read(source: Source, suffix: str, unit: str, wish: Wish) -> Hull | None:
         return read_svg(source, wish.part, wish.tolerance and wish.tolerance / (wish.scale or 1.0))
     if suffix == ".dxf":
         return read_dxf(source, wish.part, _in_drawing(wish, unit))
-    if wish.part and suffix not in (".geojson", ".json"):
-        source.fault("has no parts by name; leave out part")
+    idle = {"has no parts by name; leave out part": wish.part and suffix not in MAPS}
+    idle["has no curves; leave out tolerance"] = wish.tolerance is not None
+    if said := [sentence for sentence, is_idle in idle.items() if is_idle]:
+        for sentence in said:
+            source.fault(sentence)
         return None
-    if suffix in (".geojson", ".json"):
+    if suffix in MAPS:
         return read_geojson(source, wish.part)
     return read_csv_outline(source)
 
@@ -116,7 +121,7 @@ def _in_drawing(wish: Wish, unit: str) -> Callable[[str], float | None]:
 
 def _in_unit(hull: Hull, source: Source, unit: str, wish: Wish) -> Hull | None:
     """Return a hull with its corners in a unit of length."""
-    is_map = source.path.suffix.lower() in (".geojson", ".json")
+    is_map = source.path.suffix.lower() in MAPS
     own = hull.unit
     if wish.coordinates is not None:
         own = "deg" if wish.coordinates == "degrees" else "m" if own == "deg" else own
@@ -125,6 +130,9 @@ def _in_unit(hull: Hull, source: Source, unit: str, wish: Wish) -> Hull | None:
         if own == "m":
             said = "The coordinates are taken for metres: they are no longitudes and latitudes"
             hull = hull.with_word(f"{said} of anything smaller than 5 km.")
+    if own == "deg" and wish.scale is not None:
+        source.fault("is in degrees of longitude and latitude; leave out scale")
+        return None
     if own == "deg":
         return _projected(hull, source, unit)
     if wish.scale is not None:

@@ -38,7 +38,7 @@ def read_robots(source: Source) -> list[Node] | None:
         return None
     before = len(source.faults)
     check_headings(cells, KEYS, source)
-    check_units(cells, _KINDS, source)
+    check_units(cells.headings, _KINDS, source)
     names = [heading.name for heading in cells.headings]
     for name in names:
         other = _BOTH.get(name)
