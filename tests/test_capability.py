@@ -238,6 +238,48 @@ def test_numbers_are_what_linear_programs_say():
                 assert bool(held) is (wind == STEPS[number].wind)
 
 
+@pytest.mark.parametrize(
+    ("cables", "calm"),
+    [
+        ([(0.0, 5.0), (math.pi, 5.0)], True),
+        ([(0.0, 5.0), (0.1, 5.0)], False),
+        ([(0.0, 5.0), (math.pi, 0.0)], True),
+        ([(0.0, 30.0), (math.pi, 0.0)], False),
+    ],
+)
+def test_who_always_pulls_may_not_even_hold_a_calm(cables, calm):
+    """Two cables against each other may be as taut as each other; two the same way may not."""
+    limits = [20.0, 40.0]
+    robots = [
+        Robot((0.0, 0.0), way, max(limit, least), mounted=True, least=least)
+        for (way, least), limit in zip(cables, limits, strict=True)
+    ]
+    if not calm and cables[1][1] == 0.0:
+        robots[1] = replace(robots[1], limit=25.0)
+    swarm = Swarm(BARGE, robots)
+    around = Environment(Wind(150.0, 500.0, FLAT), Current(60.0, 240.0))
+    found = capability(swarm, around, [0.0, 1.0], losing=0)
+    assert found.holds_calm.tolist() == [calm, calm]
+    numbers = capability_numbers(swarm, around, [1.0], losing=0)
+    assert numbers.intact.tolist() == [0 if calm else -1]
+    in_its_sea = replace(around, waves=Waves())
+    assert capability(swarm, in_its_sea, [1.0], losing=0).holds_calm.tolist() == [calm]
+
+
+def test_an_envelope_off_the_origin_always_pushes():
+    """One that has no force among its forces does not; two opposite ones hold a calm."""
+    off = ((3.0, -1.0), (5.0, 0.0), (3.0, 1.0))
+    around = Environment(Wind(150.0, 500.0, FLAT))
+    one = Robot((-40.0, 0.0), 0.0, 1.0, envelope=off)
+    for robots, calm in (
+        ([one], False),
+        ([replace(one, envelope=(*off, (0.0, 0.0)))], True),
+        ([one, Robot((40.0, 0.0), math.pi, 1.0, envelope=off)], True),
+    ):
+        found = capability(Swarm(BARGE, robots), around, [1.0], losing=0)
+        assert found.holds_calm.tolist() == [calm]
+
+
 def test_numbers_need_a_current_and_end_with_the_table():
     """A swarm of no limits to speak of holds step 11; without a current nothing is asked."""
     ways = {(-40, 0): 0.0, (40, 0): math.pi, (-9, -10): 1.57, (9, -10): 1.57}

@@ -43,7 +43,7 @@ def test_a_wind_whose_sea_nobody_told_is_refused():
     from dataclasses import replace
 
     growing = replace(scenario.environment, waves=Waves())
-    with pytest.raises(EnvironmentInvalid, match="the sea that goes with a wind is told of"):
+    with pytest.raises(EnvironmentInvalid, match="the sea that goes with a wind is known for"):
         thrust_use(scenario.swarm, growing, 40.0)
     with pytest.raises(EnvironmentInvalid, match="the speed is -1"):
         thrust_use(scenario.swarm, scenario.environment, -1)

@@ -78,8 +78,8 @@ FAULTS = {
         "3:79: environment.waves: with_wind and height each say the sea; keep one"
     ),
     f"{{wind: {{{WIND}, speed: 40, from: 0}}, waves: {{with_wind: true}}}}": (
-        "3:14: environment: the wind's speed is 40.0; the sea that goes with it is told of "
-        "0 <= speed <= 32.6 [m/s]: give the waves a height and a period"
+        "3:14: environment: the wind's speed is 40.0; the sea that goes with a wind is known "
+        "for 0 <= speed <= 32.6 [m/s]: give the waves a height and a period"
     ),
     "{}": "3:14: environment.wind: is missing; give what the object shows to the wind",
     "{wind: {frontal_area: 1, lateral_area: 2}}": (

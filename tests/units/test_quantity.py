@@ -7,6 +7,7 @@ import sys
 import pint
 import pytest
 
+from swarmgrasp.environment import STEPS
 from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.units import PLAIN, beaufort, beaufort_speed, quantity, size, spellings
 
@@ -114,3 +115,11 @@ def test_the_scale_of_winds_goes_both_ways() -> None:
     for force in range(12):
         assert beaufort(beaufort_speed(force)) == force
         assert beaufort(beaufort_speed(force) + 0.1) == force + 1
+
+
+def test_the_winds_of_the_steps_are_those_of_the_scale() -> None:
+    """The strongest of each number; but for step 2, which the standard has at 3.4 m/s."""
+    winds = {number: step.wind for number, step in enumerate(STEPS)}
+    assert winds.pop(0) == 0.0
+    assert winds.pop(2) == 3.4
+    assert winds == {number: beaufort_speed(number) for number in winds}

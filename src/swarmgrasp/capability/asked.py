@@ -16,6 +16,7 @@ from swarmgrasp.plain import Answer, picked
 from swarmgrasp.quality import Criterion, Polytope, Quality, quality
 from swarmgrasp.ranges import WEAKEST, array_of, kind_faults, shown
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.swarm.robot import Envelope
 from swarmgrasp.swarm.swarm import swarm_faults
 from swarmgrasp.words import machine_words
 
@@ -23,6 +24,9 @@ Array = NDArray[np.float64]
 
 HELD = 1e-9
 """Share of a load by which it may fail to be held, for rounding."""
+
+STRAIGHT = 1e-9
+"""Angle [rad] by which forces may lie on more than half a turn's other side, for rounding."""
 
 STEP = math.radians(5.0)
 """Between the bearings looked at by default [rad]: half of what DNV-ST-0111 asks for."""
@@ -151,11 +155,38 @@ def asked_of(
 def times_held(swarm: Swarm, load: Array, asked: Criterion) -> Quality | None:
     """Find by how many times a load (3,), or each of several (m, 3), could grow and be held.
 
-    None of no load at all.
+    None of no load at all, if the robots can stand still; robots that always exert something may
+    not be able to, and then hold nothing.
     """
     if np.abs(load).max() <= WEAKEST:
-        return None
+        return _unrest(swarm, asked)
     return quality(swarm, **replace(asked, task=Polytope(-np.atleast_2d(load))).terms)
+
+
+def _unrest(swarm: Swarm, asked: Criterion) -> Quality | None:
+    """Return the quality, which is 0, of robots whose wrench set is without 0; None of others.
+
+    Where it has 0, it is a ball's around 0, or flat, and then it has some of a robot's wrench too,
+    or of its opposite; robots that can only just balance each other are told to hold nothing.
+    """
+    always = bool((swarm.lows > 0.0).any()) or any(map(_is_off, swarm.rare.envelopes.values()))
+    if not always:
+        return None
+    found = quality(swarm, **asked.terms)
+    rows = np.unique(swarm.generators, axis=0)
+    for task in (Polytope([sign * row]) for row in rows if row.any() for sign in (1.0, -1.0)):
+        if found.value > 0.0 or quality(swarm, **replace(asked, task=task).terms).value > 0.0:
+            return None
+    return found
+
+
+def _is_off(envelope: Envelope) -> bool:
+    """Tell whether no force is none of those between the corners (k, 2) of an envelope."""
+    corners = np.array(envelope)
+    if not corners.any(axis=1).all():
+        return False
+    turns = np.sort(np.arctan2(*corners.T[::-1]))
+    return bool(np.diff(turns, append=turns[0] + math.tau).max() > math.pi + STRAIGHT)
 
 
 def is_held(found: Quality | None) -> bool:

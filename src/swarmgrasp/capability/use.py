@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.capability.asked import HELD, Array, asked_of
-from swarmgrasp.environment import STRONGEST_SEA, Environment
+from swarmgrasp.environment import Environment
 from swarmgrasp.environment.limits import SPEED
+from swarmgrasp.environment.sea import sea_faults
 from swarmgrasp.forces import forces_along
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked
-from swarmgrasp.ranges import number, shown
 from swarmgrasp.swarm import Swarm
 
 
@@ -119,11 +119,8 @@ def thrust_use(
     """
     faults = SPEED.faults("speed", speed)
     waves = environment.waves if isinstance(environment, Environment) else None
-    if not faults and waves is not None and waves.goes_with_wind and number(speed) > STRONGEST_SEA:
-        faults.append(
-            f"the speed is {shown(speed)}; the sea that goes with a wind is told of 0 <= speed <= "
-            f"{STRONGEST_SEA} [m/s]: give the waves a height and a period"
-        )
+    if not faults and waves is not None and waves.goes_with_wind:
+        faults += sea_faults("speed", speed)
     wanted = asked_of(swarm, environment, bearings, 0, False, (), faults).bearings
     loads = environment.load_in(swarm.outline, wanted, speed)
     found = forces_along(swarm, -loads)

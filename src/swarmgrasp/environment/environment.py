@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from swarmgrasp.environment.geometry import numbers_in
 from swarmgrasp.environment.limits import BEARING, DYNAMIC_FACTOR, SPEED
 from swarmgrasp.environment.loads import Current, Wind
-from swarmgrasp.environment.sea import STRONGEST_SEA, sea_of
+from swarmgrasp.environment.sea import sea_faults, sea_of
 from swarmgrasp.environment.table import WindTable
 from swarmgrasp.environment.waves import Waves
 from swarmgrasp.errors import EnvironmentInvalid
@@ -68,11 +68,8 @@ class Environment(Plain):
         if faults:
             raise EnvironmentInvalid(faults)
         grows = self.waves is not None and self.waves.goes_with_wind
-        if grows and (self.wind.speed or 0.0) > STRONGEST_SEA:
-            raise EnvironmentInvalid(
-                f"the wind's speed is {self.wind.speed}; the sea that goes with it is told of "
-                f"0 <= speed <= {STRONGEST_SEA} [m/s]: give the waves a height and a period"
-            )
+        if grows and (faults := sea_faults("wind's speed", self.wind.speed or 0.0)):
+            raise EnvironmentInvalid(faults)
         vars(self)["dynamic_factor"] = float(self.dynamic_factor)
 
     @property

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.environment.geometry import numbers_in
 from swarmgrasp.environment.limits import Range
+from swarmgrasp.ranges import number, shown
 
 
 class Step(NamedTuple):
@@ -43,14 +44,34 @@ STEPS: Final = (
     Step(28.4, 9.5, 11.5, 0.75),
     Step(32.6, 12.1, 12.0, 0.75),
 )
-"""By Beaufort number, from 0 to 11: the environmental conditions of the DP capability numbers of
-DNV-ST-0111, *Assessment of station keeping capability of dynamic positioning vessels* (2021). A
-calm has no waves, and in the table no period; it is given that of the next step here."""
+"""From 0 to 11, by the Beaufort number of the wind: the environmental conditions of the DP
+capability numbers of DNV-ST-0111, *Assessment of station keeping capability of dynamic positioning
+vessels* (2021). A calm has no waves, and in the table no period; it is given that of the next step
+here. Each wind is the strongest of its Beaufort number, but for step 2: the standard has 3.4 m/s,
+which by the scale is the lightest of Beaufort 3."""
 
 STRONGEST_SEA: Final = STEPS[-1].wind
 """The strongest wind [m/s] whose sea the table tells."""
 
-_TOLD = Range(0.0, STRONGEST_SEA, "m/s")
+_KNOWN = Range(0.0, STRONGEST_SEA, "m/s")
+
+
+def sea_faults(name: str, speed: object) -> list[str]:
+    """Return what is wrong with a wind [m/s] that its sea is to go with.
+
+    Examples
+    --------
+    >>> sea_faults("speed", 40.0)
+    ['the speed is 40.0; the sea that goes with a wind is known for 0 <= speed <= 32.6 [m/s]: give \
+the waves a height and a period']
+    """
+    if _KNOWN.low <= number(speed) <= _KNOWN.high:
+        return []
+    return [
+        f"the {name} is {shown(speed)}; the sea that goes with a wind is known for "
+        f"{_KNOWN.low:g} <= speed <= {_KNOWN.high:g} [{_KNOWN.unit}]: give the waves a height and "
+        "a period"
+    ]
 
 
 def sea_of(winds: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -79,6 +100,6 @@ def sea_of(winds: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     >>> round(float(height), 9), float(period)
     (1.7, 7.0)
     """
-    speeds = numbers_in(winds, "winds whose sea is told", _TOLD)
+    speeds = numbers_in(winds, "winds that a sea goes with", _KNOWN)
     known, heights, periods, _ = np.array(STEPS).T
     return np.interp(speeds, known, heights), np.interp(speeds, known, periods)

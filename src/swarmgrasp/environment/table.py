@@ -248,13 +248,13 @@ def _is_of_one_side(bearings: tuple[float, ...]) -> bool:
 def _rising_faults(
     name: str, given: object, found: tuple[float, ...], most: float, unit: str
 ) -> list[str]:
-    """Return what is wrong with numbers that should rise, up to the most."""
+    """Return what is wrong with numbers that should rise, below the most."""
     if not found or len(found) != len(items(given) or ()):
         return [f"the {name} are {shown(given)}; they should be one or more numbers [{unit}]"]
-    if any(b <= a for a, b in pairwise(found)) or found[-1] > most or found[0] < 0.0:
+    if any(b <= a for a, b in pairwise(found)) or found[-1] >= most or found[0] < 0.0:
         return [
-            f"the {name} are {shown(given)}; they should rise, from 0 or more up to {most:.6g} "
-            f"[{unit}]"
+            f"the {name} are {shown(given)}; they should rise, from 0 or more to less than "
+            f"{most:.6g} [{unit}]"
         ]
     return []
 

@@ -45,6 +45,11 @@ def beaufort_speed(force: float) -> float:
     --------
     >>> beaufort_speed(4), beaufort(7.9), beaufort(8.0)
     (7.9, 4, 5)
+
+    The steps of DNV-ST-0111 have the same winds, but for 3.4 m/s in step 2:
+
+    >>> beaufort_speed(2), beaufort(3.4)
+    (3.3, 3)
     """
     value = number(force)
     if value not in range(len(_LEAST)):

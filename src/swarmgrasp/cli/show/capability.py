@@ -37,7 +37,7 @@ def show(name: str, found: Capability, terms: Terms) -> None:
     held = (
         f"holds {wind_text(found, worst, tell)} from any bearing"
         if worst
-        else "does not hold every wind"
+        else f"holds {none_words(found.bearings, found.intact == 0.0)}"
     )
     report.headline(f"{name}: {held}", "good" if after else "caution" if worst else "bad")
     report.blank()
@@ -79,14 +79,19 @@ def _least(found: Capability, speeds: Any, index: int, holds: Any, tell: Telling
     if not none.any():
         from_ = degrees(found.bearings[index])
         return f"least from {from_}: {wind_text(found, speeds[index], tell)}"
-    said = "no wind from any bearing"
-    if not none.all():
-        few = none.sum() <= 0.5 * len(none)
-        where = ranges(found.bearings.tolist(), none if few else ~none)
-        said = f"no wind {'from' if few else 'but from'} {where}"
+    said = none_words(found.bearings, none)
     if holds[none].all():
         return said
     return f"{said}{', in part' if holds[none].any() else ','} not even {calm_words(found)} alone"
+
+
+def none_words(bearings: Any, none: Any) -> str:
+    """Say from which of some bearings (m,) [rad] no wind is held."""
+    if none.all():
+        return "no wind from any bearing"
+    few = none.sum() <= 0.5 * len(none)
+    where = ranges(bearings.tolist(), none if few else ~none)
+    return f"no wind {'from' if few else 'but from'} {where}"
 
 
 def calm_words(found: Capability) -> str:

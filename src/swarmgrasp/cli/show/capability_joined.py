@@ -2,7 +2,14 @@
 
 from swarmgrasp.capability import CapabilityJoined
 from swarmgrasp.cli.show.all_round import CLOCKWISE, bare, degrees, shown, step_note, surroundings
-from swarmgrasp.cli.show.capability import calm_words, most, numbers, sea_words, wind_text
+from swarmgrasp.cli.show.capability import (
+    calm_words,
+    most,
+    none_words,
+    numbers,
+    sea_words,
+    wind_text,
+)
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.placement import place_facts
 from swarmgrasp.cli.show.report import Column, Report
@@ -15,11 +22,10 @@ def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
     report, tell = Report(), telling_of(terms, found.after.swarm, [])
     joined, after = found.placement.robot.name, found.after
     least = float(after.intact.min())
-    said = f"holds {wind_text(after, least, tell)} from any bearing" if least else "does not hold"
-    report.headline(
-        f"{name}: {said}{'' if least else ' every wind'} with {joined}",
-        "good" if least else "caution",
-    )
+    said = none_words(after.bearings, after.intact == 0.0)
+    if least:
+        said = f"{wind_text(after, least, tell)} from any bearing"
+    report.headline(f"{name}: holds {said} with {joined}", "good" if least else "caution")
     report.blank()
     report.facts([
         *place_facts(found.placement, tell),
