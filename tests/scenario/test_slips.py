@@ -87,6 +87,7 @@ def test_no_built_in_scenario_has_a_slip() -> None:
         ),
         ("  - {name: Port Said, at: 5, direction: inward, limit: 5}\n", None),
         ("  - {name: a, at: 5, direction: 400 deg, limit: 5}\n", None),
+        ("  - {name: a, at: 5, direction: 0.0005, limit: 5}\n", None),
     ],
 )
 def test_slips_of_robots(robots: str, slip: str | None) -> None:

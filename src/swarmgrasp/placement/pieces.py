@@ -22,6 +22,8 @@ Interval = tuple[float, float]
 
 SLIVER = 1e-9
 """Width of contacts, allowed or not, that counts as rounding, relative to the outline's extent."""
+LINE = "; a line that pulls has to run free of the object"
+"""What else may leave nothing to a newcomer that pulls."""
 REMEMBERED = 32
 """Outlines whose pieces are kept for the next question."""
 
@@ -128,7 +130,8 @@ def pieces_of(
                 taken += crowded_on(outline, edge, crowd, spacing)
             for start, end in _allowed(outline, edge, zone, taken):
                 pieces += _on_stretch(outline, newcomer, zone, label, edge, start, end)
-    return checked_pieces(outline, pieces)
+    is_line = any(_attachment(newcomer, zone)[0] == "pull" for zone in zones or (None,))
+    return checked_pieces(outline, pieces, LINE * is_line)
 
 
 def zone_labels(zones: Sequence[Zone] | None) -> tuple[str, ...]:
@@ -155,8 +158,15 @@ def _whole_boundary(
     return checked_pieces(outline, pieces)
 
 
-def checked_pieces(outline: Outline, pieces: list[Piece]) -> Pieces:
+def checked_pieces(outline: Outline, pieces: list[Piece], more: str = "") -> Pieces:
     """Return pieces with their rows.
+
+    Parameters
+    ----------
+    outline : Outline
+    pieces : list of Piece
+    more : str
+        What else may have taken all the boundary, with a semicolon before it.
 
     Raises
     ------
@@ -166,8 +176,7 @@ def checked_pieces(outline: Outline, pieces: list[Piece]) -> Pieces:
     if not pieces:
         raise NowhereToAttach(
             "no boundary point is left to the newcomer: widen the zones or their directions, "
-            "shorten the no-go stretches or lessen the spacing; a line that "
-            "pulls has to run free of the object, and a body needs room"
+            f"shorten the no-go stretches or lessen the spacing{more}"
         )
     numbers = np.array([piece[:6] for piece in pieces])
     edges = numbers[:, 0].astype(int)

@@ -173,7 +173,8 @@ class Problem(Frozen, Plain):
             return found
         from swarmgrasp.placement.room import Room
 
-        return checked_pieces(swarm.outline, list(Room(swarm).left(found.each, newcomer)))
+        left = list(Room(swarm).left(found.each, newcomer))
+        return checked_pieces(swarm.outline, left, "; its body needs room beside those there")
 
     def places(self) -> Pieces | Areas | Decks:
         """List the pieces of the boundary, or of areas inside, that are left to the newcomer.

@@ -104,9 +104,9 @@ def _is_end(path: Path) -> bool:
 
 
 def _is_part_of_turn(value: float) -> bool:
-    """Tell whether a number is a multiple of a 24th of a turn in radians, written with decimals."""
+    """Tell whether a number is a multiple of a 24th of a turn in radians, up to one turn."""
     off = math.remainder(value, math.pi / 12.0)
-    return abs(value) <= math.tau + _ROUNDED and abs(off) <= _ROUNDED
+    return _ROUNDED < abs(value) <= math.tau + _ROUNDED and abs(off) <= _ROUNDED
 
 
 def _more(count: int) -> str:
