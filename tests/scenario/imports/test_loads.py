@@ -79,7 +79,7 @@ def test_winds_of_several_speeds_are_interpolated(tmp_path: Path) -> None:
         (TABLE.replace("Mz", "Mx"), "unknown column 'mx'"),
         (
             TABLE.replace("[kn]", "[knZ]"),
-            "loads.csv:1: environment.wind.table: the column 'wind sp",
+            "loads.csv:1: environment.wind.table: 'wind sp",
         ),
         ("20,0,1,2,3\n20,1.5,1,2,3\n", "leave a gap from 85.94 to 0 deg"),
         ("20,0,1,2\n", "has 4 cells"),

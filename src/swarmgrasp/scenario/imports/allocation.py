@@ -186,7 +186,7 @@ def _of_table(source: Source, unit: str) -> Matrix | None:
     cells = read_cells(source, width=1)
     if cells is None:
         return None
-    if not cells.headings and is_allocation(cells):
+    if not cells.headings and all(math.isnan(cells.number(row.cells[0])) for row in cells.rows):
         return _by_rows(source, cells, unit)
     if not cells.headings:
         columns = [f"column {k + 1}" for k in range(len(cells.rows[0].cells))]
