@@ -6,7 +6,6 @@ import re
 import pytest
 
 from swarmgrasp import forces
-from swarmgrasp.cli.show.held import misses
 from swarmgrasp.scenario import load_scenario
 
 BARGE = """\
@@ -46,7 +45,7 @@ def test_held_and_after_whose_loss_it_is_not(asked):
     match = re.fullmatch(r"Barge: held in 25 kn from 60 deg, ([0-9.]+) kN to spare\. (.*)", first)
     assert match, first
     load, swarm = scenario.criterion.load, scenario.swarm
-    lost = [n for n in swarm.names if misses(forces(swarm.without(n), (0, 0, 0), load=load))]
+    lost = [n for n in swarm.names if forces(swarm.without(n), (0, 0, 0), load=load).is_degraded]
     assert lost == ["Tug 3", "Tug 4"]
     assert match[2] == "Not held after losing Tug 3 or 4."
 

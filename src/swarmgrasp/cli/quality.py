@@ -117,4 +117,4 @@ def _alone(scenario: "Scenario", criterion: "Criterion") -> "tuple[Loss, ...] | 
     machines = int(scenario.swarm.machines.max(initial=-1)) + 1
     if not criterion.has_load or criterion.is_of_worst or machines > MOST_TRIED:
         return None
-    return losses(scenario.swarm, **criterion.terms)
+    return losses(scenario.swarm, **replace(criterion, task=None).terms)

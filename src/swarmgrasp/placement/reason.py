@@ -1,6 +1,7 @@
 """Why an answer is what it is, in words."""
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,7 @@ from swarmgrasp.quality.explain import (
     limit_sentences,
     loss_sentences,
 )
-from swarmgrasp.quality.max_transfer import Quality
+from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.swarm.sectors import sector_words
 from swarmgrasp.telling import Telling
@@ -134,8 +135,9 @@ def _quality_of(swarm: "Swarm", found: Weakest, answer: "Placement") -> Quality:
     """Return a quality that the search found."""
     value = found.quality
     return Quality(
-        value, value, value, np.array(found.normal), answer.problem.criterion, None, swarm, swarm
-    )
+        value, value, value, np.array(found.normal), answer.problem.criterion, None, swarm, swarm,
+        None,
+    )  # fmt: skip
 
 
 def _weakest(answer: "Placement", found: Weakest) -> str:
@@ -170,6 +172,10 @@ def _before(answer: "Placement") -> str:
     without = f"Without {_name(answer)}{f', {words},' if words else ''} the quality is"
     way = _weakest(answer, answer.before)
     if answer.quality_before == 0.0:
+        margin = quality(swarm, **replace(criterion, task=None).terms).margin
+        if margin < 0.0:
+            short = Unit.for_size(margin, figures=FIGURES).text(-margin)
+            return f"{without} 0: the swarm is {short} short of holding the load."
         return f"{without} 0: at {way} the swarm exerts nothing."
     setters = _quality_of(swarm, answer.before, answer).facet_robots
     by = f", set by {crew_words(setters)}" if len(setters) > 1 else ""

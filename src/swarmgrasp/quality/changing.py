@@ -70,7 +70,7 @@ def changing_bounds(swarm: Swarm, most: float) -> tuple[float, float]:
         cells, found = cells[~is_near], found[~is_near]
         if most == 0.0:
             return 0.0, 0.0
-        cells = _quarters(cells)
+        cells = quarters(cells)
     return min(least, most), most
 
 
@@ -91,7 +91,7 @@ def _within(cell: Array, reaches: list[Array]) -> float:
     return float(far * abs(cell[0] @ across) / np.linalg.norm(across))
 
 
-def _quarters(cells: Array) -> Array:
+def quarters(cells: Array) -> Array:
     """Cut triangles of unit vectors (c, 3, 3) in four, between the middles of their edges."""
     a, b, c = cells[:, 0], cells[:, 1], cells[:, 2]
     middles = [one + other for one, other in ((a, b), (b, c), (c, a))]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.swarm.sectors import sector_words
-from swarmgrasp.words import Unit, degrees, list_words, percent
+from swarmgrasp.words import Unit, degrees, list_words, percent, wrench_words
 
 if TYPE_CHECKING:
     from swarmgrasp.quality.max_transfer import Quality
@@ -83,7 +83,8 @@ def limit_sentences(found: "Quality", swarm: "Swarm", unit: Unit, now: str = "")
     """
     way = f"The swarm is{now} weakest at {found.weakest_words}"
     if found.value == 0.0:
-        said = [f"{way}: that way it exerts nothing."]
+        is_missed = found.criterion.task is None and found.margin < 0.0
+        said = [f"{way}: that way it {'falls short most' if is_missed else 'exerts nothing'}."]
     else:
         if found.criterion.task is not None:
             size = float(np.linalg.norm(found.weakest_wrench * swarm.scale))
@@ -128,8 +129,12 @@ def _headline(found: "Quality", swarm: "Swarm", unit: Unit) -> list[str]:
         if found.criterion.task is not None:
             return [f"{given} manages {value}."]
         return [f"{given} exerts at least {value} in every direction, turning included."]
+    if found.criterion.task is None and found.margin < 0.0:
+        short = Unit.for_size(found.margin, figures=FIGURES).text(-found.margin)
+        drift = wrench_words(-found.missing * swarm.scale)
+        return [f"{given} is {short} short of holding the load, which leaves the object {drift}."]
     if found.is_force_closure:
-        return [f"{given} has nothing to spare: it does not hold the load."]
+        return [f"{given} has nothing to spare beside the load."]
     if str(found.force_closure) == "marginal":
         return [f"{given} is on the border of force closure: the outline's rounding decides."]
     return [f"{given} has no force closure: in some directions it exerts nothing."]

@@ -15,9 +15,11 @@ from swarmgrasp.quality.changing import changing_bounds
 from swarmgrasp.quality.criterion import Criterion, Terms, criterion_of
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
+from swarmgrasp.quality.margin import Margin, missed
 from swarmgrasp.quality.mean_reach import mean_reach
 from swarmgrasp.quality.opposed import is_opposed
 from swarmgrasp.quality.robot_sets import RobotSets
+from swarmgrasp.quality.task_margin import around_task
 from swarmgrasp.quality.weakest import Weakest, bounded_weakest
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.choices import Asked, Choice, Choices, Taken
@@ -55,7 +57,8 @@ class Quality(Frozen, Answer):
         What it is at most: the value itself; with gaps between sectors, no more than the quality
         with these filled.
     direction : (3,)
-        Unit normal of the weakest facet, in the metric's coordinates.
+        Unit normal of the weakest facet, in the metric's coordinates; of a load that is missed,
+        the way in which it is missed most.
     criterion : Criterion
     choice : Choice, optional
         The sectors kept, if robots have sectors with gaps between.
@@ -70,6 +73,8 @@ class Quality(Frozen, Answer):
     _swarm: Swarm = field(repr=False)
     _held: Swarm = field(repr=False)
     """The same swarm, or as it is with the sectors kept."""
+    _missed: Margin | None = field(repr=False)
+    """By how much it misses the load, if it does and there is no task."""
 
     kind = "quality"
 
@@ -80,6 +85,30 @@ class Quality(Frozen, Answer):
         if task is None:
             return self.value * self.direction / scale
         return self.value * task.farthest(self.direction * scale)
+
+    @property
+    def margin(self) -> float:
+        """How far the swarm reaches beyond the load, or falls short of it [N] (T34).
+
+        Signed and continuous: the value where the load is held. Where it is missed, minus the
+        distance in the metric from holding it, after the worst loss and failure and in the worst
+        poses. Without a load it is at least 0, but for robots that always exert a least force.
+
+        With a task it is of all of it, once: 0 or more where the value is at least 1, and then how
+        far all wrenches of the task lie within reach; otherwise minus the distance of the wrench of
+        it that is farthest out of reach.
+        """
+        return self._about.value
+
+    @property
+    def missing(self) -> NDArray[np.float64]:
+        """(3,) [N, N, N m]: what would have to be exerted beyond what the robots can.
+
+        Beside the load, and in the worst case; its size in the metric is minus the margin, and it
+        is 0 where nothing is missed.
+        """
+        size = max(0.0, -self.margin)
+        return size * np.array(self._about.normal) / self._held.scale + 0.0
 
     @property
     def weakest_words(self) -> str:
@@ -181,7 +210,8 @@ class Quality(Frozen, Answer):
         return {
             "swarm": swarm.to_data(),
             **picked(
-                self, "criterion", "value", "bound", "upper_bound", "choice", "noise",
+                self, "criterion", "value", "bound", "upper_bound", "margin", "missing", "choice",
+                "noise",
                 "force_closure", "direction",
                 "weakest_wrench", "ceiling", "efficiency", "explanation", "facet_robots", "lost",
                 "failure",
@@ -194,6 +224,23 @@ class Quality(Frozen, Answer):
         """The direction as numbers."""
         x, y, z = self.direction.tolist()
         return x, y, z
+
+    @cached_property
+    def _about(self) -> Margin:
+        """The margin, and the way in which it is least."""
+        task = self.criterion.task
+        if task is None:
+            return self._missed or Margin(self.value, self._normal)
+        scale, terms = self._held.scale, self.criterion.terms | {"task": None}
+        load = np.array(self.criterion.load) * scale
+
+        def at(wrench: NDArray[np.float64]) -> Margin:
+            """Return the margin of one wrench (3,) [N] of the task."""
+            x, y, turn = ((load - wrench) / scale).tolist()
+            found = quality(self._held, **terms | {"load": (x, y, turn)})
+            return Margin(found.margin, found._normal)
+
+        return around_task(task, scale, at)
 
     @cached_property
     def _aim(self) -> Aim:
@@ -263,13 +310,17 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     if swarm.rare.gaps:
         held, choice, most = best_choice(swarm, criterion)
     found, bound = _weakest(held, criterion)
+    beyond = _beyond(held, criterion, found)
+    if beyond is not None and beyond.value < 0.0:
+        found = found._replace(normal=beyond.normal)
     upper_bound = found.quality
     if most is not None:
         least, most = changing_bounds(swarm, most) if criterion.is_nominal else (0.0, most)
         bound, upper_bound = max(bound, least), max(most, found.quality)
     return Quality(
-        found.quality, bound, upper_bound, np.array(found.normal), criterion, choice, swarm, held
-    )
+        found.quality, bound, upper_bound, np.array(found.normal), criterion, choice, swarm, held,
+        beyond,
+    )  # fmt: skip
 
 
 def best_choice(swarm: Swarm, criterion: Criterion) -> tuple[Swarm, Choice, float]:
@@ -287,8 +338,11 @@ def best_choice(swarm: Swarm, criterion: Criterion) -> tuple[Swarm, Choice, floa
 
     def ask(taken: Taken) -> Asked:
         """Return the quality that no choice exceeds that agrees with one."""
-        found, _ = _weakest(choices.swarm(taken), criterion)
-        return Asked((-found.quality,), choices.first_open(taken), found.quality)
+        left = choices.swarm(taken)
+        found, _ = _weakest(left, criterion)
+        beyond = _beyond(left, criterion, found)
+        margin = found.quality if beyond is None else beyond.value
+        return Asked((-margin,), choices.first_open(taken), found.quality)
 
     found = choices.least(ask)
     most = float(ask(choices.none).what)
@@ -300,6 +354,14 @@ def _weakest(swarm: Swarm, criterion: Criterion) -> tuple[Weakest, float]:
     if criterion.is_nominal and swarm.has_rays_only:
         return bounded_weakest(swarm.scaled_generators)
     return Aim(swarm, criterion).weakest()
+
+
+def _beyond(swarm: Swarm, criterion: Criterion, found: Weakest) -> Margin | None:
+    """Return by how much a load is missed, if there is no quality; None where it is held."""
+    may_rest = swarm.has_rays_only and not criterion.has_load
+    if found.quality > 0.0 or criterion.task is not None or may_rest:
+        return None
+    return missed(swarm, criterion)
 
 
 def _sizes(generators: NDArray[np.float64]) -> NDArray[np.float64]:

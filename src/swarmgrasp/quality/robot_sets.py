@@ -99,7 +99,7 @@ def certain_sets(swarm: Swarm, spreads: Mapping[int, Poses | None]) -> Certain:
     )
 
 
-def _failing(
+def failing_rows(
     swarm: Swarm, failures: Sequence[Sequence[str]], count: int, astern: Sequence[int]
 ) -> NDArray[np.bool_]:
     """Return which rows of a swarm's arrays (f, count) each failure takes.
@@ -190,7 +190,7 @@ class RobotSets:
         arms, elements, counts, machines, parts, poses, astern = certain_sets(swarm, self.spreads)
         self.gap = UNSURE if len(parts) or len(poses) else CERTIFIED
         self._machines = machines.astype(int)
-        self.failing = _failing(swarm, failures, len(machines), astern)
+        self.failing = failing_rows(swarm, failures, len(machines), astern)
         x, y, z = swarm.scale.tolist()
         self.core = core.Sets(
             arms, elements, counts, machines, (x, y, z), losing, load, task, is_polytope, parts,

@@ -81,7 +81,8 @@ def _headline(scenario: Scenario, found: Forces, tell: Telling, times: float) ->
     if found.load.any() and not found.wanted.any():
         weather = weather_words(scenario, found.load, tell)
         if found.is_degraded:
-            return f"not held {weather}: out of reach by {short}, {drift_words(found)}", "bad"
+            drift = drift_words(found.missing, found.swarm)
+            return f"not held {weather}: out of reach by {short}, {drift}", "bad"
         return f"held {weather}: busiest {_busiest(found)}, {top}", "good"
     if times < 1.0:
         if times == 0.0:

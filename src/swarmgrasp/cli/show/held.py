@@ -8,10 +8,8 @@ from numpy.typing import ArrayLike
 
 from swarmgrasp.cli.show.change import unit_of
 from swarmgrasp.environment import Environment, Waves
-from swarmgrasp.errors import ForcesNotProven
-from swarmgrasp.forces import Forces, forces
 from swarmgrasp.outline import Outline
-from swarmgrasp.quality import Loss, Quality
+from swarmgrasp.quality import Loss, Quality, quality
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.telling import Telling
@@ -31,9 +29,8 @@ class Held:
     ----------
     found : Quality
         Of the swarm by a criterion with a load.
-    answer : Forces or None
-        What the robots that are there in the worst case do against the load; None where the
-        quality says that they hold it.
+    alone : Quality
+        The same of the load alone, without a task.
     unheld : tuple of str
         The robots and groups after whose loss, alone, it is not held.
     tried : int
@@ -41,47 +38,38 @@ class Held:
     """
 
     found: Quality
-    answer: Forces | None
+    alone: Quality
     unheld: tuple[str, ...]
     tried: int
 
     @property
     def is_missed(self) -> bool:
         """Whether the load is out of reach."""
-        return self.answer is not None and misses(self.answer)
+        return misses(self.alone)
 
 
-def misses(answer: Forces) -> bool:
-    """Tell whether forces miss the load that they are to hold."""
-    return answer.shortfall > SAME * float(np.linalg.norm(answer.load * answer.swarm.scale))
+def misses(found: Quality) -> bool:
+    """Tell whether a load is missed, by more than rounding."""
+    load = np.array(found.criterion.load) * found.worst_swarm.scale
+    return -found.margin > SAME * float(np.linalg.norm(load))
 
 
-def held_of(found: Quality, lost: Sequence[Loss] | None) -> Held | None:
-    """Tell whether a load is held; None if rounding hides that.
+def held_of(swarm: Swarm, found: Quality, lost: Sequence[Loss] | None) -> Held:
+    """Tell whether a load is held.
 
     Parameters
     ----------
+    swarm : Swarm
     found : Quality
-        By a criterion with a load.
+        Of it, by a criterion with a load.
     lost : sequence of Loss or None
-        What each loss leaves beside the load; None if that was not asked.
+        What each loss leaves beside the load alone; None if that was not asked.
     """
-    load = found.criterion.load
-    try:
-        answer = None if found.value > 0.0 else _against(found.worst_swarm, load)
-        unheld = [
-            loss.name
-            for loss in lost or ()
-            if loss.quality == 0.0 and misses(_against(loss.after.worst_swarm, load))
-        ]
-    except ForcesNotProven:
-        return None
-    return Held(found, answer, tuple(unheld), len(lost or ()))
-
-
-def _against(swarm: Swarm, load: tuple[float, float, float]) -> Forces:
-    """Return what robots do against a load."""
-    return forces(swarm, (0.0, 0.0, 0.0), load=load)
+    alone = found
+    if found.criterion.task is not None:
+        alone = quality(swarm, **replace(found.criterion, task=None).terms)
+    unheld = tuple(loss.name for loss in lost or () if misses(loss.after))
+    return Held(found, alone, unheld, len(lost or ()))
 
 
 # -- words --------------------------------------------------------------------------------
@@ -93,12 +81,13 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     said = f"held {weather_words(scenario, criterion.load, tell)}"
     if words := replace(criterion, load=(0.0, 0.0, 0.0)).words(scenario.swarm, tell.terms.robot):
         said += f" {words}"
-    if held.answer is not None and held.is_missed:
-        short = tell.force.text(held.answer.shortfall)
-        return f"not {said}: out of reach by {short}, {drift_words(held.answer)}"
+    if held.is_missed:
+        short = tell.force.text(-held.alone.margin)
+        drift = drift_words(held.alone.missing, scenario.swarm)
+        return f"not {said}: out of reach by {short}, {drift}"
     if found.value > 0.0:
         said += f", {unit_of(criterion, tell).text(found.value)} to spare"
-    elif criterion.is_of_worst:  # of several losses as bad, another may be the one that misses
+    elif criterion.is_of_worst:
         return f"nothing to spare when {said}, weakest {found.weakest_words}"
     else:
         said += f", with nothing to spare {found.weakest_words}"
@@ -111,9 +100,9 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     return f"{said}. Held after losing {one}." if held.tried else said
 
 
-def drift_words(answer: Forces) -> str:
-    """Say where what is missing drives the object."""
-    return f"which leaves the object {wrench_words(-answer.missing * answer.swarm.scale)}"
+def drift_words(missing: ArrayLike, swarm: Swarm) -> str:
+    """Say where what is missing (3,) [N, N, N m] drives the object."""
+    return f"which leaves the object {wrench_words(-np.asarray(missing) * swarm.scale)}"
 
 
 def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:

@@ -46,7 +46,9 @@ def show(
     """
     report, swarm, criterion = Report(), scenario.swarm, found.criterion
     tell = telling_of(terms, swarm, [found.upper_bound])
-    held = held_of(found, alone) if criterion.has_load and found.choice is None else None
+    held = None
+    if criterion.has_load and found.choice is None:
+        held = held_of(swarm, found, alone)
     _headline(report, scenario, found, held, tell)
     report.blank()
     facts = [
@@ -120,11 +122,10 @@ def _is_vessel(swarm: Swarm) -> bool:
 
 def _missed(held: Held, tell: Telling) -> list[tuple[str, str]]:
     """Tell by how much a load is out of reach, and where it drives the object."""
-    answer = held.answer
-    if answer is None or not held.is_missed:
+    if not held.is_missed:
         return []
-    left = _parts(answer.swarm, (-answer.missing).tolist(), tell)
-    short = tell.force.text(answer.shortfall)
+    short = tell.force.text(-held.alone.margin)
+    left = _parts(held.alone.worst_swarm, (-held.alone.missing).tolist(), tell)
     return [("Out of reach", f"by {short} in the metric: {left} of torque are left over")]
 
 
@@ -189,13 +190,20 @@ def _efficiency(swarm: Swarm, found: Quality, tell: Telling) -> tuple[str, str]:
 def _worst_loss(found: Quality, lost: Sequence[Loss]) -> str:
     """Name the robots whose loss is worst, and those whose loss is as bad."""
     if found.criterion.losing == 1:
-        equal = [loss.name for loss in lost if loss.quality <= found.value * (1.0 + EQUAL)]
+        least = _spare(found)
+        close = least + EQUAL * abs(least)
+        equal = [loss.name for loss in lost if _spare(loss.after) <= close]
         if len(equal) > 1:
             return f"{', '.join(equal[:-1])} or {equal[-1]}"
     names = ", ".join(found.lost)
     if len(found.lost) < found.criterion.losing:
         return f"{names}: that alone leaves nothing"
     return names
+
+
+def _spare(found: Quality) -> float:
+    """Return the quality, or by how much a load is missed [N]."""
+    return found.value if found.criterion.task is not None else found.margin
 
 
 def _beside(
@@ -266,7 +274,7 @@ def _weakest(swarm: Swarm, found: Quality, tell: Telling) -> list[tuple[str, str
         told = _parts(swarm, found.weakest_wrench.tolist(), tell)
         facts = [("Weakest wrench", words), ("", f"{who} at most {told} of torque at once")]
     elif found.criterion.has_load and found.is_force_closure:
-        facts = [("Weakest wrench", f"{words}: {robots} do not hold the load there")]
+        facts = [("Weakest wrench", f"{words}: {robots} fall short most that way")]
     else:
         facts = [("Weakest wrench", f"{words}: {robots} exert nothing that way")]
     if len(found.facet_robots) > 1:
