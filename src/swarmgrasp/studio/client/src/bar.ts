@@ -11,7 +11,7 @@ const MOST_LOST = 3;
 const MOST_LATER = 5;
 const DEGREE = Math.PI / 180;
 /** A wind to begin with where a file has none: 25 knots from 60 degrees. */
-const WIND = { speed: 12.861, bearing: Math.PI / 3 };
+export const WIND = { speed: 12.861, bearing: Math.PI / 3 };
 
 export interface BarButtons {
   readonly menu: () => void;

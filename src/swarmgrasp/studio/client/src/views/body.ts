@@ -156,7 +156,7 @@ class Painter {
   paint(hovered: Triple | null, weakHovered: boolean): void {
     const { ball } = this.mesh;
     const { solid, axes } = this;
-    const limiting = ball?.face ?? null;
+    const limiting = this.#limiting();
     const limitsInFront = limiting !== null && solid.isFront(limiting, axes);
     const many = solid.faces.length > MOST_EDGED;
     if (!many) this.#edges(false);
@@ -170,6 +170,14 @@ class Painter {
     if (ball !== null && ball.radius > 0) this.#touch(ball.touches);
     else this.#needed();
     this.#tripod();
+  }
+
+  /** The face that the ball touches; none where it touches a round part. */
+  #limiting(): number | null {
+    const { ball } = this.mesh;
+    if (ball === null || ball.face === null || ball.radius <= 0) return null;
+    const way = ball.touches.map((part) => part / ball.radius) as Triple;
+    return this.solid.facing(ball.face, way) > 0.995 ? ball.face : null;
   }
 
   #project(at: Triple): Point {
@@ -214,7 +222,8 @@ class Painter {
     const { solid, axes } = this;
     const dense = solid.faces.length > MANY_FACES;
     this.#pen.beginPath();
-    for (const { from, to, faces } of solid.edges) {
+    for (const { from, to, faces, creased } of solid.edges) {
+      if (dense && !creased) continue;
       if (faces.some((face) => solid.isFront(face, axes)) !== front) continue;
       this.#pen.moveTo(...this.#points[from]!);
       this.#pen.lineTo(...this.#points[to]!);
@@ -284,14 +293,16 @@ class Painter {
     this.#pen.stroke();
   }
 
+  /** Where the ball touches; hollow on its far side. */
   #touch(at: Triple): void {
     const [x, y] = this.#project(at);
+    const behind = dot(at, this.axes.near) < 0;
     this.#pen.beginPath();
     this.#pen.arc(x, y, 3.4, 0, 2 * Math.PI);
-    this.#pen.fillStyle = this.colours.weak;
+    this.#pen.fillStyle = behind ? this.colours.card : this.colours.weak;
     this.#pen.fill();
     this.#pen.lineWidth = 1.4;
-    this.#pen.strokeStyle = this.colours.card;
+    this.#pen.strokeStyle = behind ? this.colours.weak : this.colours.card;
     this.#pen.stroke();
   }
 

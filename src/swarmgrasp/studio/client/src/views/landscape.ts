@@ -11,7 +11,7 @@ import { axisOf, columnsOf, isFree, namesOf, offOf, valueAt, type Axis, type Col
 import { palette, ramp, rgb, sheet, whenLooksChange, type Palette, type Sheet } from "./paint";
 
 const DEGREE = Math.PI / 180;
-const [LEFT, TOP, BELOW] = [34, 4, 26];
+const [LEFT, TOP, BELOW] = [34, 12, 26];
 const FONT = "11.5px Inter, system-ui, sans-serif";
 
 interface Drawn {
@@ -175,7 +175,7 @@ export class Landscape implements View {
     for (const { text, x, column } of names) {
       pen.font = `${column === best || column === zone ? 600 : 400} ${FONT}`;
       pen.fillStyle = column === best ? colours["new-text"] : column === zone ? colours.ink : colours.grey;
-      pen.fillText(text, x, height - 6);
+      pen.fillText(text, x, height - 9);
     }
     if (zone < 0) return;
     pen.strokeStyle = colours.ink;

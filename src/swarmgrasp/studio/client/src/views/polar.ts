@@ -95,6 +95,8 @@ export function speedAt(bearings: ArrayLike<number>, speeds: ArrayLike<number>, 
 
 /** A bearing is kept until another is so many pixels freer. */
 const STAY = 4;
+/** Two figures touch where they are nearer than this, across and up [px]. */
+const [FIGURE_WIDE, FIGURE_HIGH] = [28, 14];
 
 /** The bearing, 20 to 70 degrees into a quadrant, where figures at these radii are farthest from points. */
 export function freeBearing(radii: readonly number[], points: readonly Point[], before: number | null): number {
@@ -107,13 +109,20 @@ export function freeBearing(radii: readonly number[], points: readonly Point[], 
     return least;
   };
   let best = before ?? (Math.PI * 7) / 4;
-  let most = before === null ? -1 : room(best) + STAY;
+  let most = before === null || touch(radii, before) ? -1 : room(best) + STAY;
   for (let quadrant = 0; quadrant < 4; quadrant++) {
     for (let degrees = 20; degrees <= 70; degrees += 5) {
       const bearing = ((90 * quadrant + degrees) * Math.PI) / 180;
+      if (touch(radii, bearing)) continue;
       const free = room(bearing);
       if (free > most + 1e-9) [best, most] = [bearing, free];
     }
   }
   return best;
+}
+
+/** Whether figures at these radii stand on each other. */
+function touch(radii: readonly number[], bearing: number): boolean {
+  const [x, y] = polar(bearing, radii.length > 1 ? radii[1]! - radii[0]! : Infinity);
+  return Math.abs(x) < FIGURE_WIDE && Math.abs(y) < FIGURE_HIGH;
 }

@@ -1,5 +1,6 @@
 /* Wind held from every bearing, bow up. The wind that is asked about is a handle. */
 
+import { WIND } from "../bar";
 import type { Context, Seen, View } from "../context";
 import { el, Pool, put, show, svg, write } from "../dom";
 import type { Tile } from "../layout";
@@ -240,9 +241,10 @@ export class Rose implements View {
   }
 }
 
+/** The wind of a document, or the one that would be asked about first. */
 function windOf(doc: Doc): Wind {
   const wind = doc.environment?.wind;
-  return { speed: wind?.speed ?? 0, bearing: wind?.bearing ?? 0 };
+  return { speed: wind?.speed ?? WIND.speed, bearing: wind?.bearing ?? WIND.bearing };
 }
 
 /** The same with another wind, which is then asked about. */

@@ -39,14 +39,24 @@ export function dot(a: Triple, b: Triple): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/** Two corners, the one or two faces they bound, and whether these meet in a crease. */
+export interface Edge {
+  readonly from: number;
+  readonly to: number;
+  readonly faces: number[];
+  creased: boolean;
+}
+
+/** Faces that turn by less than this at an edge are parts of one round face: 5 degrees. */
+const SMOOTH = Math.cos((5 * Math.PI) / 180);
+
 /** The shape of a mesh, in its own steps: what does not change as it is turned. */
 export class Solid {
   readonly corners: ArrayLike<number>;
   /** Of every face its corners, counter-clockwise. */
   readonly faces: readonly (readonly number[])[];
   readonly normals: ArrayLike<number>;
-  /** Pairs of corners, with the one or two faces they bound. */
-  readonly edges: readonly { readonly from: number; readonly to: number; readonly faces: readonly number[] }[];
+  readonly edges: readonly Edge[];
   readonly middle: Triple;
   /** Of a ball round the middle that holds all corners. */
   readonly radius: number;
@@ -59,7 +69,7 @@ export class Solid {
       faces.push([...mesh.faces.subarray(mesh.starts[f], mesh.starts[f + 1])]);
     }
     this.faces = faces;
-    this.edges = faces.length > mostEdges ? [] : edgesOf(faces);
+    this.edges = faces.length > mostEdges ? [] : this.#edgesOf(faces);
     const [low, high] = boxOf(mesh.corners);
     this.middle = [0, 1, 2].map((k) => (low[k]! + high[k]!) / 2) as Triple;
     let most = 0;
@@ -78,24 +88,33 @@ export class Solid {
     return this.#along(face, direction) / 127;
   }
 
+  #edgesOf(faces: readonly (readonly number[])[]): Edge[] {
+    const found = new Map<number, Edge>();
+    faces.forEach((face, f) => {
+      face.forEach((from, i) => {
+        const to = face[(i + 1) % face.length]!;
+        const key = Math.min(from, to) * 65536 + Math.max(from, to);
+        const known = found.get(key);
+        if (known === undefined) found.set(key, { from, to, faces: [f], creased: true });
+        else {
+          known.faces.push(f);
+          known.creased = this.facing(f, this.#normal(known.faces[0]!)) < SMOOTH;
+        }
+      });
+    });
+    return [...found.values()];
+  }
+
+  #normal(face: number): Triple {
+    const normal = [0, 1, 2].map((k) => this.normals[3 * face + k]!) as Triple;
+    const size = Math.hypot(...normal) || 1;
+    return normal.map((part) => part / size) as Triple;
+  }
+
   #along(face: number, [x, y, z]: Triple): number {
     const at = 3 * face;
     return this.normals[at]! * x + this.normals[at + 1]! * y + this.normals[at + 2]! * z;
   }
-}
-
-function edgesOf(faces: readonly (readonly number[])[]): { from: number; to: number; faces: number[] }[] {
-  const found = new Map<number, { from: number; to: number; faces: number[] }>();
-  faces.forEach((face, f) => {
-    face.forEach((from, i) => {
-      const to = face[(i + 1) % face.length]!;
-      const key = Math.min(from, to) * 65536 + Math.max(from, to);
-      const known = found.get(key);
-      if (known === undefined) found.set(key, { from, to, faces: [f] });
-      else known.faces.push(f);
-    });
-  });
-  return [...found.values()];
 }
 
 function boxOf(corners: ArrayLike<number>): [number[], number[]] {
