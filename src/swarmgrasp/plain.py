@@ -139,7 +139,7 @@ def _branches(kind: Any) -> tuple[_Branch, ...]:
     if get_origin(kind) is Literal:
         return (_Branch(kind, (str,), " or ".join(map(repr, get_args(kind)))),)
     if _is_plain(kind):
-        return (_Branch(kind, (dict,), f"a mapping of {', '.join(parts_of(kind))}"),)
+        return (_Branch(kind, (dict, kind), f"a mapping of {', '.join(parts_of(kind))}"),)
     return (_Branch(kind, (list,), "a list"),)
 
 
@@ -154,7 +154,7 @@ def read(data: Any, kind: Any, path: _Path, faults: list[str]) -> Any:
     Parameters
     ----------
     data : object
-        As JSON has it.
+        As JSON has it; an object that has been made of a mapping already may stand for it.
     kind : type
         As annotations have it.
     path : tuple of str and int

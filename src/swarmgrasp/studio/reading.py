@@ -1,15 +1,23 @@
 """The question that a document of a page asks."""
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
+import msgspec
+
 from swarmgrasp.environment import Environment
-from swarmgrasp.errors import DataInvalid
+from swarmgrasp.errors import DataInvalid, SwarmGraspError
+from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
-from swarmgrasp.plain import read
+from swarmgrasp.plain import Plain, read
 from swarmgrasp.studio.messages import Doc, Fault, Speech
 from swarmgrasp.studio.scenes import records, terms_of
+from swarmgrasp.swarm import Robot
 from swarmgrasp.terms import Terms
+
+REMEMBERED = 20_000
+"""Objects that are kept, so that a gesture makes only the one anew that changes."""
 
 
 @dataclass(frozen=True)
@@ -48,14 +56,16 @@ def question_of(doc: Doc, speech: Speech) -> Question:
         If it makes no question; all faults at once, each with the path of its key.
     """
     faults: list[str] = []
-    given: dict[str, Any] = dict(doc.problem)
+    given = _remembered(doc.problem)
     nowhere = given.get("zones") == []
     if nowhere:  # a Problem knows a place or none at all
         given["zones"] = None
     problem = read(given, Problem, ("problem",), faults)
     environment = None
     if doc.environment is not None:
-        environment = read(doc.environment, Environment, ("environment",), faults)
+        environment = read(
+            _known(Environment, doc.environment), Environment, ("environment",), faults
+        )
     if doc.in_weather and (doc.environment is None or (environment and not environment.is_steady)):
         faults.append("in_weather: there is no steady wind; give it a speed and a bearing")
     if faults:
@@ -66,6 +76,34 @@ def question_of(doc: Doc, speech: Speech) -> Question:
         criterion = replace(problem.criterion, load=(x, y, turn))
         problem = replace(problem, criterion=criterion)
     return Question(doc, problem, environment, terms, doc.newcomer and not nowhere)
+
+
+def _remembered(problem: dict[str, Any]) -> dict[str, Any]:
+    """Return a problem's plain form with the objects in place that were made before.
+
+    In a gesture one robot is another, and the others are as they were.
+    """
+    swarm = problem.get("swarm")
+    if not isinstance(swarm, dict) or not isinstance(swarm.get("robots"), list):
+        return dict(problem)
+    robots = [_known(Robot, robot) for robot in swarm["robots"]]
+    outline = _known(Outline, swarm.get("outline"))
+    return {**problem, "swarm": {**swarm, "robots": robots, "outline": outline}}
+
+
+def _known(kind: type[Plain], data: object) -> object:
+    """Return the object that data make; the data themselves if they make none, to be told of."""
+    try:
+        return _made(kind, msgspec.json.encode(data))
+    except SwarmGraspError:
+        return data
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _made(kind: Any, raw: bytes) -> Plain:
+    """Make an object of data in JSON."""
+    made: Plain = kind.from_data(msgspec.json.decode(raw))
+    return made
 
 
 def faults_in(faults: tuple[str, ...]) -> tuple[Fault, ...]:
