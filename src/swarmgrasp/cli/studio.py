@@ -1,6 +1,7 @@
 """`swarmgrasp studio`: a page where everything can be seen and moved."""
 
 import os
+import ssl
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -8,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from swarmgrasp.cli.dash import DASH, Dashed
-from swarmgrasp.cli.inputs import STDIN, UsageFault, is_written, read_stdin, whole_faults
+from swarmgrasp.cli.inputs import (
+    STDIN,
+    UsageFault,
+    is_written,
+    noting,
+    read_scenario,
+    read_stdin,
+    whole_faults,
+)
 from swarmgrasp.cli.lasting import INTERRUPTED, end_on_signals, say
 
 if TYPE_CHECKING:
@@ -16,6 +25,8 @@ if TYPE_CHECKING:
 
 DEFAULT = "escort-ring"
 """The scene opened unless told otherwise."""
+LOOPBACK = ("127.0.0.1", "::1", "localhost")
+ANYWHERE = ("0.0.0.0", "::", "")
 
 
 def studio(
@@ -24,11 +35,15 @@ def studio(
     *,
     port: Annotated[str, Parameter(metavar="INT")] = "0",
     browser: bool = True,
+    run: Path | None = None,
+    host: str = "127.0.0.1",
+    certificate: Path | None = None,
+    key: Path | None = None,
 ) -> int:
     """Open a page where tugs are dragged and the certified answer follows.
 
     Serves a page on this machine and prints its link, with a key that nobody else knows; Ctrl-C
-    ends it. It listens at 127.0.0.1 and loads nothing from anywhere else.
+    ends it. It listens at 127.0.0.1, and loads nothing from anywhere else.
 
     Example: swarmgrasp studio deck-barge
 
@@ -40,27 +55,42 @@ def studio(
         Where to listen; any that is free unless given.
     browser
         Open the page in a browser.
+    run
+        A run to play: what `swarmgrasp simulate` wrote with --player (.json) or --log (.parquet).
+    host
+        Another address or name of this machine to listen at. Whoever reaches it and has the link
+        can use the page; it asks for --certificate and --key.
+    certificate, key
+        Files of TLS, in PEM.
     """
     from swarmgrasp.packages import check_installed
 
     check_installed(
         "msgspec", "starlette", "uvicorn", "websockets", extra="studio", purpose="The page"
     )
-    faults = whole_faults("--port", port, 0, 65535)
-    if faults:
-        raise UsageFault(faults)
+    faults = whole_faults("--port", port, 0, 65535) + _door_faults(host, certificate, key)
     from swarmgrasp.cli.report import html_of
     from swarmgrasp.studio.scenes import built_in
     from swarmgrasp.studio.server import Settings, opened
 
-    scenes = built_in()
-    name, scenes[name] = _scene(file, scenes)
+    scenes, played = built_in(), None
+    with noting(faults):
+        name, scenes[name] = _scene(file, scenes)
+    if run is not None:
+        from swarmgrasp.studio.runs import read_run
+
+        with noting(faults):
+            played = read_run(run)
+    if faults:
+        raise UsageFault(faults)
+    settings = Settings(
+        scenes, name, host, int(port), reporting=html_of, run=played,
+        certificate=certificate, private_key=key,
+    )  # fmt: skip
     try:
-        serving = opened(Settings(scenes, name, port=int(port), reporting=html_of))
+        serving = opened(settings)
     except OSError as error:
-        raise UsageFault(
-            f"port {port} of 127.0.0.1 cannot be listened at: {error.strerror}"
-        ) from None
+        raise UsageFault(f"{host}, port {port}: cannot listen there: {error.strerror}") from None
     say(serving.link)
     if browser and _has_display():
         import webbrowser
@@ -71,21 +101,42 @@ def studio(
     return INTERRUPTED
 
 
+def _door_faults(host: str, certificate: Path | None, key: Path | None) -> list[str]:
+    """Return what is wrong with where it listens, and with the files of TLS."""
+    if host in ANYWHERE:
+        return [f"--host is {host!r}; name the one address of this machine that is asked for"]
+    if (certificate is None) != (key is None):
+        return ["--certificate and --key go together: give both"]
+    if certificate is None or key is None:
+        if host in LOOPBACK:
+            return []
+        return [
+            f"--host {host} opens the page to others, who could read along: give --certificate "
+            "and --key, or leave it out"
+        ]
+    try:
+        ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(certificate, key)
+    except (OSError, ValueError) as error:
+        return [f"--certificate {certificate}, --key {key}: cannot be used: {error}"]
+    return []
+
+
 def _scene(file: str, known: "dict[str, Source]") -> "tuple[str, Source]":
     """Return the scene of a command line: its name and its text."""
     from swarmgrasp.answer_file import LARGEST_FILE
-    from swarmgrasp.ranges import nearest_name
+    from swarmgrasp.scenario import parse_scenario, scenario_text
     from swarmgrasp.studio.scenes import Source
 
+    if file in known and not is_written(file):
+        return file, known[file]
     if file == DASH:
-        return STDIN, Source(read_stdin(LARGEST_FILE).decode())
-    if is_written(file):
-        return Path(file).stem, Source(Path(file).read_text(encoding="utf-8"), Path(file).parent)
-    if file not in known:
-        raise UsageFault(
-            f"{file}: no such file, and no built-in example{nearest_name(file, list(known))}"
-        )
-    return file, known[file]
+        name, folder, raw = STDIN, None, read_stdin(LARGEST_FILE)
+        scenario = parse_scenario(raw, STDIN)
+    else:
+        scenario = read_scenario(file)  # its faults are told here, before a page opens
+        name, folder, raw = Path(file).stem, Path(file).parent, Path(file).read_bytes()
+    text = raw.decode("utf-8-sig") if scenario.answer is None else scenario_text(scenario)
+    return name, Source(text, folder)
 
 
 def _has_display() -> bool:

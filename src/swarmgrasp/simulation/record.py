@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.files import scratch_for
 from swarmgrasp.packages import check_installed
 from swarmgrasp.plain import plain
-from swarmgrasp.simulation.run import Run
+from swarmgrasp.simulation.run import Happening, Run, Stint
+from swarmgrasp.simulation.simulation import Simulation
+from swarmgrasp.swarm import Swarm
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -77,6 +80,79 @@ def write_log(run: Run, path: str | Path) -> Path:
         for index in range(len(run)):
             file.write_table(_table(run, index, schema))
     return target
+
+
+def read_log(path: str | Path) -> Run:
+    """Read a run from its Parquet file.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    Run
+
+    Raises
+    ------
+    PackageMissing
+        Without pyarrow.
+    SimulationInvalid
+        If the file cannot be read, or is no log of a run.
+    """
+    check_installed("pyarrow", extra="logs", purpose="A log")
+    from pyarrow import ArrowException, parquet
+
+    try:
+        table = parquet.read_table(Path(path))
+        about = json.loads((table.schema.metadata or {})[b"swarmgrasp"])
+        return _run_of(table, about)
+    except (OSError, ArrowException, KeyError, TypeError, ValueError) as error:
+        told = error.strerror if isinstance(error, OSError) and error.strerror else None
+        raise SimulationInvalid(
+            f"{path}: {told or 'is no log of a run, as `swarmgrasp simulate --log` writes it'}"
+        ) from None
+
+
+def _run_of(table: "pa.Table", about: dict[str, Any]) -> Run:
+    """Make a run of its table and what stands beside it."""
+    names, count = about["names"], len(about["seeds"])
+
+    def column(name: str) -> NDArray[Any]:
+        """Return a column (runs, m)."""
+        return np.asarray(table[name].to_numpy().reshape(count, -1))
+
+    def columns(*wanted: str) -> NDArray[Any]:
+        """Return several (runs, m, k)."""
+        return np.stack([column(name) for name in wanted], axis=-1)
+
+    arrays = {
+        source: columns(*(f"{begin}{name}" for name, _ in parts)) for begin, source, parts in GROUPS
+    }
+    arrays["references"] = arrays["references"][0]
+    each = {
+        kind: columns(*(f"{name}.{one}" for name in names))
+        for kind, one in (("forces", "force"), ("angles", "angle"), ("shares", "share"))
+    }
+    swarm = Swarm.from_data
+    return Run(
+        simulation=Simulation.from_data(about["simulation"]),
+        seeds=tuple(about["seeds"]),
+        times=column("time")[0],
+        distances=column("error"),
+        turns=column("heading_error"),
+        shortfalls=column("shortfall"),
+        names=tuple(names),
+        stints=tuple(Stint(**{**s, "swarm": swarm(s["swarm"])}) for s in about["stints"]),
+        happenings=tuple(
+            Happening(**{**h, "swarm": swarm(h["swarm"]), "load": np.array(h["load"])})
+            for h in about["happenings"]
+        ),
+        gusts=np.array(about["gusts"]),
+        is_whole=about["is_whole"],
+        **arrays,
+        **each,
+    )
 
 
 def _columns(run: Run, index: int) -> Iterator[Column]:

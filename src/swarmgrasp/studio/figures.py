@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from swarmgrasp.terms import Terms
-from swarmgrasp.units import FORCES, SPEEDS
+from swarmgrasp.units import FORCES, LENGTHS, SPEEDS
 
 SPACE = "\u00a0"
 MINUS = "\u2212"
@@ -81,6 +81,10 @@ class Figures:
     def forces(self, newtons: float) -> str:
         """Return a force [N] with its unit."""
         return f"{self.force(newtons)}{SPACE}{self.force_unit}"
+
+    def lengths(self, metres: float) -> str:
+        """Return a length [m] with its unit."""
+        return f"{figure(metres / LENGTHS[self.terms.length])}{SPACE}{self.terms.length}"
 
     def speed(self, speed: float) -> str:
         """Return a speed [m/s] without its unit."""

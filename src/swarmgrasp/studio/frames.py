@@ -7,19 +7,19 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.studio.messages import Array, PartSaid, write_message
+from swarmgrasp.studio.messages import Array, PartSaid, RunTold, write_message
 
 ALIGNED = 8
 """Bytes; the arrays of a frame begin at multiples, so that a page needs no copy of them."""
 _LENGTH = struct.Struct("<I")
 
 
-def framed(head: PartSaid, arrays: Mapping[str, NDArray[np.generic]]) -> bytes:
+def framed(head: PartSaid | RunTold, arrays: Mapping[str, NDArray[np.generic]]) -> bytes:
     """Return a part with its arrays as one binary frame, little-endian.
 
     Parameters
     ----------
-    head : PartSaid
+    head : PartSaid or RunTold
         One that has `arrays`, whose list is filled in here.
     arrays : mapping of str to array
     """

@@ -282,6 +282,21 @@ class Written(_Said, frozen=True, tag="text"):
     text: str
 
 
+class First(Part, frozen=True, forbid_unknown_fields=True):
+    """The verdict, and whether it is a good one."""
+
+    text: str
+    good: bool
+
+
+class Array(Part, frozen=True, forbid_unknown_fields=True):
+    """An array that follows the head of a binary frame, each at a multiple of 8 bytes."""
+
+    name: str
+    type: Literal["f4", "f8", "i2", "u2", "i1", "u4"]
+    shape: tuple[int, ...]
+
+
 class ForceTold(Part, frozen=True, forbid_unknown_fields=True):
     """The force [N, N] of one robot, and its share of the largest it has that way."""
 
@@ -328,6 +343,62 @@ class ReportTold(_Said, frozen=True, tag="report"):
     html: str
 
 
+class RunRobot(Part, frozen=True, forbid_unknown_fields=True):
+    """A robot of a run: its contact from the outline's origin, its way [rad], when it is there [s].
+
+    A newcomer is one that was sent.
+    """
+
+    name: str
+    contact: Pair
+    direction: float
+    limit: float
+    newcomer: bool
+    there: tuple[Pair, ...]
+
+
+class RunRoute(Part, frozen=True, forbid_unknown_fields=True):
+    """The way of a robot that is sent, in the object's frame, and its times [s]."""
+
+    robot: str
+    start: float
+    arrival: float
+    joined: float
+    points: tuple[Pair, ...]
+
+
+class RunHappening(Part, frozen=True, forbid_unknown_fields=True):
+    """Something that happened."""
+
+    time: float
+    kind: str
+    robot: str
+    words: str
+
+
+class RunTold(_Said, frozen=True, tag="run"):
+    """A recorded run of m instants and n robots, in the earth's frame.
+
+    Arrays f4: `times` (m,), `poses`, `references` (m, 3), `wind`, `water` (m, 2), `shortfalls`
+    (m,), `forces` and `angles` (m, n): of a robot that is not there the force is 0, the angle NaN.
+    Farther than `within` [m] from where it is to be, or turned by more than `turn` [rad], the
+    object is not held.
+    """
+
+    n: int
+    name: str
+    first: First
+    second: str
+    seed: int
+    within: float
+    turn: float
+    outline: tuple[Pair, ...]
+    robots: tuple[RunRobot, ...]
+    routes: tuple[RunRoute, ...]
+    happenings: tuple[RunHappening, ...]
+    arrays: tuple[Array, ...]
+
+
 # -- parts of an answer -------------------------------------------------------------------
 
 
@@ -337,13 +408,6 @@ class _PartSaid(Struct, frozen=True, tag_field="name", kw_only=True):
     kind: Literal["part"] = "part"
     n: int
     ms: float
-
-
-class First(Part, frozen=True, forbid_unknown_fields=True):
-    """The verdict, and whether it is a good one."""
-
-    text: str
-    good: bool
 
 
 class Order(Part, frozen=True, forbid_unknown_fields=True):
@@ -424,14 +488,6 @@ class Ball(Part, frozen=True, forbid_unknown_fields=True):
     radius: float
     touches: Triple
     face: int | None
-
-
-class Array(Part, frozen=True, forbid_unknown_fields=True):
-    """An array that follows the head of a binary frame, each at a multiple of 8 bytes."""
-
-    name: str
-    type: Literal["f4", "f8", "i2", "u2", "i1", "u4"]
-    shape: tuple[int, ...]
 
 
 class MeshPart(_PartSaid, frozen=True, kw_only=True, tag="mesh"):
@@ -556,6 +612,7 @@ ToPage = (
     | ForcesTold
     | SequenceTold
     | ReportTold
+    | RunTold
 )
 """What a server may say, beside parts."""
 
@@ -569,6 +626,16 @@ ARRAYS: dict[str, dict[str, str]] = {
         "before_lost?": "f4",
     },
     "LandscapePart": {"values": "u2", "strip": "u2"},
+    "RunTold": {
+        "times": "f4",
+        "poses": "f4",
+        "references": "f4",
+        "wind": "f4",
+        "water": "f4",
+        "shortfalls": "f4",
+        "forces": "f4",
+        "angles": "f4",
+    },
 }
 """The arrays that follow parts, and their types; those with "?" may be missing."""
 CALLED = {
@@ -577,6 +644,7 @@ CALLED = {
     "Measure": "UnitData",
     "ReportTold": "Report",
     "SequenceTold": "Sequence",
+    "RunTold": "Run",
     "Speech": "SpeechData",
 }
 """What messages are called in the page, where it is another name."""

@@ -91,7 +91,7 @@ def _remembered(problem: dict[str, Any]) -> dict[str, Any]:
     return {**problem, "swarm": {**swarm, "robots": robots, "outline": outline}}
 
 
-def _known(kind: type[Plain], data: object) -> object:
+def _known(kind: Any, data: object) -> object:
     """Return the object that data make; the data themselves if they make none, to be told of."""
     try:
         return _made(kind, msgspec.json.encode(data))

@@ -6,6 +6,8 @@ from collections.abc import AsyncIterator, Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from importlib.metadata import version
 from importlib.resources import files
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import uvicorn
 from starlette.applications import Starlette
@@ -27,13 +29,18 @@ from swarmgrasp.studio.messages import (
     Limits,
     Open,
     Report,
+    Run,
     Sequence,
     Text,
     Welcome,
     write_message,
 )
-from swarmgrasp.studio.scenes import Source, faults_of, scene_of, titles
+from swarmgrasp.studio.scenes import Source, faults_of, scene_of, terms_of, titles
 from swarmgrasp.studio.session import Session
+from swarmgrasp.terms import Terms
+
+if TYPE_CHECKING:
+    from swarmgrasp.studio.runs import Recorded
 
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
 TYPES = {
@@ -66,7 +73,9 @@ class Settings:
         Under which the server is asked, beside those of this machine.
     reporting : callable, optional
         Makes the sheet about a job.
-    certificate, private_key : str, optional
+    run : Recorded, optional
+        A run to play.
+    certificate, private_key : Path, optional
         Files of TLS.
     """
 
@@ -76,8 +85,9 @@ class Settings:
     port: int = 0
     names: tuple[str, ...] = ()
     reporting: Reporting | None = None
-    certificate: str | None = None
-    private_key: str | None = None
+    run: "Recorded | None" = None
+    certificate: Path | None = None
+    private_key: Path | None = None
     key: str = field(default_factory=new_key, repr=False)
 
     @property
@@ -137,7 +147,8 @@ def application(settings: Settings, port: int) -> Starlette:
     desk = Desk(_errands(settings))
     welcome = Welcome(
         PROTOCOL, version("swarmgrasp"), Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS),
-        titles(settings.scenes), settings.opens, None, watch=False, demonstration=False,
+        titles(settings.scenes), settings.opens,
+        None if settings.run is None else settings.run.name, watch=False, demonstration=False,
     )  # fmt: skip
     session = Session(guard, desk, welcome)
 
@@ -185,10 +196,17 @@ def _errands(settings: Settings) -> dict[type, Errand]:
         Forces: told_forces,
         Sequence: told_sequence,
     }
-    reporting = settings.reporting
+    run, reporting = settings.run, settings.reporting
+    if run is not None:
+        errands[Run] = lambda message: run.told(message.n, _terms_of(settings))
     if reporting is not None:
         errands[Report] = lambda message: told_report(message, reporting)
     return errands
+
+
+def _terms_of(settings: Settings) -> Terms:
+    """Return the terms of the scene that opens, in which a run is told."""
+    return terms_of(scene_of(0, settings.opens, settings.scenes[settings.opens]).speech)
 
 
 class Server(uvicorn.Server):

@@ -18,7 +18,7 @@ FIGURES = 4
 """Digits of a column's numbers, by its largest."""
 
 
-def player_data(run: Run, *, index: int = 0) -> dict[str, Any]:
+def player_data(run: Run, *, index: int = 0, most: int = MOST) -> dict[str, Any]:
     """Return one of the runs as plain data, in SI units and radians.
 
     Parameters
@@ -26,6 +26,8 @@ def player_data(run: Run, *, index: int = 0) -> dict[str, Any]:
     run : Run
     index : int
         Which of the runs.
+    most : int
+        Instants that are told, at most.
 
     Returns
     -------
@@ -37,7 +39,7 @@ def player_data(run: Run, *, index: int = 0) -> dict[str, Any]:
         (m, n). Of a robot that is not there the force is 0 and the angle null.
     """
     film = Film(run, index)
-    chosen = list(film.picked(MOST))
+    chosen = list(film.picked(most))
     robots = [
         {
             "name": name,

@@ -532,6 +532,57 @@ export interface Report {
   html: string;
 }
 
+/** A robot of a run: its contact from the outline's origin, its way [rad], when it is there [s]. */
+export interface RunRobot {
+  name: string;
+  contact: Pair;
+  direction: number;
+  limit: number;
+  newcomer: boolean;
+  there: Pair[];
+}
+
+/** The way of a robot that is sent, in the object's frame, and its times [s]. */
+export interface RunRoute {
+  robot: string;
+  start: number;
+  arrival: number;
+  joined: number;
+  points: Pair[];
+}
+
+/** Something that happened. */
+export interface RunHappening {
+  time: number;
+  kind: string;
+  robot: string;
+  words: string;
+}
+
+/** A recorded run of m instants and n robots, in the earth's frame. */
+export interface Run {
+  kind: "run";
+  n: number;
+  name: string;
+  first: First;
+  second: string;
+  seed: number;
+  within: number;
+  turn: number;
+  outline: Pair[];
+  robots: RunRobot[];
+  routes: RunRoute[];
+  happenings: RunHappening[];
+  times: Float32Array;
+  poses: Float32Array;
+  references: Float32Array;
+  wind: Float32Array;
+  water: Float32Array;
+  shortfalls: Float32Array;
+  forces: Float32Array;
+  angles: Float32Array;
+}
+
 export type Attachment =
   | "push"
   | "pull"
@@ -581,4 +632,5 @@ export type Incoming =
   | Written
   | Forces
   | Sequence
-  | Report;
+  | Report
+  | Run;
