@@ -3,6 +3,7 @@
 import type { Context, View } from "../context";
 import type { Layout } from "../layout";
 import type { PlanLayer } from "../plan/plan";
+import { Player } from "../run/player";
 import { Answer } from "./answer";
 import { Body } from "./body";
 import { makeDrawer } from "./drawer";
@@ -20,5 +21,6 @@ export function views(layout: Layout, context: Context, layer: PlanLayer): View[
     new Rose(layout.rose, context),
     new Landscape(layout.land, context),
     new Slopes(layer, context),
+    new Player(layout, context),
   ];
 }
