@@ -21,6 +21,7 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.lasting import INTERRUPTED, end_on_signals, say
 
 if TYPE_CHECKING:
+    from swarmgrasp.studio.live import Live
     from swarmgrasp.studio.scenes import Source
 
 DEFAULT = "escort-ring"
@@ -39,6 +40,10 @@ def studio(
     host: str = "127.0.0.1",
     certificate: Path | None = None,
     key: Path | None = None,
+    watch: Annotated[bool, Parameter(negative="")] = False,
+    connect: Annotated[tuple[str, ...], Parameter(negative="")] = (),
+    tls: Path | None = None,
+    demonstration: Annotated[str | None, Parameter(metavar="INT")] = None,
 ) -> int:
     """Open a page where tugs are dragged and the certified answer follows.
 
@@ -62,6 +67,16 @@ def studio(
         can use the page; it asks for --certificate and --key.
     certificate, key
         Files of TLS, in PEM.
+    watch
+        Show the robots of this scenario that decide for themselves, as `swarmgrasp agents watch`
+        does.
+    connect
+        Endpoints of their routers; port 7447 of this machine unless given.
+    tls
+        Folder with certificates; the one of "watch" is shown.
+    demonstration
+        Run so many robots as processes on this machine and watch them; the page can kill and stop
+        them, and split the network.
     """
     from swarmgrasp.packages import check_installed
 
@@ -81,10 +96,13 @@ def studio(
 
         with noting(faults):
             played = read_run(run)
+    live = None
+    if watch or demonstration is not None or connect or tls:
+        live = _live(file, faults, watch, connect, tls, demonstration)
     if faults:
         raise UsageFault(faults)
     settings = Settings(
-        scenes, name, host, int(port), reporting=html_of, run=played,
+        scenes, name, host, int(port), reporting=html_of, run=played, live=live,
         certificate=certificate, private_key=key,
     )  # fmt: skip
     try:
@@ -99,6 +117,41 @@ def studio(
     end_on_signals(serving.end)
     serving.run()
     return INTERRUPTED
+
+
+def _live(
+    file: str, faults: list[str], watch: bool, connect: tuple[str, ...], tls: Path | None,
+    demonstration: str | None,
+) -> "Live | None":  # fmt: skip
+    """Return what watches agents; None, and faults, if it cannot."""
+    from swarmgrasp.packages import check_installed
+
+    check_installed("msgspec", "zenoh", purpose="Watching robots on the network")
+    wrong = whole_faults("--demonstration", demonstration)
+    if not watch and (connect or tls):
+        wrong.append("--connect and --tls are for --watch: add it")
+    if watch and demonstration is not None:
+        wrong.append("--demonstration has routers of its own: leave out --watch")
+    if file == DASH:
+        wrong.append("FILE is read by others, too; standard input cannot be")
+    faults += wrong
+    if faults:
+        return None
+    from swarmgrasp.agents.network import NetworkSettings
+    from swarmgrasp.agents.protocol import ProblemPlanner
+    from swarmgrasp.cli.app import main
+    from swarmgrasp.studio.live import Live
+    from swarmgrasp.studio.live import demonstration as staged
+
+    with noting(faults):
+        scenario = read_scenario(file)
+        planner = ProblemPlanner(scenario.problem())
+        if demonstration is not None:
+            stage = staged(file, planner, int(demonstration), main)
+            return Live(planner, scenario.terms, None, stage)
+        settings = NetworkSettings(mode="client", connect=connect, tls=tls, name="watch")
+        return Live(planner, scenario.terms, settings)
+    return None
 
 
 def _door_faults(host: str, certificate: Path | None, key: Path | None) -> list[str]:

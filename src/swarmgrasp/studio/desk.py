@@ -5,17 +5,29 @@ import itertools
 import logging
 from collections.abc import Awaitable, Callable, Coroutine
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 from time import thread_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.asking import Found, ask
-from swarmgrasp.studio.messages import Ask, Done, Error, Refused, write_message
+from swarmgrasp.studio.messages import (
+    Ask,
+    Control,
+    Done,
+    Error,
+    Refused,
+    Watch,
+    write_message,
+)
 from swarmgrasp.studio.parts import MOVING, NAMED, PARTS, Sheet, tell
 from swarmgrasp.studio.reading import faults_in, question_of
 from swarmgrasp.studio.telling import Telling
 from swarmgrasp.studio.turns import ANSWER, Job, Turns
+
+if TYPE_CHECKING:
+    from swarmgrasp.studio.live import Live
 
 WORKERS = 2
 """Jobs at once: more would only wait for each other."""
@@ -40,9 +52,13 @@ class Desk:
     ----------
     errands : mapping of type to callable
         What answers a message that is no ask, in a thread.
+    live : Live, optional
+        Agents to watch.
     """
 
-    def __init__(self, errands: dict[type, Errand]) -> None:
+    def __init__(self, errands: dict[type, Errand], live: "Live | None" = None) -> None:
+        self.live = live
+        self._watching: dict[int, bool] = {}
         self.turns = Turns(WORKERS)
         self.errands = errands
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="studio")
@@ -64,6 +80,7 @@ class Desk:
     def leave(self, window: int) -> None:
         """Forget a window."""
         self._sends.pop(window, None)
+        self._watching.pop(window, None)
         self.turns.leave(window)
 
     def ask(self, window: int, message: Ask) -> None:
@@ -80,6 +97,33 @@ class Desk:
         if overtaken is not None:
             self._start(self._send(window, write_message(Done(overtaken.n))))
         self.pump()
+
+    def watch(self, window: int, message: Watch) -> None:
+        """Begin to tell a window of the agents, or end it."""
+        if not message.on or self.live is None:
+            self._watching.pop(window, None)
+            return
+        self._watching[window] = True  # until it has been told everything
+        loop = asyncio.get_running_loop()
+
+        def tell(frame: bytes, only_new: bool) -> None:
+            """Tell those that watch, from any thread."""
+            with suppress(RuntimeError):  # the loop has ended, and with it all windows
+                loop.call_soon_threadsafe(self._spread, frame, only_new)
+
+        self.live.begin(tell)
+
+    def order(self, message: Control) -> None:
+        """Do something to an agent of a demonstration."""
+        if self.live is not None:
+            self.live.order(message)
+
+    def _spread(self, frame: bytes, only_new: bool) -> None:
+        """Tell all windows that watch, or only those that have just begun."""
+        for window, is_new in self._watching.items():
+            if is_new or not only_new:
+                self._watching[window] = False
+                self._start(self._send(window, frame))
 
     def pump(self) -> None:
         """Begin whatever may begin."""
@@ -163,3 +207,5 @@ class Desk:
     def close(self) -> None:
         """End the threads."""
         self._pool.shutdown(wait=False, cancel_futures=True)
+        if self.live is not None:
+            self.live.end()

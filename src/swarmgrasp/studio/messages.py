@@ -399,6 +399,38 @@ class RunTold(_Said, frozen=True, tag="run"):
     arrays: tuple[Array, ...]
 
 
+LivePhase = Literal["idle", "coming", "arrived", "making fast", "holds", "leaving", "not answering"]
+"""Where an agent is on its way."""
+
+
+class LiveRobot(Part, frozen=True, forbid_unknown_fields=True):
+    """An agent: where it is or will be, by how many of how many it is confirmed, whom it hears."""
+
+    name: str
+    phase: LivePhase
+    at: Pair | None
+    direction: float | None
+    limit: float
+    confirmed: int
+    of: int
+    hears: int
+    deaf: tuple[str, ...]
+    there: bool
+
+
+class LiveTold(_Said, frozen=True, tag="live"):
+    """What has changed among agents, or all of it if `whole`; several sides when they are cut."""
+
+    t: float
+    whole: bool
+    first: First
+    second: str
+    certified: float | None
+    robots: tuple[LiveRobot, ...]
+    sides: tuple[tuple[str, ...], ...]
+    conflicts: tuple[str, ...]
+
+
 # -- parts of an answer -------------------------------------------------------------------
 
 
@@ -613,6 +645,7 @@ ToPage = (
     | SequenceTold
     | ReportTold
     | RunTold
+    | LiveTold
 )
 """What a server may say, beside parts."""
 
@@ -641,6 +674,7 @@ ARRAYS: dict[str, dict[str, str]] = {
 CALLED = {
     "Error": "ErrorTold",
     "ForcesTold": "Forces",
+    "LiveTold": "Live",
     "Measure": "UnitData",
     "ReportTold": "Report",
     "SequenceTold": "Sequence",

@@ -40,6 +40,7 @@ from swarmgrasp.studio.session import Session
 from swarmgrasp.terms import Terms
 
 if TYPE_CHECKING:
+    from swarmgrasp.studio.live import Live
     from swarmgrasp.studio.runs import Recorded
 
 LOOPBACK = ("127.0.0.1", "localhost", "[::1]")
@@ -75,6 +76,8 @@ class Settings:
         Makes the sheet about a job.
     run : Recorded, optional
         A run to play.
+    live : Live, optional
+        Agents to watch.
     certificate, private_key : Path, optional
         Files of TLS.
     """
@@ -86,6 +89,7 @@ class Settings:
     names: tuple[str, ...] = ()
     reporting: Reporting | None = None
     run: "Recorded | None" = None
+    live: "Live | None" = None
     certificate: Path | None = None
     private_key: Path | None = None
     key: str = field(default_factory=new_key, repr=False)
@@ -144,11 +148,12 @@ def application(settings: Settings, port: int) -> Starlette:
     """Return the application that is served at a port."""
     names = {*LOOPBACK, *settings.names}
     guard = Guard(frozenset(f"{name}:{port}" for name in names), settings.scheme, settings.key)
-    desk = Desk(_errands(settings))
+    desk = Desk(_errands(settings), settings.live)
     welcome = Welcome(
         PROTOCOL, version("swarmgrasp"), Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS),
         titles(settings.scenes), settings.opens,
-        None if settings.run is None else settings.run.name, watch=False, demonstration=False,
+        None if settings.run is None else settings.run.name, watch=settings.live is not None,
+        demonstration=settings.live is not None and settings.live.is_demonstration,
     )  # fmt: skip
     session = Session(guard, desk, welcome)
 

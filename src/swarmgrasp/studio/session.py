@@ -21,8 +21,10 @@ from swarmgrasp.studio.messages import (
     PROTOCOL,
     Ask,
     Cancel,
+    Control,
     Error,
     Hello,
+    Watch,
     Welcome,
     read_message,
     write_message,
@@ -100,6 +102,10 @@ class Session:
             self.desk.ask(window, message)
         elif isinstance(message, Cancel):
             self.desk.turns.cancel(window)
+        elif isinstance(message, Watch):
+            self.desk.watch(window, message)
+        elif isinstance(message, Control):
+            self.desk.order(message)
         elif type(message) in self.desk.errands:
             self.desk.errand(window, message)
 

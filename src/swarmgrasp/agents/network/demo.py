@@ -1,73 +1,35 @@
 """A swarm of processes on this machine, through what goes wrong, and a check of the end."""
 
-import signal
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from swarmgrasp.agents.network.fleet import Fleet, Main, Member, ask, free_ports
+from swarmgrasp.agents.network.fleet import Main, Member
 from swarmgrasp.agents.network.plain import place_data
 from swarmgrasp.agents.network.process import steady_clock
+from swarmgrasp.agents.network.stage import LEASE, Stage
 from swarmgrasp.agents.protocol.planner import ProblemPlanner
 from swarmgrasp.agents.protocol.record import Phase, Place, Record, Row
-from swarmgrasp.errors import AgentInvalid
 from swarmgrasp.words import Lengths, Unit, list_words
-
-NAMES = (
-    "Fortuna", "Galatea", "Hector", "Iris", "Jason", "Kallisto", "Leander", "Medea", "Nereus",
-    "Orion", "Pallas", "Rhea", "Selene", "Theseus", "Urania", "Zephyr",
-)  # fmt: skip
-LATE = 2
-"""Robots that join while the network is split, one on each side."""
-MOST = 32
-LEASE = 2.0
-"""After it, a process that hangs counts as ended [s]."""
-TRAVEL = 2.0
-"""Seconds that a stand-in takes for the length of the object."""
 
 Say = Callable[[str], None]
 
 
-class Demo:
+class Demo(Stage):
     """Robots that join, are killed, hang, are split and heal.
 
     Parameters
     ----------
-    file : str
-        The scenario, as processes are told it.
-    planner : ProblemPlanner
-        Of its question.
-    count : int
-        Robots, those of the scenario among them.
-    main : callable
-        Runs this program with the words of a command line.
-    folder : Path
-        For what the robots keep from one life of their process to the next.
+    file, planner, count, main, folder
+        As for `Stage`.
     say : callable
         Takes the story, a sentence at a time.
-
-    Raises
-    ------
-    AgentInvalid
-        If so many robots make no story.
     """
 
     def __init__(
-        self, file: str, planner: ProblemPlanner, count: int, main: Main, folder: Path, say: Say,
-    ) -> None:  # fmt: skip
-        present = [row.id for row in planner.present]
-        least = len(present) + LATE + 2
-        if not least <= count <= MOST:
-            raise AgentInvalid(
-                f"--robots is {count}; it should be {least} to {MOST}: {len(present)} that the "
-                f"scenario begins with, and {LATE + 2} or more that come"
-            )
-        spare = (name for name in (*NAMES, *(f"R{k}" for k in range(MOST))) if name not in present)
-        comers = [next(spare) for _ in range(count - len(present))]
-        self.file, self.planner, self.folder, self.say = file, planner, folder, say
-        self.names = [*present, *comers]
-        self.first, self.late = comers[:-LATE], comers[-LATE:]
-        self._ports = free_ports(3)
-        self.fleet = Fleet(main)
+        self, file: str, planner: ProblemPlanner, count: int, main: Main, folder: Path, say: Say
+    ) -> None:
+        super().__init__(file, planner, count, main, folder)
+        self.say = say
 
     def run(self) -> list[str]:
         """Play it; return what differs from the central computation.
@@ -77,8 +39,8 @@ class Demo:
         NetworkFailed
             If something that should happen does not.
         """
-        with self.fleet:
-            self._start()
+        with self:
+            self._begin()
             self._join(self.first)
             self._kill_and_hang()
             self._split()
@@ -86,17 +48,10 @@ class Demo:
 
     # -- the story ------------------------------------------------------------------------
 
-    def _start(self) -> None:
+    def _begin(self) -> None:
         """Start routers and robots, and wait until all see all."""
-        west, east, _ = self._ends = [f"tcp/127.0.0.1:{port}" for port in self._ports]
-        fleet, begin = self.fleet, steady_clock()
-        for name, end in (("west", west), ("east", east)):
-            fleet.start(name, "--listen", end, "--lease", LEASE)
-        self._await_routers("west", "east")
-        self._link()
-        for name in self.names:
-            self._start_robot(name)
-        fleet.wait(lambda: all(self._others(r) <= r.sees for r in self._robots), "that all see all")
+        begin = steady_clock()
+        self.start()
         self.say(
             f"{len(self.names)} robots, each a process of its own, half of them at one router and "
             f"half at another, see each other after {steady_clock() - begin:.1f} s."
@@ -106,10 +61,10 @@ class Demo:
         """Let robots come, and wait until they are attached and all know it."""
         begin = steady_clock()
         self.say(f"{list_words(names)} are asked to come, all at once.")
-        self._ask(names, "join")
+        self.ask(names, "join")
         self._await_attached(names)
         self.say(f"All are attached after {steady_clock() - begin:.1f} s:")
-        for member in sorted((self._robot(n) for n in names), key=lambda m: m.record["ticket"]):
+        for member in sorted((self.robot(n) for n in names), key=lambda m: m.record["ticket"]):
             self.say(f"    {_short(member.reports('fastens')[-1], 'confirmed by ', ' ')}")
 
     def _kill_and_hang(self) -> None:
@@ -121,35 +76,35 @@ class Demo:
             f"kill -9 {killed}: the others know after {1e3 * seen:.0f} ms that its process has "
             "ended. It holds the object all the same, and counts."
         )
-        when = self.fleet.signal(hung, signal.SIGSTOP)
+        when = self.hang(hung)
         seen = self._await_seen(hung, when, "down", killed)
         self.say(
             f"kill -STOP {hung}: the others take it for ended after {seen:.1f} s, the lease being "
             f"{LEASE:g} s."
         )
-        self.fleet.signal(hung, signal.SIGCONT)
-        self._start_robot(killed)
+        self.go_on(hung)
+        self.go_on(killed)
         self._await_attached([killed, hung])
         everyone = set(self.names)
         self.fleet.wait(
-            lambda: all(everyone - {r.name} <= r.sees for r in self._robots), "that all see all"
+            lambda: all(everyone - {r.name} <= r.sees for r in self.robots), "that all see all"
         )
         self.say(f"{killed} is started again and remembers where it is; {hung} goes on.")
 
     def _split(self) -> None:
         """Take the line between the routers away, let two come, and heal it."""
         begin = steady_clock()
-        self.fleet.kill("link")
+        self.cut()
         self.fleet.wait(
-            lambda: all(_since(r, begin, "cut") for r in self._robots), "that the line is missed"
+            lambda: all(_since(r, begin, "cut") for r in self.robots), "that the line is missed"
         )
         one, other = self.late
         self.say(
             f"The line between the routers is cut. {one} and {other} are asked to come, "
             "one on each side."
         )
-        self._ask(self.late, "join")
-        robots = [self._robot(name) for name in self.late]
+        self.ask(self.late, "join")
+        robots = [self.robot(name) for name in self.late]
         self.fleet.wait(
             lambda: all(_waits_for_the_unheard(r) for r in robots), "that both arrive and wait"
         )
@@ -159,7 +114,7 @@ class Demo:
         for robot in robots:
             self.say(f"    {_short(robot.reports('waits')[-1], 'waits for ', ', ')}")
         begin = steady_clock()
-        self._link()
+        self.link()
         self._await_attached(self.late)
         self.say(f"The line is healed; {steady_clock() - begin:.1f} s later both are attached:")
         for robot in robots:
@@ -170,7 +125,7 @@ class Demo:
 
     def _check(self) -> list[str]:
         """Compare what came of it with the central computation."""
-        newcomers = [self._robot(name).record for name in (*self.first, *self.late)]
+        newcomers = [self.robot(name).record for name in (*self.first, *self.late)]
         newcomers.sort(key=lambda record: (record["ticket"], record["name"]))
         rows, faults = list(self.planner.present), list[str]()
         self.say("In the order of their tickets:")
@@ -185,13 +140,13 @@ class Demo:
             rows.append(Row(name, record["ticket"], place))
             where = lengths.point((place.x, place.y))
             self.say(f"    ticket {record['ticket']:<2}  {name:10} at {where}")
-        for robot in self._robots:
-            for other in self._robots:
+        for robot in self.robots:
+            for other in self.robots:
                 known = robot.heard.get(other.name)
                 if robot is not other and known != other.record:
                     faults.append(f"{robot.name} knows something else of {other.name} than it says")
         quality = self.planner.lower(tuple(rows))
-        told = max(self._robot(name).record["certified"] for name in self.names)
+        told = max(self.robot(name).record["certified"] for name in self.names)
         if told != quality:
             faults.append(f"the robots certify {told:.9g} N; it is {quality:.9g} N")
         self.say(f"Quality {Unit.for_size(quality).text(quality)}, certified by the robots "
@@ -200,57 +155,14 @@ class Demo:
 
     # -- helpers --------------------------------------------------------------------------
 
-    @property
-    def _robots(self) -> list[Member]:
-        """The robots' processes."""
-        return [self.fleet.members[name] for name in self.names]
-
-    def _robot(self, name: str) -> Member:
-        """Return a robot's process."""
-        return self.fleet.members[name]
-
-    def _others(self, robot: Member) -> set[str]:
-        """Return the names of all robots but one."""
-        return set(self.names) - {robot.name}
-
-    def _end_of(self, name: str) -> str:
-        """Return the endpoint of a robot's router."""
-        return self._ends[self.names.index(name) % 2]
-
-    def _start_robot(self, name: str) -> None:
-        """Start a robot's process."""
-        speed = self.planner.problem.swarm.outline.extent / TRAVEL
-        self.fleet.start(
-            name, "--mode", "client", "--connect", self._end_of(name), "--lease", LEASE,
-            "--roster", ",".join(self.names), "--worth", 0, "--speed", speed, "--fastening", 0.5,
-            "--state", self.folder / f"{name}.state", "--waits", file=self.file,
-        )  # fmt: skip
-
-    def _link(self) -> None:
-        """Start the router between the two others."""
-        west, east, link = self._ends
-        self.fleet.start("link", "--listen", link, "--connect", west, "--connect", east,
-                         "--lease", LEASE)  # fmt: skip
-        self._await_routers("link")
-
-    def _await_routers(self, *names: str) -> None:
-        """Wait until routers listen."""
-        routers = [self.fleet.members[name] for name in names]
-        self.fleet.wait(lambda: all("router" in str(r.told[-1:]) for r in routers), "a router")
-
-    def _ask(self, names: Sequence[str], event: str) -> None:
-        """Tell robots something, each through its own router."""
-        for end in self._ends[:2]:
-            ask(end, self.planner.mission, [n for n in names if self._end_of(n) == end], event)
-
     def _await_attached(self, names: Sequence[str]) -> None:
         """Wait until robots are attached, and everyone knows it."""
 
         def is_known() -> bool:
-            records = {name: self._robot(name).record for name in names}
+            records = {name: self.robot(name).record for name in names}
             return all(r.get("phase") == "attached" for r in records.values()) and all(
                 robot.heard.get(name) == record
-                for robot in self._robots
+                for robot in self.robots
                 for name, record in records.items()
                 if name != robot.name
             )
@@ -259,7 +171,7 @@ class Demo:
 
     def _await_seen(self, name: str, when: float, what: str, *beside: str) -> float:
         """Wait until everyone has seen that a process ended; return how long that took [s]."""
-        robots = [r for r in self._robots if r.name not in {name, *beside}]
+        robots = [r for r in self.robots if r.name not in {name, *beside}]
 
         def times() -> list[float]:
             return [

@@ -583,6 +583,33 @@ export interface Run {
   angles: Float32Array;
 }
 
+/** An agent: where it is or will be, by how many of how many it is confirmed, whom it hears. */
+export interface LiveRobot {
+  name: string;
+  phase: "idle" | "coming" | "arrived" | "making fast" | "holds" | "leaving" | "not answering";
+  at: Pair | null;
+  direction: number | null;
+  limit: number;
+  confirmed: number;
+  of: number;
+  hears: number;
+  deaf: string[];
+  there: boolean;
+}
+
+/** What has changed among agents, or all of it if `whole`; several sides when they are cut. */
+export interface Live {
+  kind: "live";
+  t: number;
+  whole: boolean;
+  first: First;
+  second: string;
+  certified: number | null;
+  robots: LiveRobot[];
+  sides: string[][];
+  conflicts: string[];
+}
+
 export type Attachment =
   | "push"
   | "pull"
@@ -633,4 +660,5 @@ export type Incoming =
   | Forces
   | Sequence
   | Report
-  | Run;
+  | Run
+  | Live;
