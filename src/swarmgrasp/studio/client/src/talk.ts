@@ -1,6 +1,7 @@
 /* Asking: one question in flight and one waiting; what was asked when the line fell is asked again. */
 
 import { decoded, encoded } from "./frames";
+import type { LiveData } from "./live/agents";
 import { PROTOCOL, type Doc, type Incoming, type Outgoing, type SpeechData, type Welcome } from "./messages";
 import { Signal } from "./signal";
 import type { Wire } from "./wire";
@@ -18,6 +19,8 @@ interface Waiting {
 export class Talk {
   readonly connected = new Signal(false);
   readonly welcome = new Signal<Welcome | null>(null);
+  /** The newest of robots that are watched. */
+  readonly live = new Signal<LiveData | null>(null);
   /** Set once: everything that is not the answer to a request. */
   hear: (message: Incoming) => void = () => undefined;
   readonly #requests = new Map<number, Waiting>();
@@ -59,6 +62,11 @@ export class Talk {
     });
   }
 
+  /** Sends what has no answer of its own, and what a line that fell must not say twice. */
+  tell(request: Request): void {
+    if (this.connected.value) this.#send({ ...request, n: ++this.#n } as Asked);
+  }
+
   #sendNext(): void {
     if (this.#next === null || this.#flying !== null || !this.connected.value) return;
     this.#flying = { kind: "ask", n: ++this.#n, ...this.#next };
@@ -93,6 +101,10 @@ export class Talk {
       for (const { message: again } of this.#requests.values()) this.#send(again);
       if (this.#flying !== null) this.#send(this.#flying);
       this.#sendNext();
+      return;
+    }
+    if ((message as { kind: string }).kind === "live") {
+      this.live.set(message as unknown as LiveData);
       return;
     }
     const n = "n" in message ? (message.n as number | null) ?? 0 : 0;

@@ -1,60 +1,17 @@
 /* A recorded run: what is to be seen at any time of it. No DOM. */
 
-import type { Pair } from "../messages";
+import type { Pair, Run, RunRobot } from "../messages";
 
-export interface Actor {
-  readonly name: string;
-  readonly contact: Pair;
-  readonly direction: number;
-  readonly limit: number;
-  readonly newcomer: boolean;
-  /** When it holds: from and to, in seconds. */
-  readonly there: readonly Pair[];
-}
-
-export interface Route {
-  readonly robot: string;
-  readonly start: number;
-  readonly arrival: number;
-  readonly joined: number;
-  /** In the frame of the object. */
-  readonly points: readonly Pair[];
-}
-
-export interface Happening {
-  readonly time: number;
-  readonly kind: string;
-  readonly robot: string;
-  readonly words: string;
-}
-
-/** What the server tells of a run; columns are flat. */
-export interface RunData {
-  readonly name: string;
-  readonly first: { readonly text: string; readonly good: boolean };
-  readonly second: string;
-  readonly within: number;
-  readonly turn: number;
-  readonly outline: readonly Pair[];
-  readonly robots: readonly Actor[];
-  readonly routes: readonly Route[];
-  readonly happenings: readonly Happening[];
-  readonly times: ArrayLike<number>;
-  readonly poses: ArrayLike<number>;
-  readonly references: ArrayLike<number>;
-  readonly wind: ArrayLike<number>;
-  readonly water: ArrayLike<number>;
-  readonly shortfalls: ArrayLike<number>;
-  readonly forces: ArrayLike<number>;
-  readonly angles: ArrayLike<number>;
-}
+type Columns = "times" | "poses" | "references" | "wind" | "water" | "shortfalls" | "forces" | "angles";
+/** What is told of a run; columns are flat. */
+export type RunData = Omit<Run, Columns | "kind" | "n" | "seed"> & { readonly [column in Columns]: ArrayLike<number> };
 
 export type Phase = "coming" | "making fast" | "holds" | "lost" | "away";
 
 export type Pose = readonly [number, number, number];
 
 export interface Standing {
-  readonly actor: Actor;
+  readonly actor: RunRobot;
   readonly phase: Phase;
   readonly force: number;
   /** Of its limit. */
@@ -123,7 +80,7 @@ export class Film {
     };
   }
 
-  #standing(actor: Actor, k: number, i: number, time: number): Standing {
+  #standing(actor: RunRobot, k: number, i: number, time: number): Standing {
     const { data } = this;
     const many = data.robots.length;
     const holds = actor.there.some(([from, to]) => from <= time && (time < to || to >= this.duration));

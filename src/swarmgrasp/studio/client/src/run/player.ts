@@ -3,14 +3,11 @@
 import type { Context, Seen, View } from "../context";
 import { el, put, show } from "../dom";
 import type { Layout } from "../layout";
-import type { Incoming } from "../messages";
 import { whenLooksChange } from "../views/paint";
 import { clock, Film, type Moment, type RunData } from "./film";
 import { Rail } from "./rail";
 import { Sea } from "./sea";
 import { Timeline } from "./timeline";
-
-type RunReply = RunData & { readonly kind: "run" };
 
 interface Shown {
   readonly film: Film;
@@ -74,7 +71,7 @@ export class Player implements View {
 
   async #fetch(name: string): Promise<void> {
     this.#asked = name;
-    const reply = (await this.context.talk.request({ kind: "run", name })) as Incoming | RunReply;
+    const reply = await this.context.talk.request({ kind: "run", name });
     if (reply.kind === "error") this.context.toast(reply.say);
     else if (reply.kind === "run") this.#begin(reply);
   }

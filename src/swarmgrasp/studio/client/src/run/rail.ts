@@ -2,8 +2,9 @@
 
 import type { Context } from "../context";
 import { el, put, show, write } from "../dom";
+import type { RunHappening } from "../messages";
 import { Bars, type BarRow } from "../views/bars";
-import { clock, type Film, type Happening, type Moment } from "./film";
+import { clock, type Film, type Moment } from "./film";
 import { saidOf } from "./sea";
 
 export class Rail {
@@ -69,7 +70,7 @@ export class Rail {
   }
 }
 
-function makeEvent({ time, kind, words }: Happening): HTMLElement {
+function makeEvent({ time, kind, words }: RunHappening): HTMLElement {
   return el("button", { type: "button", class: "event", "data-kind": kind },
     el("span", { class: "event-time" }, clock(time)), el("span", {}, words));
 }

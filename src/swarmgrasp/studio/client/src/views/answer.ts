@@ -37,7 +37,7 @@ export class Answer implements View {
       places: el("ul", {}),
     };
     this.#nodes = nodes;
-    const arrow = el("span", { class: "leads", "aria-label": "to" }, "→");
+    const arrow = el("span", { class: "leads", role: "img", "aria-label": "to" }, "→");
     const line = el("p", { class: "go" }, nodes.who, " ", arrow, " ", nodes.place);
     nodes.order.append(el("div", { class: "order-line" }, line, nodes.contact), nodes.what);
     nodes.next.append(el("h2", { class: "tile-title" }, "Next best"), nodes.places);
@@ -152,7 +152,7 @@ function proved(fact: Fact, proof: ProofPart | undefined): Fact {
 
 function makeFigure(): HTMLElement {
   const value = el("p", { class: "figure" },
-    el("span", { class: "before" }), el("span", { class: "arrow", "aria-label": "to" }, "→"),
+    el("span", { class: "before" }), el("span", { class: "arrow", role: "img", "aria-label": "to" }, "→"),
     el("span", { class: "after" }), el("span", { class: "unit" }));
   return el("div", {}, value, el("p", { class: "what-it-is" }));
 }

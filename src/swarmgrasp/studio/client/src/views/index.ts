@@ -2,6 +2,7 @@
 
 import type { Context, View } from "../context";
 import type { Layout } from "../layout";
+import { Live } from "../live/live";
 import type { PlanLayer } from "../plan/plan";
 import { Player } from "../run/player";
 import { Answer } from "./answer";
@@ -22,5 +23,6 @@ export function views(layout: Layout, context: Context, layer: PlanLayer): View[
     new Landscape(layout.land, context),
     new Slopes(layer, context),
     new Player(layout, context),
+    new Live(layout, context, layer),
   ];
 }

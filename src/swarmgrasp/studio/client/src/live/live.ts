@@ -1,0 +1,196 @@
+/* Watches robots that decide for themselves: read-only, but for the buttons of a demonstration. */
+
+import type { Context, Seen, View } from "../context";
+import { el, Pool, put, show, write } from "../dom";
+import type { Layout } from "../layout";
+import type { RobotData } from "../messages";
+import type { PlanLayer } from "../plan/plan";
+import { countWords, cutWords, sideOf, taken, wordsOf, type Agent, type LiveData } from "./agents";
+import { Marks } from "./marks";
+
+type What = "kill" | "stop" | "go on" | "split" | "join";
+
+export class Live implements View {
+  readonly #context: Context;
+  readonly #marks: Marks;
+  readonly #nodes;
+  readonly #rows: Pool<HTMLElement, Agent>;
+  readonly #cards: readonly HTMLElement[];
+  readonly #again = el("button", { type: "button", class: "control again", hidden: true }, "Watch again");
+  #agents: ReadonlyMap<string, Agent> = new Map();
+  #data: LiveData | null = null;
+  /** Who holds: the pictures are of them. */
+  #holding: string | null = null;
+  #watching = false;
+
+  constructor(layout: Layout, context: Context, layer: PlanLayer) {
+    this.#context = context;
+    this.#marks = new Marks(layer);
+    const nodes = {
+      first: el("h1", { class: "first" }), second: el("p", { class: "second" }),
+      certified: el("span", { class: "after" }), unit: el("span", { class: "unit" }),
+      wind: el("span", { class: "after" }), windUnit: el("span", { class: "unit" }), windWords: el("p", { class: "what-it-is" }),
+      cut: el("p", { class: "cut", role: "status" }), conflicts: el("ul", { class: "refusal" }), count: el("div", { class: "tile-aside" }),
+      list: el("ul", { class: "agent-list" }), demonstration: el("div", { class: "demonstration" }),
+    };
+    this.#nodes = nodes;
+    const copy = el("button", { type: "button", class: "control" }, "Edit a copy");
+    copy.addEventListener("click", () => this.#leave());
+    const figures = el("div", { class: "figures" },
+      el("div", {}, el("p", { class: "figure" }, nodes.certified, nodes.unit), el("p", { class: "what-it-is" }, "certified now, whatever the others do")),
+      el("div", {}, el("p", { class: "figure" }, nodes.wind, nodes.windUnit), nodes.windWords));
+    const told = el("section", { class: "card answer of-time", "aria-label": "The swarm now" },
+      nodes.conflicts, nodes.first, nodes.second, figures, el("p", { class: "copy" }, copy));
+    const head = el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "Robots"), nodes.count);
+    const table = el("section", { class: "card tile tile-losses of-time", "aria-label": "Robots" },
+      head, el("div", { class: "tile-body" }, nodes.cut, nodes.list, nodes.demonstration));
+    this.#cards = [told, table];
+    this.#rows = new Pool(nodes.list, () => this.#makeRow(), (node, agent) => this.#dressRow(node, agent));
+    layout.plan.append(this.#again);
+    this.#again.addEventListener("click", () => this.#watch());
+    context.talk.welcome.listen((welcome) => {
+      if (welcome?.watch !== true) return;
+      if (!this.#watching) {
+        layout.side.append(...this.#cards);
+        this.#makeDemonstration(welcome.demonstration);
+      }
+      this.#watch();
+    });
+    context.talk.live.listen((data) => {
+      if (data !== null) this.#take(data);
+    });
+  }
+
+  draw(seen: Seen): void {
+    if (!this.#isOpen) return;
+    this.#marks.draw(this.#agents.values(), this.#data?.sides ?? []);
+    this.#tell(seen);
+  }
+
+  get #isOpen(): boolean {
+    return this.#context.root.getAttribute("data-time") === "live";
+  }
+
+  #watch(): void {
+    this.#watching = true;
+    this.#holding = null;
+    put(this.#context.root, { "data-time": "live" });
+    show(this.#again, false);
+    this.#context.talk.tell({ kind: "watch", on: true });
+  }
+
+  #leave(): void {
+    put(this.#context.root, { "data-time": null });
+    show(this.#again, true);
+    this.#marks.clear();
+    this.#context.talk.tell({ kind: "watch", on: false });
+    this.#again.focus();
+  }
+
+  #take(data: LiveData): void {
+    this.#agents = taken(this.#agents, data);
+    const before = this.#data;
+    this.#data = data;
+    if (!this.#isOpen) return;
+    if (before === null || before.first.text !== data.first.text || before.sides.length !== data.sides.length) {
+      this.#context.say(`${data.first.text}, ${data.second}. ${cutWords(data.sides)}`);
+    }
+    this.#follow();
+    const seen = this.#context.store.seen.value;
+    if (seen !== null) this.draw(seen);
+  }
+
+  /** The plan and the pictures are of those that hold: another scene when these change. */
+  #follow(): void {
+    const { store } = this.#context;
+    const { draft } = store;
+    if (draft === null) return;
+    const holding = [...this.#agents.values()].filter(({ there }) => there);
+    const key = JSON.stringify(holding.map(({ name, at, direction, limit }) => [name, at, direction, limit]));
+    if (key === this.#holding) return;
+    this.#holding = key;
+    const { problem } = draft.doc;
+    const robots = holding.map((agent) => robotOf(agent, problem.swarm.robots));
+    const newcomer = false;
+    const doc = { ...draft.doc, newcomer, problem: { ...problem, swarm: { ...problem.swarm, robots } } };
+    store.open({ ...draft.scene, doc });
+  }
+
+  #tell({ parts }: Seen): void {
+    const data = this.#data;
+    if (data === null) return;
+    const nodes = this.#nodes;
+    const speech = this.#context.speech.value;
+    write(nodes.first, data.first.text);
+    put(nodes.first, { class: data.first.good ? "first good" : "first bad" });
+    write(nodes.second, data.second);
+    const [certified, unit] = data.certified === null ? ["–", ""] : speech.force(data.certified).split(/\u00a0(?=[^\d]+$)/);
+    write(nodes.certified, certified!);
+    write(nodes.unit, unit ?? "");
+    const figure = parts.capability?.figure;
+    const [wind, windUnit] = parts.capability === undefined ? ["", ""] : speech.speed(parts.capability.least.speed).split(/\u00a0(?=[^\d]+$)/);
+    write(nodes.wind, wind!);
+    write(nodes.windUnit, windUnit ?? "");
+    write(nodes.windWords, figure?.text ?? "");
+    write(nodes.cut, cutWords(data.sides));
+    show(nodes.cut, data.sides.length > 1);
+    nodes.conflicts.replaceChildren(...data.conflicts.map((words) => el("li", {}, words)));
+    show(nodes.conflicts, data.conflicts.length > 0);
+    write(nodes.count, countWords(this.#agents.values()));
+    this.#rows.draw([...this.#agents.values()]);
+  }
+
+  #makeRow(): HTMLElement {
+    const name = el("span", { class: "bar-name" });
+    const row = el("li", { class: "agent-row" }, name, el("span", { class: "phase" }), el("span", { class: "agent-words" }), el("span", { class: "agent-buttons" }));
+    row.addEventListener("pointerenter", () => this.#context.hover.set({ kind: "robot", name: name.textContent ?? "" }));
+    row.addEventListener("pointerleave", () => this.#context.hover.set(null));
+    if (this.#context.talk.welcome.value?.demonstration === true) {
+      for (const what of ["kill", "stop"] as const) {
+        const button = el("button", { type: "button", class: "control small" }, what);
+        button.addEventListener("click", () => this.#control(what === "stop" && button.textContent === "go on" ? "go on" : what, name.textContent));
+        row.lastElementChild!.append(button);
+      }
+    }
+    return row;
+  }
+
+  #dressRow(row: HTMLElement, agent: Agent): void {
+    const [name, phase, words, buttons] = row.children;
+    write(name!, agent.name);
+    write(phase!, agent.phase);
+    const side = sideOf(agent.name, this.#data?.sides ?? []);
+    put(row, { "data-phase": agent.phase, "data-side": side === null ? null : side % 3 });
+    write(words!, wordsOf(agent));
+    put(words!, { title: wordsOf(agent) });
+    for (const button of buttons!.children) {
+      if (button.textContent !== "kill") write(button, agent.phase === "not answering" ? "go on" : "stop");
+      put(button, { "aria-label": `${button.textContent} ${agent.name}` });
+    }
+  }
+
+  #makeDemonstration(on: boolean): void {
+    show(this.#nodes.demonstration, on);
+    if (!on) return;
+    const words: readonly (readonly [What, string])[] = [["split", "Cut the network in two"], ["join", "Join it again"]];
+    this.#nodes.demonstration.replaceChildren(...words.map(([what, word]) => {
+      const button = el("button", { type: "button", class: "control" }, word);
+      button.addEventListener("click", () => this.#control(what, null));
+      return button;
+    }));
+  }
+
+  #control(what: What, robot: string | null): void {
+    this.#context.talk.tell({ kind: "control", what, robot });
+  }
+}
+
+/** A live robot in the plain form, with what the scenario says of one of its name. */
+function robotOf({ name, at, direction, limit }: Agent, known: readonly RobotData[]): RobotData {
+  const own = known.find((robot) => robot.name === name);
+  const plain: RobotData = {
+    contact: at, direction, limit, name, mounted: false, tolerance: null, reverse_limit: 0, steers: 0,
+    friction: null, least: 0, envelope: null, group: "", sectors: null, body: null, lever: 0,
+  };
+  return own === undefined ? plain : { ...own, contact: at, direction, limit };
+}
