@@ -48,6 +48,7 @@ lint: $(VENV)/developing
 
 docs: $(VENV)/documenting
 	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build
+	$(BIN)/python tools/check_site.py docs/_build
 
 bench: $(VENV)/benchmarking
 	$(BIN)/python benchmarks/run.py
@@ -130,6 +131,6 @@ lock:
 	$(LOCK) --resolution lowest-direct --extra build --extra test -o requirements-oldest.lock
 
 clean:
-	rm -rf $(VENV) .venv-oldest .venv-newest build demo dist docs/_build .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) .venv-oldest .venv-newest build demo dist docs/_build docs/generated .pytest_cache .hypothesis .mypy_cache .ruff_cache .import_linter_cache
 	rm -f src/swarmgrasp/kernels/*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

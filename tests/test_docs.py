@@ -30,16 +30,23 @@ def test_the_code_of_a_page_prints_what_it_shows(page):
         assert_same(shown, printed.getvalue())
 
 
-def test_the_ten_questions_are_answered_as_their_page_shows(tmp_path, monkeypatch, capsys):
-    """Its commands run one after the other, in one folder."""
+@pytest.mark.parametrize("page", ["tutorial", "how-to/ten-questions"])
+def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch, capsys):
+    """They run one after the other, in one folder, with the files that the page shows."""
     monkeypatch.chdir(tmp_path)
     for slow in ("plan", "forces_plan", "capability_diagram"):  # tested where they are at home
         monkeypatch.setattr(plot, slow, lambda *_, **__: Figure())
-    text = (DOCS / "how-to" / "ten-questions.md").read_text("utf-8")
-    assert [int(number) for number in re.findall(r"^## (\d+)\.", text, re.MULTILINE)] == [
-        *range(1, 11)
-    ]
+    text = (DOCS / f"{page}.md").read_text("utf-8")
+    for name, written in re.findall(r"```yaml\n# (\S+)\n(.*?)```", text, re.DOTALL):
+        Path(name).write_text(written)
     for block in re.findall(r"```console\n(.*?)```", text, re.DOTALL):
         command, _, shown = block.partition("\n")
         assert main(command.removeprefix("$ swarmgrasp ").split()) == 0
         assert_within(shown, capsys.readouterr().out)
+
+
+def test_ten_questions_are_asked_in_their_order():
+    """And none is left out."""
+    text = (DOCS / "how-to" / "ten-questions.md").read_text("utf-8")
+    numbers = re.findall(r"^## (\d+)\.", text, re.MULTILINE)
+    assert [*map(int, numbers)] == [*range(1, 11)]
