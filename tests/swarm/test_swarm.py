@@ -4,6 +4,7 @@ import copy
 import math
 import pickle
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ import pytest
 import reference
 from swarmgrasp.errors import MetricInvalid, OutlineInvalid, RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
-from swarmgrasp.swarm import Robot, Swarm, wrenches
+from swarmgrasp.swarm import Robot, Swarm, Tolerance, wrenches
 
 SQUARE = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
 ARRAYS = ("contacts", "directions", "limits", "mounted", "generators", "scaled_generators")
@@ -308,3 +309,57 @@ def test_measured_contacts_are_moved_to_the_nearest_boundary_point_or_refused():
     for wrong in (-0.1, math.nan, "0.5", [0.5]):
         with pytest.raises(RobotInvalid, match="the snap is"):
             Swarm.from_arrays(outline, measured, [0.0] * 4, snap=wrong)
+
+
+def test_arrays_with_names_and_tolerances_are_robots_with_them():
+    """The swarm of these robots, made of arrays; what is wrong with either is told."""
+    square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    rough = Tolerance(contact=0.1, least_limit=0.5)
+    robots = [
+        Robot((1, 0.5), 0.5, name="Ajax", tolerance=rough),
+        Robot((0, 1), 1.0, 2.0),
+        Robot((0, 0), 1.0, name="R1", mounted=True),
+    ]
+    columns = [[r.contact for r in robots], [r.direction for r in robots], [1.0, 2.0, 1.0]]
+    mounted, names = [False, False, True], ["Ajax", "", "R1"]
+    made = Swarm.from_arrays(
+        square, *columns, mounted=mounted, names=names, tolerances=[rough, None, None]
+    )
+    assert made == Swarm(square, robots)
+    assert list(made) == list(Swarm(square, robots))
+    everyone = Swarm.from_arrays(square, *(c[:2] for c in columns), tolerances=rough)
+    assert set(everyone.tolerances) == {0, 1}
+    for wrong, said in [
+        ({"names": ["Ajax"]}, "1 names for 3 robots"),
+        ({"names": ["A", "B", "A"]}, "both called 'A'"),
+        ({"names": ["A", "B", 3]}, "the name is 3"),
+        ({"names": 3}, "should be a list of names"),
+        ({"tolerances": rough, "mounted": mounted}, "R3: a mounted robot stays"),
+        ({"tolerances": [rough]}, "the tolerances are 1"),
+        ({"tolerances": [None, 0.5, None]}, "R2: 0.5 is no Tolerance"),
+        ({"tolerances": Tolerance(least_limit=1.5)}, "R1: the least limit is 1.5"),
+    ]:
+        with pytest.raises(RobotInvalid, match=said):
+            Swarm.from_arrays(square, *columns, **wrong)
+
+
+def test_a_robot_in_the_place_of_another():
+    """The swarm is the same as one of the new robots, and refuses what that would."""
+    square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    robots = [Robot((1, 0), 0.0, name="Ajax"), Robot((0, 1), 0.5), Robot((0, -1), 1.5, name="R7")]
+    new = Robot((1, 0.5), 0.5, 2.0, steers=0.5, group="bus", tolerance=Tolerance(contact=0.1))
+    swarm = Swarm(square, robots)
+    found = swarm.replaced("R1", new)
+    assert found == Swarm(square, [robots[0], replace(new, name="R1"), robots[2]])
+    renamed = swarm.replaced("Ajax", replace(new, name="Boreas"))
+    assert renamed == Swarm(square, [replace(new, name="Boreas"), *robots[1:]])
+    assert next(iter(renamed)).name == "Boreas"
+    for name, robot, said in [
+        ("Ajax", replace(new, name="R7"), "both called 'R7'"),
+        ("Nobody", new, "Nobody"),
+        ("Ajax", None, "Robot"),
+    ]:
+        with pytest.raises(RobotInvalid, match=said):
+            swarm.replaced(name, robot)
+    with pytest.raises(RobotOffBoundary):
+        swarm.replaced("Ajax", replace(new, contact=(3.0, 0.0)))

@@ -12,7 +12,8 @@ from swarmgrasp.errors import RobotInvalid, RobotOffBoundary
 from swarmgrasp.outline import Outline
 from swarmgrasp.ranges import MOST_TURNED, STRONGEST, WEAKEST, items, kind_faults, shown
 from swarmgrasp.swarm.names import Names
-from swarmgrasp.swarm.robot import MOST_FRICTION, Robot
+from swarmgrasp.swarm.robot import MOST_FRICTION, Robot, tolerance_faults
+from swarmgrasp.swarm.tolerance import Tolerance
 
 MOST_LISTED = 10
 """Robots at fault that a message describes; it counts the others."""
@@ -157,6 +158,37 @@ def checked_columns(
     )
     _check_values(found)
     return found
+
+
+def checked_tolerances(given: object, columns: Columns, names: Names) -> dict[int, Tolerance]:
+    """Return the tolerances of robots by index: one for all of them, or one or None for each.
+
+    Raises
+    ------
+    RobotInvalid
+        If they are no tolerances, not so many, or do not go with a robot; the first ten robots at
+        fault are described, the others counted.
+    """
+    count = len(columns.limits)
+    if given is None:
+        return {}
+    each = (given,) * count if isinstance(given, Tolerance) else items(given)
+    if each is None or len(each) != count:
+        many = shown(given) if each is None else f"{len(each)}"
+        raise RobotInvalid(
+            f"the tolerances are {many}; they should be one, or one or None for each of {count} "
+            "robots"
+        )
+    limits, mounted = columns.limits.tolist(), columns.mounted.tolist()
+    faults = [
+        f"{names[i]}: {fault}"
+        for i, tolerance in enumerate(each)
+        if tolerance is not None
+        for fault in tolerance_faults(tolerance, limits[i], mounted[i])
+    ]
+    if faults:
+        raise RobotInvalid(faults[:MOST_LISTED] + _others(len(faults)))
+    return {i: tolerance for i, tolerance in enumerate(each) if tolerance is not None}
 
 
 def check_contacts(

@@ -13,10 +13,12 @@ from numpy.typing import NDArray
 
 from swarmgrasp.errors import RobotInvalid
 from swarmgrasp.frozen import Frozen
-from swarmgrasp.ranges import shown
+from swarmgrasp.ranges import items, name_faults, shown
 
 _NUMBERED = re.compile(r"R([1-9][0-9]{0,8})")
 """What robots without a name are called."""
+MOST_SHOWN = 10
+"""Faults of names that are told, of many."""
 Given = Mapping[int, str]
 """Names by index."""
 NOBODY: Given = MappingProxyType({})
@@ -104,6 +106,26 @@ class Names(Frozen):
         given = {**self.given, len(self): name or f"R{number}"}
         return Names(given, np.append(self.numbers, last))
 
+    def renamed(self, index: int, name: str) -> "Names":
+        """Return the names with another for one robot.
+
+        Raises
+        ------
+        RobotInvalid
+            If a robot is called that already.
+
+        Examples
+        --------
+        >>> list(names_of(["", "Ajax", ""]).renamed(1, "Boreas"))
+        ['R1', 'Boreas', 'R2']
+        """
+        same = self.index(name)
+        if same is not None:
+            raise RobotInvalid(_clash(name, sorted((same, index))))
+        names = list(self)
+        names[index] = name
+        return names_of(names)
+
     def _first_free(self) -> int:
         """Return the first number that nobody has."""
         mine = np.delete(self.numbers, list(self.given))
@@ -141,8 +163,10 @@ def names_of(names: Sequence[str]) -> Names:
     ...
     swarmgrasp.errors.RobotInvalid: robots 1 and 3 are both called 'Ajax'; names should be unique
     """
-    uses = Counter(name for name in names if name)
-    clashes = [name for name, count in uses.items() if count > 1]
+    clashes: list[str] = []
+    if len(set(names)) < len(names):
+        uses = Counter(name for name in names if name)
+        clashes = [name for name, count in uses.items() if count > 1]
     if clashes:
         raise RobotInvalid(
             _clash(name, [i for i, other in enumerate(names) if other == name]) for name in clashes
@@ -157,6 +181,42 @@ def names_of(names: Sequence[str]) -> Names:
             given[i] = name
         numbers[i] = last
     return Names(given, numbers)
+
+
+def checked_names(names: object, count: int) -> Names:
+    """Return the names of so many robots, as they were given.
+
+    Raises
+    ------
+    RobotInvalid
+        If they are not so many names, or several are called the same.
+
+    Examples
+    --------
+    >>> list(checked_names(["Ajax", ""], 2))
+    ['Ajax', 'R1']
+    >>> checked_names(["Ajax"], 2)
+    Traceback (most recent call last):
+    ...
+    swarmgrasp.errors.RobotInvalid: there are 1 names for 2 robots; give one a robot
+    """
+    given = items(names)
+    if given is None:
+        raise RobotInvalid(f"the names are {shown(names)}; they should be a list of names")
+    faults = [] if _are_plain(given) else [f for name in given for f in name_faults(name)]
+    if len(given) != count:
+        faults.append(f"there are {len(given)} names for {count} robots; give one a robot")
+    if faults:
+        raise RobotInvalid(faults[:MOST_SHOWN])
+    return names_of(given)
+
+
+def _are_plain(names: Sequence[object]) -> bool:
+    """Tell of many names at once that none is at fault."""
+    texts = [name for name in names if isinstance(name, str)]
+    together = "".join(texts)
+    is_shown = len(texts) == len(names) and together.isascii() and together.isprintable()
+    return is_shown and not any(text.isspace() for text in texts)
 
 
 def filled(names: Sequence[str]) -> list[str]:
@@ -179,7 +239,7 @@ def numbered(count: int) -> Names:
 
 def _number(name: str) -> int:
     """Return the number of a name that is R and a number, 0 for any other."""
-    found = _NUMBERED.fullmatch(name)
+    found = _NUMBERED.fullmatch(name) if name[:1] == "R" else None
     return int(found[1]) if found else 0
 
 

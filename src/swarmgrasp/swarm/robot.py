@@ -167,11 +167,11 @@ class Robot(Plain):
                 "-1e6 <= direction <= 1e6 [rad]"
             )
         faults += limit_faults(self.limit) + name_faults(self.name)
-        faults += _tolerance_faults(self.tolerance, self.limit) + self._kind_faults()
+        faults += tolerance_faults(self.tolerance, self.limit, self.mounted)
+        faults += self._kind_faults()
         faults += [fault.replace("name", "group", 1) for fault in name_faults(self.group)]
         if not is_flag(self.mounted):
             faults += flag_faults(self.mounted, "mounted")
-        faults += _adrift_faults(self.mounted, self.tolerance)
         faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
@@ -353,7 +353,8 @@ class Newcomer(Plain):
     def __post_init__(self) -> None:
         """Check the values."""
         faults = limit_faults(self.limit) + attachment_faults(self.attachment, self.half_angle)
-        faults += name_faults(self.name) + _tolerance_faults(self.tolerance, self.limit)
+        faults += name_faults(self.name)
+        faults += tolerance_faults(self.tolerance, self.limit, self.mounted)
         faults += kind_of_force_faults(self.reverse_limit, self.friction)
         faults += flag_faults(self.steers, "steers") + flag_faults(self.mounted, "mounted")
         if self.friction and (self.steers is True or self.reverse_limit != 0.0):
@@ -362,7 +363,6 @@ class Newcomer(Plain):
             faults.append("a finger with friction pushes: its attachment should be push")
         if self.mounted is True and self.attachment != "free":
             faults.append("a mounted newcomer touches no edge: its attachment should be free")
-        faults += _adrift_faults(self.mounted, self.tolerance)
         faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
@@ -573,21 +573,18 @@ def _is_same_angle(one: float, other: float) -> bool:
     return math.isfinite(one) and abs(math.remainder(one - other, math.tau)) <= SAME_ANGLE
 
 
-def _tolerance_faults(tolerance: object, limit: object) -> list[str]:
-    """Return what is wrong with a tolerance, beside a limit [N]."""
+def tolerance_faults(tolerance: object, limit: object, mounted: object = False) -> list[str]:
+    """Return what is wrong with a tolerance, of what has a limit [N] and perhaps is mounted."""
     if not isinstance(tolerance, Tolerance):
         return [] if tolerance is None else kind_faults(tolerance, Tolerance, "Tolerance(...)")
-    least = tolerance.least_limit
+    faults, least = [], tolerance.least_limit
     if least is not None and least > number(limit):
-        return [f"the least limit is {least!r}; it should be <= {shown(limit)}, the limit [N]"]
-    return []
-
-
-def _adrift_faults(mounted: object, tolerance: object) -> list[str]:
-    """Return what is wrong with the contact of a tolerance of what is mounted."""
-    if isinstance(tolerance, Tolerance) and tolerance.is_adrift and is_flag(mounted) and mounted:
-        return ["a mounted robot stays where it is: its tolerance can have no contact"]
-    return []
+        faults.append(
+            f"the least limit is {least!r}; it should be <= {shown(limit)}, the limit [N]"
+        )
+    if tolerance.is_adrift and is_flag(mounted) and mounted:
+        faults.append("a mounted robot stays where it is: its tolerance can have no contact")
+    return faults
 
 
 def _is_ours(frame: FrameType) -> bool:

@@ -38,6 +38,7 @@ from swarmgrasp.swarm.columns import (
     Couple,
     check_contacts,
     checked_columns,
+    checked_tolerances,
     columns_of,
     couple_of,
     robot_of,
@@ -51,7 +52,7 @@ from swarmgrasp.swarm.force_set import (
     rays_among,
 )
 from swarmgrasp.swarm.matrix import Axes, checked_allocation, robots_from, square_around
-from swarmgrasp.swarm.names import Names, names_of, numbered
+from swarmgrasp.swarm.names import Names, checked_names, names_of, numbered
 from swarmgrasp.swarm.rare import Rare
 from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.swarm.rounding import generator_errors
@@ -156,9 +157,11 @@ class Swarm(Frozen, Plain):
         steers: ArrayLike = 0.0,
         frictions: ArrayLike = 0.0,
         leasts: ArrayLike = 0.0,
+        names: Sequence[str] | None = None,
+        tolerances: Tolerance | Sequence[Tolerance | None] | None = None,
         snap: float = 0.0,
     ) -> "Swarm":
-        """Make a swarm of nameless robots from arrays, which are copied.
+        """Make a swarm of robots from arrays, which are copied.
 
         Parameters
         ----------
@@ -178,6 +181,10 @@ class Swarm(Frozen, Plain):
         steers : float or (n,) [rad]
         frictions : float or (n,)
             As for `Robot`; a friction of 0 is none.
+        names : sequence of str, optional
+            One a robot, "" for a nameless one; all are nameless when left out.
+        tolerances : Tolerance or sequence of Tolerance or None, optional
+            One for all, or one a robot.
         snap : float [m]
             By how much contacts that were measured may be off the boundary; they are moved to
             its nearest point. Those of mounted robots stay.
@@ -185,8 +192,8 @@ class Swarm(Frozen, Plain):
         Raises
         ------
         RobotInvalid
-            If an array has the wrong shape or type, or values are outside their range; the
-            first ten robots at fault are described, the others counted.
+            If an array has the wrong shape or type, or values are outside their range, or names are
+            no names or not unique; the first ten robots at fault are described, the others counted.
         MetricInvalid, RobotOffBoundary
             As for any `Swarm`; a robot farther off than `snap`, with how far it is.
 
@@ -202,13 +209,15 @@ class Swarm(Frozen, Plain):
         columns = checked_columns(
             contacts, directions, limits, mounted, reverse_limits, steers, frictions, leasts
         )
-        names = numbered(len(columns.limits))
+        count = len(columns.limits)
+        called = numbered(count) if names is None else checked_names(names, count)
+        rare = Rare(tolerances=checked_tolerances(tolerances, columns, called))
         refuse((RobotInvalid, length_faults(snap, "snap")))
         if snap > 0.0:
             check_outline(outline)
-            columns = snapped(outline, columns, names, snap)
+            columns = snapped(outline, columns, called, snap)
         swarm = cls.__new__(cls)
-        swarm._fill(outline, columns, names, Rare(), characteristic_length, force_weights)
+        swarm._fill(outline, columns, called, rare, characteristic_length, force_weights)
         return swarm
 
     @classmethod
@@ -538,11 +547,42 @@ class Swarm(Frozen, Plain):
         robot = replace(old, contact=contact)
         if direction is not None:
             robot = replace(robot, direction=direction)
-        rows = self._rows(columns_of((robot,)), robot.name, couple_of(robot))
+        return self.replaced(name, robot)
+
+    def replaced(self, name: str, robot: Robot) -> "Swarm":
+        """Return the swarm with a robot in the place of another, in the same order.
+
+        Parameters
+        ----------
+        name : str
+            Of the robot that leaves.
+        robot : Robot
+            Who takes its place, and its name if it has none of its own.
+
+        Raises
+        ------
+        RobotInvalid
+            If there is no robot of that name, if it is no `Robot`, or if another has its name.
+        RobotOffBoundary
+            If it holds nothing.
+
+        Examples
+        --------
+        >>> square = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+        >>> pair = Swarm(square, [Robot((1, 0), 0.0, name="Ajax"), Robot((0, 1), 0.5)])
+        >>> stronger = pair.replaced("Ajax", Robot((1, 0), 0.0, limit=3.0))
+        >>> stronger["Ajax"].limit, len(stronger)
+        (3.0, 2)
+        """
+        i, one = self.index(name), columns_of((robot,))
+        robot = robot if robot.name else replace(robot, name=name)
+        names = self.names if robot.name == name else self.names.renamed(i, robot.name)
+        rows = self._rows(one, robot.name, couple_of(robot))
+        check_tolerances(self.outline, Rare.of((robot,), first=i), names)
         moved = {column: np.array(getattr(self, column)) for column in rows}
         for column, row in rows.items():
             moved[column][i] = row[0]
-        swarm = self._like(moved, self.names, self.rare.with_robot(i, robot))
+        swarm = self._like(moved, names, self.rare.with_robot(i, robot))
         if "robots" in vars(self):
             vars(swarm)["robots"] = (*self.robots[:i], robot, *self.robots[i + 1 :])
         return swarm
