@@ -6,6 +6,7 @@ by an error of the first one's kind.
 """
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 
 class SwarmGraspError(ValueError):
@@ -86,8 +87,59 @@ class QuantityInvalid(SwarmGraspError):
     """A quantity is no number with a unit of what is measured."""
 
 
+class FileFault(NamedTuple):
+    """One thing that is wrong with a file, and where; as text, the line that tells it.
+
+    Attributes
+    ----------
+    file : str
+        As messages call it; "" where the sentence says it all.
+    line, column : int or None
+        Counted from 1; None for the file as a whole, or for the whole line.
+    path : str
+        Keys with dots that lead to it, such as ``robots.0.limit``; "" for the file itself.
+    sentence : str
+        What is wrong and what it should be.
+
+    Examples
+    --------
+    >>> print(FileFault("barge.yaml", 5, 48, "robots.0.limit", "should be greater than 0"))
+    barge.yaml:5:48: robots.0.limit: should be greater than 0
+    """
+
+    file: str
+    line: int | None
+    column: int | None
+    path: str
+    sentence: str
+
+    def __str__(self) -> str:
+        """Return the whole message."""
+        at = [str(number) for number in (self.line, self.column) if number is not None]
+        place = ":".join([self.file, *at])
+        return ": ".join(part for part in (place, self.path, self.sentence) if part)
+
+
 class ScenarioInvalid(SwarmGraspError):
-    """A scenario file has faults; each carries file, line, column and key."""
+    """A scenario file has faults; each carries file, line, column and key.
+
+    Parameters
+    ----------
+    faults : str or iterable of str or FileFault
+
+    Attributes
+    ----------
+    records : tuple of FileFault
+        The faults, each with its place apart from its sentence.
+    """
+
+    def __init__(self, faults: str | Iterable[str | FileFault]) -> None:
+        listed = (faults,) if isinstance(faults, str) else tuple(faults)
+        self.records: tuple[FileFault, ...] = tuple(
+            fault if isinstance(fault, FileFault) else FileFault("", None, None, "", fault)
+            for fault in listed
+        )
+        super().__init__(map(str, self.records))
 
 
 class DataInvalid(SwarmGraspError):

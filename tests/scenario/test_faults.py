@@ -27,7 +27,7 @@ def told(text: str) -> list[str]:
     with pytest.raises(ScenarioInvalid) as caught:
         parse_scenario(text, "a.yaml")
     faults = list(caught.value.faults)
-    assert str(caught.value).splitlines() == faults
+    assert str(caught.value).splitlines() == faults == list(map(str, caught.value.records))
     return faults
 
 
@@ -383,3 +383,18 @@ def test_every_required_key_has_a_stand_in_and_a_remedy() -> None:
     assert len(models) > 20
     assert required == STAND_INS.keys()
     assert required == WANTED.keys()
+
+
+def test_faults_are_records_too():
+    """Line, column, key and sentence apart; a file as a whole has no line."""
+    with pytest.raises(ScenarioInvalid) as caught:
+        parse_scenario(HEAD + ROBOT.replace("limit: 1", "limit: -1"), "a.yaml")
+    (fault,) = caught.value.records
+    place = ("a.yaml", 3, 54, "robots.0.limit")
+    assert fault == (*place, "should be greater than 0 (got -1)")
+    with pytest.raises(ScenarioInvalid) as caught:
+        load_scenario("nowhere.yaml")
+    assert [fault[:4] for fault in caught.value.records] == [("", None, None, "")]
+    slipped = parse_scenario(HEAD + ROBOT.replace("limit: 1", "limit: 900") + ROBOT)
+    assert [str(slip) for slip in slipped.slips] == list(slipped.warnings)
+    assert all(slip.line and slip.path for slip in slipped.slips)

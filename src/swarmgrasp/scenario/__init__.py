@@ -1,6 +1,7 @@
 """The scenario file: what is asked, in YAML 1.2, with every fault told at once."""
 
 from swarmgrasp.scenario.convert import Converted, convert
+from swarmgrasp.scenario.editing import edited
 from swarmgrasp.scenario.examples import example_names, example_text, load_example
 from swarmgrasp.scenario.json_schema import scenario_schema
 from swarmgrasp.scenario.reading import load_scenario, parse_scenario
@@ -11,6 +12,7 @@ __all__ = [
     "Converted",
     "Scenario",
     "convert",
+    "edited",
     "example_names",
     "example_text",
     "load_example",

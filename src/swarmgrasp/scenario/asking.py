@@ -5,7 +5,7 @@ from typing import Any
 
 from swarmgrasp.answer_file import parse_answer
 from swarmgrasp.environment import Environment
-from swarmgrasp.errors import AnswerInvalid, ScenarioInvalid
+from swarmgrasp.errors import AnswerInvalid, FileFault, ScenarioInvalid
 from swarmgrasp.placement import Problem
 from swarmgrasp.plain import read
 from swarmgrasp.quality import Criterion
@@ -89,7 +89,7 @@ def scenario_of(document: dict[str, Any], source: str) -> Scenario:
     if swarm is None and not faults:
         faults.append(f"a {document['format']!r} holds no question")
     if faults or swarm is None or criterion is None:
-        raise ScenarioInvalid(f"{source}: {fault}" for fault in faults)
+        raise ScenarioInvalid(FileFault(source, None, None, "", fault) for fault in faults)
     return Scenario(
         name=plain_name(str(document.get("name", ""))),
         description="",

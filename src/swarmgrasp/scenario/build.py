@@ -84,7 +84,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
         criterion=criterion_of(checked, units, swarm.outline, environment),
         terms=terms_of(file, units),
     )
-    scenario = replace(scenario, warnings=slips_of(checked, units, scenario))
+    scenario = replace(scenario, slips=slips_of(checked, units, scenario))
     return _with_simulation(scenario, checked, units)
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from warnings import warn
 
 from swarmgrasp.answer_file import LARGEST_FILE as LARGEST_ANSWER
-from swarmgrasp.errors import ScenarioInvalid, ScenarioWarning, refuse
+from swarmgrasp.errors import FileFault, ScenarioInvalid, ScenarioWarning, refuse
 from swarmgrasp.files import read_fault
 from swarmgrasp.ranges import path_faults
 from swarmgrasp.scenario.asking import answer_in, scenario_of
@@ -101,9 +101,8 @@ def parse_scenario(
         return scenario_of(answer, source)
     if len(text) > LARGEST_FILE:
         unit = "characters" if isinstance(text, str) else "bytes"
-        raise ScenarioInvalid(
-            f"{source}:1:1: is too large; it should have at most {LARGEST_FILE} {unit}"
-        )
+        said = f"is too large; it should have at most {LARGEST_FILE} {unit}"
+        raise ScenarioInvalid([FileFault(source, 1, 1, "", said)])
     faults = Faults(source)
     if isinstance(text, bytes):
         text = _decoded(text, faults)

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.environment import Environment
+from swarmgrasp.errors import FileFault
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.outline import Stretch
 from swarmgrasp.placement import Problem
@@ -45,7 +46,7 @@ class Scenario(Frozen):
     terms : Terms
         The units and the frame of its file, and its word for robots; all else is in SI and ours.
         Equal scenarios ask the same, whatever their terms.
-    warnings : tuple of str
+    slips : tuple of FileFault
         What its file says that is probably a slip, each with line, column and key.
     answer : dict or None
         The answer file that asks all this, as plain data, if it was read from one.
@@ -62,8 +63,13 @@ class Scenario(Frozen):
     criterion: Criterion = NOMINAL
     simulation: "Simulation | None" = None
     terms: Terms = field(default=SI, compare=False)
-    warnings: tuple[str, ...] = field(default=(), compare=False)
+    slips: tuple[FileFault, ...] = field(default=(), compare=False)
     answer: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The slips in words, each with its place."""
+        return tuple(map(str, self.slips))
 
     def problem(self, criterion: Criterion | None = None) -> Problem:
         """Return the question where the newcomer goes; one that may go anywhere if there is none.

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from swarmgrasp.plain import plain
-from swarmgrasp.scenario.writing import unusual
+from swarmgrasp.scenario.file_keys import unusual
 from swarmgrasp.simulation.actuator import Actuator
 from swarmgrasp.simulation.control import Control
 from swarmgrasp.simulation.events import Change, Event, Follow, Leave, Lose, Move, Send

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.errors import FileFault
 from swarmgrasp.outline.lines import meeting
 from swarmgrasp.placement.room import Room, pulls_on_line
 from swarmgrasp.scenario.faults import Faults, Path
@@ -48,7 +49,7 @@ _BESIDE = re.compile(
 """What else a robot's name may say beside a side: others, as of a harbour, are none."""
 
 
-def slips_of(checked: Checked, units: Units, scenario: Scenario) -> tuple[str, ...]:
+def slips_of(checked: Checked, units: Units, scenario: Scenario) -> tuple[FileFault, ...]:
     """Return what is probably a slip, each with its line, column and key, in the file's order.
 
     Parameters
@@ -69,7 +70,7 @@ def slips_of(checked: Checked, units: Units, scenario: Scenario) -> tuple[str, .
         *_bodies(scenario),
     ):
         found.add(checked.root.find(path).mark, path, sentence)
-    return found.told()
+    return found.listed()
 
 
 # -- angles -------------------------------------------------------------------------------
