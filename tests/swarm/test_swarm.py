@@ -278,7 +278,7 @@ def test_a_million_robots_are_practical():
     arrays = crew_on(outline, 1_000_000)
     swarm = Swarm.from_arrays(outline, *arrays).with_robot(Robot((1, 0), 0.0))
     assert (len(swarm), swarm.names[999_999]) == (1_000_001, "R1000000")
-    assert "..." in repr(swarm)
+    assert len(repr(swarm)) < 300
     assert sum(getattr(swarm, name).nbytes for name in ARRAYS) < 100e6
     assert "robots" not in vars(swarm)
 

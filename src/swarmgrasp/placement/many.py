@@ -123,17 +123,13 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
             f"rows, from 1 to {MOST_CELLS}"
         )
     refuse((ProblemInvalid, faults))
-    check_newcomer(problem)
-    if problem.newcomer.mounted:
-        raise ForceSetUnsupported(
-            "the landscape is of places along the boundary, and a mounted newcomer sits inside"
-        )
+    check_cells(problem)
     outline = problem.swarm.outline
     columns = np.linspace(0.0, outline.perimeter, sides[0] + 1)
     rows = np.linspace(-math.pi, math.pi, sides[1] + 1)
     grid = np.full(sides, np.nan)
     pieces = problem.pieces()
-    qualities = _qualities_on(problem, pieces)
+    qualities = qualities_on(problem, pieces)
     for index, piece in enumerate(pieces.each):
         base = float(outline.corner_arc_lengths[piece.edge])
         where, arc_lengths = _samples(columns, base + piece.start, base + piece.end)
@@ -149,7 +145,16 @@ def cell_qualities(problem: Problem, resolution: tuple[int, int]) -> NDArray[np.
     return grid
 
 
-def _qualities_on(problem: Problem, pieces: Pieces) -> Callable[[int, Array, Array], Array]:
+def check_cells(problem: Problem) -> None:
+    """Raise `ForceSetUnsupported` for a newcomer that is mounted, or whose place is not known."""
+    check_newcomer(problem)
+    if problem.newcomer.mounted:
+        raise ForceSetUnsupported(
+            "the landscape is of places along the boundary, and a mounted newcomer sits inside"
+        )
+
+
+def qualities_on(problem: Problem, pieces: Pieces) -> Callable[[int, Array, Array], Array]:
     """Return what computes the quality on a piece, by its index, moment arms and directions.
 
     What keeps its force set has the same quality in all directions of it.
