@@ -1,5 +1,6 @@
 """The server as a stranger meets it: what it refuses, and that it then still answers."""
 
+import gzip
 import http.client
 import json
 from collections.abc import Iterator
@@ -37,6 +38,15 @@ def test_files_of_the_page_come_with_a_strict_policy(serving: Opened) -> None:
     assert headers["x-content-type-options"] == "nosniff"
     assert b"<script" in body
     assert "server" not in {name.lower() for name in headers}
+
+
+def test_files_are_packed_for_those_that_can_unpack_them(serving: Opened) -> None:
+    """The same bytes either way."""
+    plain = get(serving, "/main.js")
+    packed = get(serving, "/main.js", **{"Accept-Encoding": "br, gzip"})
+    assert gzip.decompress(packed[2]) == plain[2]
+    assert packed[1]["content-encoding"] == "gzip"
+    assert len(packed[2]) < 0.5 * len(plain[2])
 
 
 @pytest.mark.parametrize("path", ["/../pyproject.toml", "/%2e%2e/guard.py", "/etc/passwd", "/x"])

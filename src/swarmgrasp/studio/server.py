@@ -1,6 +1,7 @@
 """The server of the page: a few files, and one socket."""
 
 import contextlib
+import gzip
 import socket as sockets
 from collections.abc import AsyncIterator, Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING
 import uvicorn
 from starlette.applications import Starlette
 from starlette.datastructures import Headers
+from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -52,6 +54,7 @@ TYPES = {
     ".svg": "image/svg+xml",
 }
 """What files of the page are, by their suffix; no others are sent."""
+PACKED = {"content-encoding": "gzip"}
 MOST_ROBOTS = 100_000
 ENDING = 2
 """Seconds that windows have to close when the server ends."""
@@ -131,17 +134,30 @@ class _Guarded:
         return None
 
 
-def page_files() -> dict[str, Response]:
-    """Return the files of the page by their paths."""
+def page_files() -> dict[str, tuple[Response, Response]]:
+    """Return the files of the page by their paths, each as it is, and packed."""
     found = {}
     for file in (files("swarmgrasp.studio") / "page").iterdir():
         kind = TYPES.get("." + file.name.rpartition(".")[2])
         if kind is not None:
-            headers = {**HEADERS, "content-type": kind}
-            found[f"/{file.name}"] = Response(file.read_bytes(), headers=headers)
+            raw = file.read_bytes()
+            headers = {**HEADERS, "content-type": kind, "vary": "accept-encoding"}
+            packed = Response(gzip.compress(raw, mtime=0), headers=headers | PACKED)
+            plain = Response(raw, headers=headers)
+            found[f"/{file.name}"] = plain, plain if file.name.endswith(".woff2") else packed
     if "/index.html" in found:
         found["/"] = found["/index.html"]
     return found
+
+
+def _sent(plain: Response, packed: Response) -> Callable[[Request], Response]:
+    """Return what sends a file, packed to those that can unpack it."""
+
+    def send(request: Request) -> Response:
+        """Send it."""
+        return packed if "gzip" in request.headers.get("accept-encoding", "") else plain
+
+    return send
 
 
 def application(settings: Settings, port: int) -> Starlette:
@@ -157,11 +173,7 @@ def application(settings: Settings, port: int) -> Starlette:
     )  # fmt: skip
     session = Session(guard, desk, welcome)
 
-    def sent(response: Response) -> Callable[..., Response]:
-        """Return what sends a file."""
-        return lambda request: response  # noqa: ARG005
-
-    routes = [Route(path, sent(response)) for path, response in page_files().items()]
+    routes = [Route(path, _sent(*both)) for path, both in page_files().items()]
 
     @contextlib.asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:  # noqa: ARG001

@@ -57,7 +57,7 @@ class Telling:
             before=before,
             after=value,
             bound=bound,
-            margin=after.value,
+            margin=after.margin,
             load=(x, y, turn),
             weakest=self._weakest(after),
             worst_loss=gone or None,
