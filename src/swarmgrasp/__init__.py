@@ -53,6 +53,7 @@ from swarmgrasp.quality import (
     quality,
     sensitivities,
 )
+from swarmgrasp.studio import studio
 from swarmgrasp.summary import Summary
 from swarmgrasp.swarm import Body, Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
 from swarmgrasp.verify import Verdict, verify_document
@@ -118,6 +119,7 @@ __all__ = [
     "quality",
     "read_answer",
     "sensitivities",
+    "studio",
     "thrust_use",
     "verify_document",
     "wrench_words",

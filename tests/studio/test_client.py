@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-import swarmgrasp.studio
+import swarmgrasp
 
-CLIENT = Path(swarmgrasp.studio.__file__).parent / "client"
+CLIENT = Path(swarmgrasp.__file__).parent / "studio" / "client"
 
 
 @pytest.fixture(scope="module")

@@ -14,10 +14,11 @@ from swarmgrasp import WrenchSet, capability, forces, losses, place, quality
 from swarmgrasp.scenario import example_names, load_example
 from swarmgrasp.studio.asking import Found, ask
 from swarmgrasp.studio.errands import told_forces, told_sequence
-from swarmgrasp.studio.messages import Forces, Sequence, write_message
+from swarmgrasp.studio.messages import Forces, Sequence
 from swarmgrasp.studio.parts import Sheet, tell
 from swarmgrasp.studio.reading import question_of
 from swarmgrasp.studio.scenes import built_in, scene_of
+from swarmgrasp.studio.sending import write_message
 from swarmgrasp.studio.telling import Telling
 
 NEAR = pytest.approx

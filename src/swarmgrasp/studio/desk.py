@@ -12,17 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.asking import Found, ask
-from swarmgrasp.studio.messages import (
-    Ask,
-    Control,
-    Done,
-    Error,
-    Refused,
-    Watch,
-    write_message,
-)
+from swarmgrasp.studio.errands import Errand
+from swarmgrasp.studio.messages import Ask, Control, Watch
 from swarmgrasp.studio.parts import MOVING, NAMED, PARTS, Sheet, tell
-from swarmgrasp.studio.reading import faults_in, question_of
+from swarmgrasp.studio.reading import question_of
+from swarmgrasp.studio.replies import Done, Error, Refused
+from swarmgrasp.studio.scenes import faults_in
+from swarmgrasp.studio.sending import write_message
 from swarmgrasp.studio.telling import Telling
 from swarmgrasp.studio.turns import ANSWER, Job, Turns
 
@@ -34,7 +30,6 @@ WORKERS = 2
 logger = logging.getLogger(__name__)
 
 Send = Callable[[bytes], Awaitable[None]]
-Errand = Callable[[Any], bytes]
 
 
 @dataclass

@@ -1,33 +1,96 @@
 """What a page asks beside where the newcomer goes: push forces, several newcomers, the sheet."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
+from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.forces import forces
 from swarmgrasp.placement import Placement, Problem, place_sequence, place_together
-from swarmgrasp.scenario import Scenario
+from swarmgrasp.scenario import Scenario, edited, parse_scenario
 from swarmgrasp.studio.figures import Figures
-from swarmgrasp.studio.messages import (
-    Forces,
+from swarmgrasp.studio.messages import Doc, Forces, Open, Report, Run, Sequence, Text, Write
+from swarmgrasp.studio.reading import Question, question_of
+from swarmgrasp.studio.replies import (
+    Error,
+    Faults,
     ForcesTold,
     ForceTold,
     Placed,
-    Report,
     ReportTold,
-    Sequence,
     SequenceTold,
-    write_message,
+    Written,
 )
-from swarmgrasp.studio.reading import Question, question_of
+from swarmgrasp.studio.scenes import Source, faults_of, scene_of, speech_of, terms_of
+from swarmgrasp.studio.sending import write_message
 from swarmgrasp.studio.telling import do_words
+from swarmgrasp.terms import Terms
 from swarmgrasp.words import percent
+
+if TYPE_CHECKING:
+    from swarmgrasp.studio.runs import Recorded
 
 STEPS = 400
 """Of the search for newcomers placed together: about a second for a few."""
 MOST_TOGETHER = 12
 """Newcomers that are placed together."""
 
+NO_ZONE = "problem.zones: a file cannot say that there is no zone; leave out the newcomer instead"
+Errand = Callable[[Any], bytes]
+"""Answers a message that is no ask."""
 Reporting = Callable[[Scenario, str, str], str]
 """Makes the sheet about a scenario, in HTML, given its file's name and text."""
+
+
+def errands_of(
+    scenes: Mapping[str, Source], opens: str, reporting: Reporting | None = None,
+    run: "Recorded | None" = None,
+) -> dict[type, Errand]:  # fmt: skip
+    """Return what answers messages that are no asks, by their kinds.
+
+    Parameters
+    ----------
+    scenes : mapping of str to Source
+    opens : str
+        The scene in whose terms a run is told.
+    reporting : callable, optional
+        Makes the sheet about a job.
+    run : Recorded, optional
+        A run to play.
+    """
+
+    def opened(message: Open) -> bytes:
+        """Return a scene that is known."""
+        source = scenes.get(message.name)
+        if source is None:
+            return write_message(Error(message.n, f"There is no scene {message.name!r}."))
+        return told_scene(message.n, message.name, source)
+
+    errands: dict[type, Errand] = {
+        Open: opened,
+        Text: lambda message: told_scene(message.n, message.name, Source(message.text)),
+        Forces: told_forces,
+        Sequence: told_sequence,
+        Write: told_text,
+    }
+    if run is not None:
+        errands[Run] = lambda message: run.told(message.n, _terms(opens, scenes[opens]))
+    if reporting is not None:
+        errands[Report] = lambda message: told_report(message, reporting)
+    return errands
+
+
+def told_scene(n: int, name: str, source: Source) -> bytes:
+    """Tell a scene, or what is wrong with its text."""
+    try:
+        return write_message(scene_of(n, name, source))
+    except ScenarioInvalid as error:
+        return write_message(Faults(n, faults_of(error)))
+
+
+def _terms(name: str, source: Source) -> Terms:
+    """Return the terms of a scene."""
+    return terms_of(scene_of(0, name, source).speech)
 
 
 def told_forces(message: Forces) -> bytes:
@@ -109,12 +172,30 @@ def _quality(problem: Problem, figures: Figures, value: float) -> str:
 def told_report(message: Report, reporting: Reporting) -> bytes:
     """Tell the sheet about the job."""
     question = question_of(message.doc, message.speech)
-    problem, doc = question.problem, message.doc
-    scenario = Scenario(
+    scenario = _scenario(message.doc, question)
+    return write_message(ReportTold(message.n, reporting(scenario, scenario.name, message.text)))
+
+
+def told_text(message: Write) -> bytes:
+    """Tell the text of a scenario with what the document changes."""
+    before = parse_scenario(message.text)
+    question = question_of(message.doc, speech_of(before))
+    if message.doc.newcomer and not question.places:
+        raise ScenarioInvalid(NO_ZONE)
+    scenario = replace(
+        _scenario(message.doc, question), terms=before.terms, simulation=before.simulation
+    )
+    return write_message(Written(message.n, edited(message.text, scenario)))
+
+
+def _scenario(doc: Doc, question: Question) -> Scenario:
+    """Return the scenario of a document."""
+    problem = question.problem
+    return Scenario(
         name=doc.name,
         description=doc.description,
         swarm=problem.swarm,
-        newcomer=problem.newcomer if question.places else None,
+        newcomer=problem.newcomer if doc.newcomer else None,
         zones=problem.zones,
         no_go=problem.no_go,
         spacing=problem.spacing,
@@ -122,4 +203,3 @@ def told_report(message: Report, reporting: Reporting) -> bytes:
         criterion=problem.criterion,
         terms=question.terms,
     )
-    return write_message(ReportTold(message.n, reporting(scenario, doc.name, message.text)))

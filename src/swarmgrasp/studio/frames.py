@@ -1,36 +1,74 @@
 """Binary frames: the length of a head in JSON, the head, and arrays, each at a multiple of 8."""
 
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.studio.messages import Array, PartSaid, RunTold, write_message
-
 ALIGNED = 8
 """Bytes; the arrays of a frame begin at multiples, so that a page needs no copy of them."""
 _LENGTH = struct.Struct("<I")
+WIDTH = 4
+"""Numbers of a robot in columns: two of its contact, its direction and its limit."""
 
 
-def framed(head: PartSaid | RunTold, arrays: Mapping[str, NDArray[np.generic]]) -> bytes:
-    """Return a part with its arrays as one binary frame, little-endian.
+class Columns(NamedTuple):
+    """Many robots that push along one ray each.
 
-    Parameters
+    Attributes
     ----------
-    head : PartSaid or RunTold
-        One that has `arrays`, whose list is filled in here.
-    arrays : mapping of str to array
+    contacts : (n, 2) [m, m]
+    directions : (n,) [rad]
+    limits : (n,) [N]
+    names : sequence of str
     """
-    listed = tuple(
-        Array(name, array.dtype.str[1:], array.shape)  # type: ignore[arg-type]
-        for name, array in arrays.items()
-    )
-    written = write_message(msgspec.structs.replace(head, arrays=listed))
-    written += b" " * (-(len(written) + _LENGTH.size) % ALIGNED)
-    parts = [_LENGTH.pack(len(written)), written]
+
+    contacts: NDArray[np.float64]
+    directions: NDArray[np.float64]
+    limits: NDArray[np.float64]
+    names: Sequence[str]
+
+
+def packed(head: bytes, arrays: Mapping[str, NDArray[np.generic]]) -> bytes:
+    """Return a head in JSON and arrays as one binary frame, little-endian."""
+    head += b" " * (-(len(head) + _LENGTH.size) % ALIGNED)
+    parts = [_LENGTH.pack(len(head)), head]
     for array in arrays.values():
         raw = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<")).tobytes()
         parts += [raw, bytes(-len(raw) % ALIGNED)]
     return b"".join(parts)
+
+
+def unframed(raw: bytes) -> tuple[bytes, memoryview]:
+    """Take a binary frame apart: its head, and what follows.
+
+    Raises
+    ------
+    msgspec.DecodeError
+        If it is shorter than it says.
+    """
+    length = _LENGTH.unpack_from(raw)[0] if len(raw) >= _LENGTH.size else len(raw)
+    start = _LENGTH.size + length
+    if start > len(raw) or start % ALIGNED:
+        raise msgspec.DecodeError("the head of a binary frame should end within it, at 8 bytes")
+    return raw[_LENGTH.size : start], memoryview(raw)[start:]
+
+
+def columns_of(body: memoryview, names: Sequence[str] | None) -> Columns:
+    """Return the robots of a frame's body; without names they are called by their numbers.
+
+    Raises
+    ------
+    msgspec.DecodeError
+        If it holds no whole number of robots, or other names than robots.
+    """
+    count, rest = divmod(len(body), WIDTH * 8)
+    if rest or (names is not None and len(names) != count):
+        raise msgspec.DecodeError("the columns should have 4 numbers for each robot, and a name")
+    numbers = np.frombuffer(body, "<f8").astype(np.float64)
+    contacts = numbers[: 2 * count].reshape(count, 2)
+    called = [str(i) for i in range(1, count + 1)] if names is None else names
+    return Columns(contacts, numbers[2 * count : 3 * count], numbers[3 * count :], called)

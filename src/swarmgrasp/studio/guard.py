@@ -5,11 +5,16 @@ import secrets
 from collections.abc import Collection
 from dataclasses import dataclass, field
 
+from swarmgrasp.studio.messages import MOST_ROBOTS_SHOWN, MOST_TEXT
+from swarmgrasp.studio.replies import Limits
+
 MOST_BYTES = 4_000_000
 """Of a message; a larger one ends the window's connection (1009)."""
 RATE, BURST = 200.0, 400.0
 """Messages a second, and at once; those beyond are dropped."""
 MOST_WINDOWS = 64
+LIMITS = Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS_SHOWN)
+"""What a page is told of these."""
 HELLO_WITHIN = 3.0
 """Seconds that a window has to show its key."""
 KEY_BYTES = 16

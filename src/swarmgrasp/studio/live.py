@@ -16,15 +16,9 @@ from swarmgrasp.agents.network.stage import Stage
 from swarmgrasp.agents.protocol import ProblemPlanner
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.figures import Figures
-from swarmgrasp.studio.messages import (
-    Control,
-    Error,
-    First,
-    LivePhase,
-    LiveRobot,
-    LiveTold,
-    write_message,
-)
+from swarmgrasp.studio.messages import Control
+from swarmgrasp.studio.replies import Error, First, LivePhase, LiveRobot, LiveTold
+from swarmgrasp.studio.sending import write_message
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import list_words
 

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 
 from swarmgrasp.capability import capability
 from swarmgrasp.errors import ForceSetUnsupported, SwarmGraspError
-from swarmgrasp.placement import qualities_with
+from swarmgrasp.placement import landscape
 from swarmgrasp.quality import losses, sensitivities
 from swarmgrasp.studio.asking import Found
 from swarmgrasp.studio.figures import Figures
-from swarmgrasp.studio.frames import framed
-from swarmgrasp.studio.messages import (
+from swarmgrasp.studio.replies import Empty
+from swarmgrasp.studio.sending import framed, write_message
+from swarmgrasp.studio.told_parts import (
     Ball,
     CapabilityPart,
-    Empty,
     Figure,
     LandscapePart,
     LandscapePiece,
@@ -29,7 +29,6 @@ from swarmgrasp.studio.messages import (
     ProofPart,
     Slope,
     SlopesPart,
-    write_message,
 )
 from swarmgrasp.swarm import Robot
 from swarmgrasp.wrench_set import WrenchSet
@@ -42,8 +41,8 @@ MOST_LOST = 300
 """Robots whose losses are told one by one, and whose places are compared cell by cell."""
 COARSE, FINE = 15.0, 5.0
 """Degrees between bearings."""
-CELLS, ROWS = 24, 36
-"""Of the landscape: columns along the longest piece, and rows."""
+COARSE_CELLS, FINE_CELLS = (120, 24), (240, 72)
+"""Of the landscape: contacts on the allowed boundary, about, and directions."""
 
 
 class Nothing(Exception):
@@ -233,9 +232,19 @@ def _slope_words(sheet: Sheet, metre: float | None, degree: list[float]) -> str:
 # -- all places ----------------------------------------------------------------------------
 
 
-def landscape(sheet: Sheet, ms: Callable[[], float]) -> bytes:
-    """Tell the quality at every allowed place, in every allowed direction."""
-    found = sheet.found
+def coarse_landscape(sheet: Sheet, ms: Callable[[], float]) -> bytes:
+    """Tell the quality at some allowed places, in some directions."""
+    return _landscape(sheet, ms, COARSE_CELLS)
+
+
+def fine_landscape(sheet: Sheet, ms: Callable[[], float]) -> bytes:
+    """Tell the quality at many allowed places, in many directions."""
+    return _landscape(sheet, ms, FINE_CELLS)
+
+
+def _landscape(sheet: Sheet, ms: Callable[[], float], cells: tuple[int, int]) -> bytes:
+    """Tell the quality at allowed places, in allowed directions; nothing if it is overtaken."""
+    found, outline = sheet.found, sheet.found.swarm.outline
     if found.placement is None:
         raise Nothing(found.nowhere or "There is nobody to place.")
     if len(found.swarm) > MOST_LOST:
@@ -243,44 +252,26 @@ def landscape(sheet: Sheet, ms: Callable[[], float]) -> bytes:
             f"Places are not compared cell by cell past {MOST_LOST} "
             f"{found.question.terms.several}; the best one is still proven."
         )
-    asked, newcomer = found.asked, found.asked.newcomer
-    if not newcomer.is_ray:
-        raise Nothing("Places are compared for a newcomer that pushes one way.")
-    pieces = asked.pieces().each
-    outline = asked.swarm.outline
-    longest = max(piece.end - piece.start for piece in pieces) or 1.0
-    told, values, strip, first = [], [], [], 0
-    for piece in pieces:
-        base = float(outline.corner_arc_lengths[piece.edge])
-        length = piece.end - piece.start
-        many = 1 if length == 0.0 else max(2, math.ceil(CELLS * length / longest))
-        alongs = np.linspace(piece.start, piece.end, many)
-        ways = np.linspace(piece.lo, piece.hi, 1 if piece.lo == piece.hi else ROWS)
-        p, q = outline.edge_ends(piece.edge)
-        contacts = p + (alongs / outline.lengths[piece.edge])[:, None] * (q - p)
-        found_here = qualities_with(
-            asked.swarm, np.repeat(contacts, len(ways), axis=0), np.tile(ways, many),
-            newcomer.limit, **asked.criterion.terms,
-        ).reshape(many, len(ways))  # fmt: skip
-        normal = outline.inward_normal(piece.edge)
-        told.append(
-            LandscapePiece(
-                piece.place, outline.edge_label(piece.edge), base + piece.start, base + piece.end,
-                tuple((base + alongs).tolist()), tuple((ways - normal).tolist()), first,
-            )
-        )  # fmt: skip
-        values.append(found_here.ravel())
-        strip.append(found_here.max(axis=1))
-        first += found_here.size
-    flat, best = np.concatenate(values), np.concatenate(strip)
+    patches = landscape(found.asked, *cells, stop=sheet.stopped)
+    flat = np.concatenate([patch.values.ravel() for patch in patches])
+    best = np.concatenate([patch.values.max(axis=1) for patch in patches])
+    if np.isnan(flat).any():
+        return b""
+    firsts = np.cumsum([0, *(patch.values.size for patch in patches)]).tolist()
+    told = tuple(
+        LandscapePiece(
+            patch.place, outline.edge_label(patch.edge), float(patch.arc_lengths[0]),
+            float(patch.arc_lengths[-1]), tuple(patch.arc_lengths.tolist()),
+            tuple((patch.angles + (0.0 if patch.inward else math.pi)).tolist()), first,
+        )
+        for patch, first in zip(patches, firsts, strict=False)
+    )  # fmt: skip
     if found.about == "wind":
         flat, best = np.sqrt(flat), np.sqrt(best)
     low, high = float(flat.min()), float(flat.max())
     unit = (high or 1.0) / STEPS
     arrays = {"values": _steps(flat, unit), "strip": _steps(best, unit)}
-    part = LandscapePart(
-        n=sheet.n, ms=ms(), pieces=tuple(told), unit=unit, low=low, high=high, arrays=()
-    )
+    part = LandscapePart(n=sheet.n, ms=ms(), pieces=told, unit=unit, low=low, high=high, arrays=())
     return framed(part, arrays)
 
 
@@ -298,15 +289,16 @@ def proof(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     return write_message(ProofPart(n=sheet.n, ms=ms(), ok=bool(verdict), text=text))
 
 
-FINELY = "capability, fine"
-NAMED: Mapping[str, Any] = {FINELY: "capability"}
+FINELY, FINE_LANDSCAPE = "capability, fine", "landscape, fine"
+NAMED: Mapping[str, Any] = {FINELY: "capability", FINE_LANDSCAPE: "landscape"}
 """What parts are called in the page, where it is another name."""
 PARTS: Mapping[str, Callable[[Sheet, Callable[[], float]], bytes]] = {
     "mesh": mesh,
     "capability": coarse_capability,
     "losses": told_losses,
-    "landscape": landscape,
+    "landscape": coarse_landscape,
     "slopes": slopes,
+    FINE_LANDSCAPE: fine_landscape,
     FINELY: fine_capability,
     "proof": proof,
 }

@@ -11,9 +11,10 @@ from swarmgrasp.errors import DataInvalid, SwarmGraspError
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
 from swarmgrasp.plain import Plain, read
-from swarmgrasp.studio.messages import Doc, Fault, Speech
-from swarmgrasp.studio.scenes import records, terms_of
-from swarmgrasp.swarm import Robot
+from swarmgrasp.studio.frames import Columns
+from swarmgrasp.studio.messages import Doc, Speech
+from swarmgrasp.studio.scenes import terms_of
+from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.terms import Terms
 
 REMEMBERED = 20_000
@@ -56,7 +57,7 @@ def question_of(doc: Doc, speech: Speech) -> Question:
         If it makes no question; all faults at once, each with the path of its key.
     """
     faults: list[str] = []
-    given = _remembered(doc.problem)
+    given = _remembered(doc.problem, faults)
     nowhere = given.get("zones") == []
     if nowhere:  # a Problem knows a place or none at all
         given["zones"] = None
@@ -78,17 +79,35 @@ def question_of(doc: Doc, speech: Speech) -> Question:
     return Question(doc, problem, environment, terms, doc.newcomer and not nowhere)
 
 
-def _remembered(problem: dict[str, Any]) -> dict[str, Any]:
+def _remembered(problem: dict[str, Any], faults: list[str]) -> dict[str, Any]:
     """Return a problem's plain form with the objects in place that were made before.
 
     In a gesture one robot is another, and the others are as they were.
     """
     swarm = problem.get("swarm")
+    if isinstance(swarm, dict) and isinstance(swarm.get("robots"), Columns):
+        return {**problem, "swarm": _crowd(swarm, faults)}
     if not isinstance(swarm, dict) or not isinstance(swarm.get("robots"), list):
         return dict(problem)
     robots = [_known(Robot, robot) for robot in swarm["robots"]]
     outline = _known(Outline, swarm.get("outline"))
     return {**problem, "swarm": {**swarm, "robots": robots, "outline": outline}}
+
+
+def _crowd(swarm: dict[str, Any], faults: list[str]) -> object:
+    """Return a swarm of which columns were sent; the data themselves if that is at fault."""
+    columns, outline = swarm["robots"], _known(Outline, swarm.get("outline"))
+    if not isinstance(outline, Outline):
+        return {**swarm, "robots": []}
+    try:
+        return Swarm.from_arrays(
+            outline, columns.contacts, columns.directions, columns.limits, names=columns.names,
+            characteristic_length=swarm.get("characteristic_length"),
+            force_weights=swarm.get("force_weights", (1.0, 1.0)),
+        )  # fmt: skip
+    except SwarmGraspError as error:
+        faults += (f"problem.swarm: {fault}" for fault in error.faults)
+        return {**swarm, "robots": []}
 
 
 def _known(kind: Any, data: object) -> object:
@@ -104,8 +123,3 @@ def _made(kind: Any, raw: bytes) -> Plain:
     """Make an object of data in JSON."""
     made: Plain = kind.from_data(msgspec.json.decode(raw))
     return made
-
-
-def faults_in(faults: tuple[str, ...]) -> tuple[Fault, ...]:
-    """Return the faults of a document, each with the path of its key."""
-    return tuple(records("", faults))

@@ -17,16 +17,9 @@ from swarmgrasp.simulation.export.player import player_data
 from swarmgrasp.simulation.record import read_log
 from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within
 from swarmgrasp.studio.figures import Figures, figure
-from swarmgrasp.studio.frames import framed
-from swarmgrasp.studio.messages import (
-    First,
-    Pair,
-    RunHappening,
-    RunRobot,
-    RunRoute,
-    RunTold,
-    Triple,
-)
+from swarmgrasp.studio.messages import Pair, Triple
+from swarmgrasp.studio.replies import First, RunHappening, RunRobot, RunRoute, RunTold
+from swarmgrasp.studio.sending import framed
 from swarmgrasp.terms import Terms
 
 LARGEST = 64_000_000

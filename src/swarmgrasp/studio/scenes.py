@@ -7,18 +7,18 @@ from pathlib import Path
 
 import numpy as np
 
-from swarmgrasp.errors import ScenarioInvalid
+from swarmgrasp.errors import FileFault, ScenarioInvalid
 from swarmgrasp.plain import plain
 from swarmgrasp.scenario import Scenario, example_names, example_text, parse_scenario
 from swarmgrasp.studio.figures import LABELS
-from swarmgrasp.studio.messages import Doc, Fault, Measure, Scene, SceneTitle, Speech
+from swarmgrasp.studio.messages import Doc, Fault, Measure, Speech
+from swarmgrasp.studio.replies import Scene, SceneTitle
 from swarmgrasp.terms import Frame, Terms
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
 SAME = 1e-9
 """Relative difference of two loads that is none."""
 _TITLE = re.compile(r"^name:\s*(.+?)\s*$", re.MULTILINE)
-_PLACE = re.compile(r":(\d+)(?::(\d+))?: ")
 _KEY = re.compile(r"([\w.-]+): ")
 
 
@@ -52,29 +52,27 @@ def scene_of(n: int, name: str, source: Source) -> Scene:
         If its text has faults.
     """
     scenario = parse_scenario(source.text, f"{name}.yaml", source.folder)
-    warnings = tuple(records(f"{name}.yaml", scenario.warnings))
+    warnings = tuple(map(_fault, scenario.slips))
     return Scene(n, name, source.text, doc_of(scenario), speech_of(scenario), warnings)
 
 
-def faults_of(name: str, error: ScenarioInvalid) -> tuple[Fault, ...]:
+def faults_of(error: ScenarioInvalid) -> tuple[Fault, ...]:
     """Return the faults of a scene's text."""
-    return tuple(records(f"{name}.yaml", error.faults))
+    return tuple(map(_fault, error.records))
 
 
-def records(source: str, told: Iterable[str]) -> Iterable[Fault]:
-    """Take sentences such as "barge.yaml:5:48: robots.0.limit: should be ..." apart."""
-    for sentence in told:
-        rest, line, column, path = sentence, None, None, ""
-        if sentence.startswith(source):
-            place = _PLACE.match(sentence, len(source))
-            if place:
-                line = int(place[1])
-                column = int(place[2]) if place[2] else None
-                rest = sentence[place.end() :]
-        key = _KEY.match(rest)
-        if key:
-            path, rest = key[1], rest[key.end() :]
-        yield Fault(line, column, path, rest)
+def _fault(told: FileFault) -> Fault:
+    """Return a fault as a page is told it."""
+    return Fault(told.line, told.column, told.path, told.sentence)
+
+
+def faults_in(told: Iterable[str]) -> tuple[Fault, ...]:
+    """Return the faults of a document, each with the path of its key."""
+    parts = ((_KEY.match(sentence), sentence) for sentence in told)
+    return tuple(
+        Fault(None, None, key[1] if key else "", sentence[key.end() :] if key else sentence)
+        for key, sentence in parts
+    )
 
 
 def doc_of(scenario: Scenario) -> Doc:

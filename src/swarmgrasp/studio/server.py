@@ -18,28 +18,13 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from swarmgrasp.errors import ScenarioInvalid
-from swarmgrasp.studio.desk import Desk, Errand
-from swarmgrasp.studio.errands import Reporting, told_forces, told_report, told_sequence
-from swarmgrasp.studio.guard import HEADERS, MOST_BYTES, RATE, Guard, new_key
-from swarmgrasp.studio.messages import (
-    MOST_TEXT,
-    PROTOCOL,
-    Error,
-    Faults,
-    Forces,
-    Limits,
-    Open,
-    Report,
-    Run,
-    Sequence,
-    Text,
-    Welcome,
-    write_message,
-)
-from swarmgrasp.studio.scenes import Source, faults_of, scene_of, terms_of, titles
+from swarmgrasp.studio.desk import Desk
+from swarmgrasp.studio.errands import Reporting, errands_of
+from swarmgrasp.studio.guard import HEADERS, LIMITS, MOST_BYTES, Guard, new_key
+from swarmgrasp.studio.messages import PROTOCOL
+from swarmgrasp.studio.replies import Welcome
+from swarmgrasp.studio.scenes import Source, titles
 from swarmgrasp.studio.session import Session
-from swarmgrasp.terms import Terms
 
 if TYPE_CHECKING:
     from swarmgrasp.studio.live import Live
@@ -55,7 +40,6 @@ TYPES = {
 }
 """What files of the page are, by their suffix; no others are sent."""
 PACKED = {"content-encoding": "gzip"}
-MOST_ROBOTS = 100_000
 ENDING = 2
 """Seconds that windows have to close when the server ends."""
 
@@ -164,9 +148,10 @@ def application(settings: Settings, port: int) -> Starlette:
     """Return the application that is served at a port."""
     names = {*LOOPBACK, *settings.names}
     guard = Guard(frozenset(f"{name}:{port}" for name in names), settings.scheme, settings.key)
-    desk = Desk(_errands(settings), settings.live)
+    served = settings.scenes, settings.opens, settings.reporting, settings.run
+    desk = Desk(errands_of(*served), settings.live)
     welcome = Welcome(
-        PROTOCOL, version("swarmgrasp"), Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS),
+        PROTOCOL, version("swarmgrasp"), LIMITS,
         titles(settings.scenes), settings.opens,
         None if settings.run is None else settings.run.name, watch=settings.live is not None,
         demonstration=settings.live is not None and settings.live.is_demonstration,
@@ -184,46 +169,6 @@ def application(settings: Settings, port: int) -> Starlette:
     app = Starlette(routes=[*routes, WebSocketRoute("/ws", session.serve)], lifespan=lifespan)
     app.add_middleware(_Guarded, guard=guard)
     return app
-
-
-def _errands(settings: Settings) -> dict[type, Errand]:
-    """Return what answers messages that are no asks."""
-
-    def opened(message: Open) -> bytes:
-        """Return a scene that is known."""
-        source = settings.scenes.get(message.name)
-        if source is None:
-            return write_message(Error(message.n, f"There is no scene {message.name!r}."))
-        return read(message.n, message.name, source)
-
-    def typed(message: Text) -> bytes:
-        """Return the scene that a text makes."""
-        return read(message.n, message.name, Source(message.text))
-
-    def read(n: int, name: str, source: Source) -> bytes:
-        """Return a scene, or what is wrong with it."""
-        try:
-            return write_message(scene_of(n, name, source))
-        except ScenarioInvalid as error:
-            return write_message(Faults(n, faults_of(name, error)))
-
-    errands: dict[type, Errand] = {
-        Open: opened,
-        Text: typed,
-        Forces: told_forces,
-        Sequence: told_sequence,
-    }
-    run, reporting = settings.run, settings.reporting
-    if run is not None:
-        errands[Run] = lambda message: run.told(message.n, _terms_of(settings))
-    if reporting is not None:
-        errands[Report] = lambda message: told_report(message, reporting)
-    return errands
-
-
-def _terms_of(settings: Settings) -> Terms:
-    """Return the terms of the scene that opens, in which a run is told."""
-    return terms_of(scene_of(0, settings.opens, settings.scenes[settings.opens]).speech)
 
 
 class Server(uvicorn.Server):

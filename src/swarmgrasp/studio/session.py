@@ -17,18 +17,9 @@ from swarmgrasp.studio.guard import (
     Bucket,
     Guard,
 )
-from swarmgrasp.studio.messages import (
-    PROTOCOL,
-    Ask,
-    Cancel,
-    Control,
-    Error,
-    Hello,
-    Watch,
-    Welcome,
-    read_message,
-    write_message,
-)
+from swarmgrasp.studio.messages import PROTOCOL, Ask, Cancel, Control, Hello, Watch, read_message
+from swarmgrasp.studio.replies import Error, Welcome
+from swarmgrasp.studio.sending import write_message
 
 FLOODED = "Too many messages at once: some were dropped."
 

@@ -7,15 +7,8 @@ from swarmgrasp.outline import Outline
 from swarmgrasp.quality import Quality
 from swarmgrasp.studio.asking import Found
 from swarmgrasp.studio.figures import DEGREE, SPACE, Figures, count
-from swarmgrasp.studio.messages import (
-    AnswerPart,
-    Fact,
-    Figure,
-    First,
-    NextPlace,
-    Order,
-    WeakestTold,
-)
+from swarmgrasp.studio.replies import First
+from swarmgrasp.studio.told_parts import AnswerPart, Fact, Figure, NextPlace, Order, WeakestTold
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.words import list_words, percent, turned
 

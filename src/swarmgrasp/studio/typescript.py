@@ -14,6 +14,8 @@ from swarmgrasp.environment import Environment
 from swarmgrasp.placement import Problem
 from swarmgrasp.plain import Plain, parts_of
 from swarmgrasp.studio import messages
+from swarmgrasp.studio.replies import ToPage
+from swarmgrasp.studio.told_parts import PartSaid
 from swarmgrasp.swarm import Robot
 from swarmgrasp.swarm.robot import Attachment
 
@@ -43,6 +45,39 @@ SHAPES = {
     ("WindTable", "speeds"): "number[]",
 }
 """What fields of plain forms hold whose kinds say less: arrays, and pairs that may be given so."""
+ARRAYS: dict[str, dict[str, str]] = {
+    "MeshPart": {"corners": "i2", "faces": "u2", "starts": "u2", "normals": "i1"},
+    "CapabilityPart": {
+        "bearings": "f4",
+        "intact": "f4",
+        "lost": "f4",
+        "before_intact?": "f4",
+        "before_lost?": "f4",
+    },
+    "LandscapePart": {"values": "u2", "strip": "u2"},
+    "RunTold": {
+        "times": "f4",
+        "poses": "f4",
+        "references": "f4",
+        "wind": "f4",
+        "water": "f4",
+        "shortfalls": "f4",
+        "forces": "f4",
+        "angles": "f4",
+    },
+}
+"""The arrays that follow parts, and their types; those with "?" may be missing."""
+CALLED = {
+    "Error": "ErrorTold",
+    "ForcesTold": "Forces",
+    "LiveTold": "Live",
+    "Measure": "UnitData",
+    "ReportTold": "Report",
+    "SequenceTold": "Sequence",
+    "RunTold": "Run",
+    "Speech": "SpeechData",
+}
+"""What messages are called in the page, where it is another name."""
 LISTED: dict[Any, str] = {Attachment: "Attachment", messages.PartName: "PartName"}
 """Lists of words that have a name of their own."""
 VIEWS = {
@@ -67,7 +102,7 @@ class _Writer:
 
     def struct(self, kind: type[msgspec.Struct]) -> str:
         """Write a message, and what stands in it; return its name."""
-        name = messages.CALLED.get(kind.__name__, kind.__name__)
+        name = CALLED.get(kind.__name__, kind.__name__)
         if name not in self.told:
             self._keep(name, kind, self.fields(kind))
         return name
@@ -105,7 +140,7 @@ class _Writer:
 
     def _arrays(self, kind: type) -> list[str]:
         """Return the arrays of a binary frame, as the page has them."""
-        listed = messages.ARRAYS[kind.__name__].items()
+        listed = ARRAYS[kind.__name__].items()
         return [
             f"{name.strip('?')}{'?' * (name[-1] == '?')}: {VIEWS[one]};" for name, one in listed
         ]
@@ -147,8 +182,8 @@ def typescript() -> str:
         "{ " + " ".join(writer.fields(one)).rstrip(";") + " }"
         for one in get_args(messages.FromPage)
     ]
-    parts = [writer.struct(one) for one in get_args(messages.PartSaid)]
-    others = [writer.struct(one) for one in get_args(messages.ToPage)]
+    parts = [writer.struct(one) for one in get_args(PartSaid)]
+    others = [writer.struct(one) for one in get_args(ToPage)]
     return "\n".join([
         HEAD,
         f"export const PROTOCOL = {messages.PROTOCOL};\n",

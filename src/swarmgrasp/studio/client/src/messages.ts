@@ -637,11 +637,11 @@ export type Outgoing =
   | { kind: "hello"; key: string; protocol: number }
   | { kind: "open"; n: number; name: string }
   | { kind: "text"; n: number; text: string; name: string }
-  | { kind: "ask"; n: number; moving: boolean; doc: Doc; speech: SpeechData; wants?: PartName[] | null }
-  | { kind: "write"; n: number; doc: Doc; text: string }
-  | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple }
-  | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean }
-  | { kind: "report"; n: number; doc: Doc; speech: SpeechData; text: string; format: "html" }
+  | { kind: "ask"; n: number; moving: boolean; doc: Doc; speech: SpeechData; wants?: PartName[] | null; names?: string[] | null }
+  | { kind: "write"; n: number; doc: Doc; text: string; names?: string[] | null }
+  | { kind: "forces"; n: number; doc: Doc; speech: SpeechData; wrench: Triple; names?: string[] | null }
+  | { kind: "sequence"; n: number; doc: Doc; speech: SpeechData; robots: number; together: boolean; names?: string[] | null }
+  | { kind: "report"; n: number; doc: Doc; speech: SpeechData; text: string; format: "html"; names?: string[] | null }
   | { kind: "run"; n: number; name: string }
   | { kind: "watch"; n: number; on: boolean }
   | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "split" | "join" }
