@@ -1,8 +1,7 @@
 /* Asking: one question in flight and one waiting; what was asked when the line fell is asked again. */
 
 import { decoded, encoded } from "./frames";
-import type { LiveData } from "./live/agents";
-import { PROTOCOL, type Doc, type Incoming, type Outgoing, type SpeechData, type Welcome } from "./messages";
+import { PROTOCOL, type Doc, type Incoming, type Live, type Outgoing, type SpeechData, type Welcome } from "./messages";
 import { Signal } from "./signal";
 import type { Wire } from "./wire";
 
@@ -20,7 +19,7 @@ export class Talk {
   readonly connected = new Signal(false);
   readonly welcome = new Signal<Welcome | null>(null);
   /** The newest of robots that are watched. */
-  readonly live = new Signal<LiveData | null>(null);
+  readonly live = new Signal<Live | null>(null);
   /** Set once: everything that is not the answer to a request. */
   hear: (message: Incoming) => void = () => undefined;
   readonly #requests = new Map<number, Waiting>();
@@ -103,8 +102,8 @@ export class Talk {
       this.#sendNext();
       return;
     }
-    if ((message as { kind: string }).kind === "live") {
-      this.live.set(message as unknown as LiveData);
+    if (message.kind === "live") {
+      this.live.set(message);
       return;
     }
     const n = "n" in message ? (message.n as number | null) ?? 0 : 0;

@@ -1,39 +1,10 @@
 /* Robots that decide for themselves, as they are told: who is there, who comes, who is not heard. No DOM. */
 
-import type { Pair } from "../messages";
+import type { Live, LiveRobot } from "../messages";
 
-export type AgentPhase =
-  | "idle" | "coming" | "arrived" | "making fast" | "holds" | "leaving" | "not answering";
-
-export interface Agent {
-  readonly name: string;
-  readonly phase: AgentPhase;
-  /** Where it holds, or will. */
-  readonly at: Pair;
-  readonly direction: number;
-  readonly limit: number;
-  /** Of those it asked, who confirmed. */
-  readonly confirmed: number;
-  readonly of: number;
-  /** How many it hears, and whom it does not. */
-  readonly hears: number;
-  readonly deaf: readonly string[];
-  /** Whether it counts as holding now. */
-  readonly there: boolean;
-}
-
-export interface LiveData {
-  readonly t: number;
-  /** Whether all robots are told, or only those that changed. */
-  readonly whole: boolean;
-  readonly first: { readonly text: string; readonly good: boolean };
-  readonly second: string;
-  readonly certified: number | null;
-  readonly robots: readonly Agent[];
-  /** Who hears each other; more than one group when they are out of touch. */
-  readonly sides: readonly (readonly string[])[];
-  readonly conflicts: readonly string[];
-}
+/** A robot, as the server tells of it. */
+export type Agent = LiveRobot;
+export type LiveData = Omit<Live, "kind">;
 
 /** All robots after a message, by name. */
 export function taken(before: ReadonlyMap<string, Agent>, data: LiveData): ReadonlyMap<string, Agent> {

@@ -3,7 +3,7 @@
 import type { Context, Seen, View } from "../context";
 import { el, Pool, put, show, write } from "../dom";
 import type { Layout } from "../layout";
-import type { RobotData } from "../messages";
+import type { Pair, RobotData } from "../messages";
 import type { PlanLayer } from "../plan/plan";
 import { countWords, cutWords, sideOf, taken, wordsOf, type Agent, type LiveData } from "./agents";
 import { Marks } from "./marks";
@@ -30,17 +30,17 @@ export class Live implements View {
       first: el("h1", { class: "first" }), second: el("p", { class: "second" }),
       certified: el("span", { class: "after" }), unit: el("span", { class: "unit" }),
       wind: el("span", { class: "after" }), windUnit: el("span", { class: "unit" }), windWords: el("p", { class: "what-it-is" }),
-      cut: el("p", { class: "cut", role: "status" }), conflicts: el("ul", { class: "refusal" }), count: el("div", { class: "tile-aside" }),
+      figures: el("div", { class: "figures" }), cut: el("p", { class: "cut", role: "status" }), conflicts: el("ul", { class: "refusal" }), count: el("div", { class: "tile-aside" }),
       list: el("ul", { class: "agent-list" }), demonstration: el("div", { class: "demonstration" }),
     };
     this.#nodes = nodes;
     const copy = el("button", { type: "button", class: "control" }, "Edit a copy");
     copy.addEventListener("click", () => this.#leave());
-    const figures = el("div", { class: "figures" },
+    nodes.figures.append(
       el("div", {}, el("p", { class: "figure" }, nodes.certified, nodes.unit), el("p", { class: "what-it-is" }, "certified now, whatever the others do")),
       el("div", {}, el("p", { class: "figure" }, nodes.wind, nodes.windUnit), nodes.windWords));
     const told = el("section", { class: "card answer of-time", "aria-label": "The swarm now" },
-      nodes.conflicts, nodes.first, nodes.second, figures, el("p", { class: "copy" }, copy));
+      nodes.conflicts, nodes.first, nodes.second, nodes.figures, el("p", { class: "copy" }, copy));
     const head = el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "Robots"), nodes.count);
     const table = el("section", { class: "card tile tile-losses of-time", "aria-label": "Robots" },
       head, el("div", { class: "tile-body" }, nodes.cut, nodes.list, nodes.demonstration));
@@ -48,8 +48,9 @@ export class Live implements View {
     this.#rows = new Pool(nodes.list, () => this.#makeRow(), (node, agent) => this.#dressRow(node, agent));
     layout.plan.append(this.#again);
     this.#again.addEventListener("click", () => this.#watch());
-    context.talk.welcome.listen((welcome) => {
-      if (welcome?.watch !== true) return;
+    context.talk.connected.listen((connected) => {
+      const welcome = context.talk.welcome.value;
+      if (!connected || welcome?.watch !== true) return;
       if (!this.#watching) {
         layout.side.append(...this.#cards);
         this.#makeDemonstration(welcome.demonstration);
@@ -105,7 +106,7 @@ export class Live implements View {
     const { store } = this.#context;
     const { draft } = store;
     if (draft === null) return;
-    const holding = [...this.#agents.values()].filter(({ there }) => there);
+    const holding = [...this.#agents.values()].filter((agent) => agent.there && agent.at !== null);
     const key = JSON.stringify(holding.map(({ name, at, direction, limit }) => [name, at, direction, limit]));
     if (key === this.#holding) return;
     this.#holding = key;
@@ -118,8 +119,15 @@ export class Live implements View {
 
   #tell({ parts }: Seen): void {
     const data = this.#data;
-    if (data === null) return;
     const nodes = this.#nodes;
+    show(nodes.cut, (data?.sides.length ?? 0) > 1);
+    show(nodes.conflicts, (data?.conflicts.length ?? 0) > 0);
+    show(nodes.figures, data !== null);
+    if (data === null) {
+      write(nodes.first, "Listening");
+      write(nodes.second, `no ${this.#context.speech.value.robot} has been heard yet`);
+      return;
+    }
     const speech = this.#context.speech.value;
     write(nodes.first, data.first.text);
     put(nodes.first, { class: data.first.good ? "first good" : "first bad" });
@@ -133,9 +141,7 @@ export class Live implements View {
     write(nodes.windUnit, windUnit ?? "");
     write(nodes.windWords, figure?.text ?? "");
     write(nodes.cut, cutWords(data.sides));
-    show(nodes.cut, data.sides.length > 1);
     nodes.conflicts.replaceChildren(...data.conflicts.map((words) => el("li", {}, words)));
-    show(nodes.conflicts, data.conflicts.length > 0);
     write(nodes.count, countWords(this.#agents.values()));
     this.#rows.draw([...this.#agents.values()]);
   }
@@ -186,11 +192,13 @@ export class Live implements View {
 }
 
 /** A live robot in the plain form, with what the scenario says of one of its name. */
-function robotOf({ name, at, direction, limit }: Agent, known: readonly RobotData[]): RobotData {
+function robotOf({ name, at, direction: way, limit }: Agent, known: readonly RobotData[]): RobotData {
   const own = known.find((robot) => robot.name === name);
+  const contact: Pair = at ?? [0, 0];
+  const direction = way ?? 0;
   const plain: RobotData = {
-    contact: at, direction, limit, name, mounted: false, tolerance: null, reverse_limit: 0, steers: 0,
+    contact, direction, limit, name, mounted: false, tolerance: null, reverse_limit: 0, steers: 0,
     friction: null, least: 0, envelope: null, group: "", sectors: null, body: null, lever: 0,
   };
-  return own === undefined ? plain : { ...own, contact: at, direction, limit };
+  return own === undefined ? plain : { ...own, contact, direction, limit };
 }

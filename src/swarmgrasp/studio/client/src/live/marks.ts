@@ -28,9 +28,10 @@ export class Marks {
   draw(agents: Iterable<Agent>, sides: readonly (readonly string[])[]): void {
     const marks: Mark[] = [];
     for (const agent of agents) {
-      if (agent.phase === "idle") continue;
-      const at = this.layer.toScreen(agent.at);
-      const [x, y] = this.layer.toScreen([agent.at[0] - Math.cos(agent.direction), agent.at[1] - Math.sin(agent.direction)]);
+      const { at: contact, direction } = agent;
+      if (agent.phase === "idle" || contact === null || direction === null) continue;
+      const at = this.layer.toScreen(contact);
+      const [x, y] = this.layer.toScreen([contact[0] - Math.cos(direction), contact[1] - Math.sin(direction)]);
       const size = Math.hypot(x - at[0], y - at[1]) || 1;
       const from: Pair = [at[0] + (REACH * (x - at[0])) / size, at[1] + (REACH * (y - at[1])) / size];
       marks.push({ agent, at, from, side: sideOf(agent.name, sides) });
