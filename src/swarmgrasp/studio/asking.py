@@ -28,8 +28,10 @@ class Found:
         how many times the load is held.
     placement : Placement or None
         By the criterion of `about`; None where there is nobody to place, or nowhere.
-    before, after : Quality
-        Of the robots that are there, and with the newcomer, by the question's criterion.
+    before : float [N]
+        The quality of the robots that are there, by the question's criterion.
+    after : Quality
+        With the newcomer in its place.
     nowhere : str
         Why there is no place; "" if there is, or nobody to place.
     """
@@ -37,7 +39,7 @@ class Found:
     question: Question
     about: ABOUT
     placement: Placement | None
-    before: Quality
+    before: float
     after: Quality
     nowhere: str = ""
 
@@ -90,13 +92,13 @@ def ask(question: Question, share: float | None) -> Found:
     """
     problem = question.problem
     terms = problem.criterion.terms
-    before = quality(problem.swarm, **terms)
     if not question.places:
-        return Found(question, "quality", None, before, before)
+        return _judged(question)
     try:
         placement = place(problem, runners_up=share)
     except NowhereToAttach as error:
-        return Found(question, "quality", None, before, before, error.faults[0])
+        return _judged(question, error.faults[0])
+    before = placement.quality_before
     after = quality(placement.swarm_after, **terms)
     if placement.quality > 0.0 or not problem.criterion.has_load:
         return Found(question, "quality", placement, before, after)
@@ -106,6 +108,12 @@ def ask(question: Question, share: float | None) -> Found:
             after = quality(other.swarm_after, **terms)
             return Found(question, about, other, before, after)
     return Found(question, "quality", placement, before, after)
+
+
+def _judged(question: Question, nowhere: str = "") -> Found:
+    """Judge the robots that are there: there is nobody to place, or nowhere."""
+    found = quality(question.problem.swarm, **question.problem.criterion.terms)
+    return Found(question, "quality", None, found.value, found, nowhere)
 
 
 def _others(question: Question) -> list[tuple[ABOUT, Callable[[], Criterion]]]:

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from swarmgrasp.agents.network import Listener, NetworkSettings, Watch, steady_clock
 from swarmgrasp.agents.network.fleet import Main
-from swarmgrasp.agents.network.stage import Stage
+from swarmgrasp.agents.network.stage import Stage, check_count
 from swarmgrasp.agents.protocol import ProblemPlanner
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.figures import Figures
@@ -288,5 +288,12 @@ def _done(stage: Stage, order: Control) -> str:
 def demonstration(
     file: str, planner: ProblemPlanner, count: int, main: Main
 ) -> Callable[[Path], Stage]:
-    """Return what starts a demonstration of so many robots, given a folder."""
+    """Return what starts a demonstration of so many robots, given a folder.
+
+    Raises
+    ------
+    AgentInvalid
+        If so many make none.
+    """
+    check_count(planner, count)
     return lambda folder: Stage(file, planner, count, main, folder)

@@ -100,7 +100,7 @@ def mesh(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     return framed(
         MeshPart(
             n=sheet.n, ms=ms(), unit=unit, ball=ball,
-            before=found.before.value / unit if criterion.task is None else None,
+            before=found.before / unit if criterion.task is None else None,
             needed=(0.0, 0.0, 0.0), arrays=(),
         ),
         {

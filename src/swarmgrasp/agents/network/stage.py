@@ -24,6 +24,17 @@ LINK = "link"
 """The router between the two others."""
 
 
+def check_count(planner: ProblemPlanner, count: int) -> None:
+    """Raise `AgentInvalid` if so many robots make no story."""
+    present = len(planner.present)
+    least = present + LATE + 2
+    if not least <= count <= MOST:
+        raise AgentInvalid(
+            f"{count} robots make no demonstration; it should be {least} to {MOST}: {present} "
+            f"that the scenario begins with, and {LATE + 2} or more that come"
+        )
+
+
 class Stage:
     """Robots of a scenario and others that come, each a process; all are ended with it.
 
@@ -54,13 +65,8 @@ class Stage:
     def __init__(
         self, file: str, planner: ProblemPlanner, count: int, main: Main, folder: Path
     ) -> None:
+        check_count(planner, count)
         present = [row.id for row in planner.present]
-        least = len(present) + LATE + 2
-        if not least <= count <= MOST:
-            raise AgentInvalid(
-                f"--robots is {count}; it should be {least} to {MOST}: {len(present)} that the "
-                f"scenario begins with, and {LATE + 2} or more that come"
-            )
         spare = (name for name in (*NAMES, *(f"R{k}" for k in range(MOST))) if name not in present)
         comers = [next(spare) for _ in range(count - len(present))]
         self.file, self.planner, self.folder = file, planner, folder
