@@ -43,7 +43,7 @@ export class Live implements View {
       nodes.conflicts, nodes.first, nodes.second, nodes.figures, el("p", { class: "copy" }, copy));
     const head = el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "Robots"), nodes.count);
     const table = el("section", { class: "card tile tile-losses of-time", "aria-label": "Robots" },
-      head, el("div", { class: "tile-body" }, nodes.cut, nodes.list, nodes.demonstration));
+      head, el("div", { class: "tile-body" }, nodes.demonstration, nodes.cut, nodes.list));
     this.#cards = [told, table];
     this.#rows = new Pool(nodes.list, () => this.#makeRow(), (node, agent) => this.#dressRow(node, agent));
     layout.plan.append(this.#again);
@@ -64,6 +64,7 @@ export class Live implements View {
 
   draw(seen: Seen): void {
     if (!this.#isOpen) return;
+    this.#follow();
     this.#marks.draw(this.#agents.values(), this.#data?.sides ?? []);
     this.#tell(seen);
   }
@@ -96,7 +97,6 @@ export class Live implements View {
     if (before === null || before.first.text !== data.first.text || before.sides.length !== data.sides.length) {
       this.#context.say(`${data.first.text}, ${data.second}. ${cutWords(data.sides)}`);
     }
-    this.#follow();
     const seen = this.#context.store.seen.value;
     if (seen !== null) this.draw(seen);
   }
@@ -105,7 +105,7 @@ export class Live implements View {
   #follow(): void {
     const { store } = this.#context;
     const { draft } = store;
-    if (draft === null) return;
+    if (draft === null || this.#data === null) return;
     const holding = [...this.#agents.values()].filter((agent) => agent.there && agent.at !== null);
     const key = JSON.stringify(holding.map(({ name, at, direction, limit }) => [name, at, direction, limit]));
     if (key === this.#holding) return;

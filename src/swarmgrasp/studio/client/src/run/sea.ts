@@ -10,6 +10,8 @@ const TALL = 1.15;
 /** Round the track: sideways, above, and for the timeline. */
 const [SIDE, ABOVE, BAR] = [124, 84, 64];
 const FONT = "Inter, system-ui, sans-serif";
+/** Points that a track is drawn through. */
+const TRACK = 300;
 /** Poses from which the room of a track is told. */
 const SAMPLES = 200;
 
@@ -150,7 +152,7 @@ class Drawing {
 
   #track(moment: Moment): void {
     const { times, poses } = this.film.data;
-    const step = Math.max(1, Math.floor(times.length / 600));
+    const step = Math.max(1, Math.floor(times.length / TRACK));
     const points: Pair[] = [];
     for (let i = 0; i < times.length && times[i]! <= moment.time; i += step) {
       points.push(this.view.at([poses[3 * i]!, poses[3 * i + 1]!]));

@@ -8,15 +8,26 @@ const NAMES = [
 
 export type Palette = { readonly [name in (typeof NAMES)[number]]: string };
 
-/** The colours that a theme gives to an element. */
+/** Colours as they were read, and of which theme. */
+const read = new WeakMap<Element, { readonly theme: string; readonly colours: Palette }>();
+
+/** The colours that the theme of its widget gives to an element; read again when the theme is another. */
 export function palette(node: Element): Palette {
+  const dark = globalThis.matchMedia("(prefers-color-scheme: dark)").matches;
+  const theme = `${node.closest("[data-theme]")?.getAttribute("data-theme") ?? ""} ${dark}`;
+  const known = read.get(node);
+  if (known?.theme === theme) return known.colours;
+  const colours = readPalette(node, dark);
+  read.set(node, { theme, colours });
+  return colours;
+}
+
+function readPalette(node: Element, systemIsDark: boolean): Palette {
   const style = getComputedStyle(node);
-  const scheme = style.colorScheme.includes("light") ? 0 : 1;
-  const system = globalThis.matchMedia("(prefers-color-scheme: dark)").matches ? 1 : 0;
-  const at = style.colorScheme.includes(" ") ? system : scheme;
+  const isDark = style.colorScheme.includes(" ") ? systemIsDark : style.colorScheme === "dark";
   return Object.fromEntries(NAMES.map((name) => {
     const both = style.getPropertyValue(`--${name}`).match(/#[0-9a-f]{6}/gi);
-    return [name, both?.[at] ?? both?.[0] ?? "#000000"];
+    return [name, both?.[isDark ? 1 : 0] ?? both?.[0] ?? "#000000"];
   })) as Palette;
 }
 

@@ -1,4 +1,5 @@
-/* What a move of each robot along the outline would bring, as arrows in the plan. */
+/* What a move along the outline would bring, as arrows in the plan: of the chosen robot, of all while
+   zones are edited. */
 
 import type { Context, Seen, View } from "../context";
 import { Pool, put, svg, write } from "../dom";
@@ -35,8 +36,9 @@ export class Slopes implements View {
 
   draw(seen: Seen): void {
     const { slopes } = seen.parts;
-    const shown = seen.mode === "edit" && slopes !== undefined && !seen.moving;
-    this.#arrows.draw(shown ? arrowsOf(slopes, seen.doc.problem.swarm.robots, this.#layer) : []);
+    const shown = slopes !== undefined && !seen.moving && seen.mode !== "push" && seen.mode !== "outline";
+    const arrows = shown ? arrowsOf(slopes, seen.doc.problem.swarm.robots, this.#layer) : [];
+    this.#arrows.draw(arrows.filter(({ name }) => seen.mode === "edit" || name === seen.chosen));
   }
 }
 
