@@ -7,20 +7,26 @@ CHROMIUM names. Figures are milliseconds, medians and 95th percentiles.
 import asyncio
 import json
 import math
+import os
+import shutil
 import statistics
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import msgspec
 import numpy as np
 import websockets
 
+from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Outline
-from swarmgrasp.scenario import example_text, parse_scenario
+from swarmgrasp.placement import Problem
+from swarmgrasp.scenario import example_text, parse_scenario, scenario_text
 from swarmgrasp.studio.frames import packed
 from swarmgrasp.studio.messages import PROTOCOL
 from swarmgrasp.studio.scenes import doc_of, speech_of
@@ -165,6 +171,68 @@ async def crowd(base: str, key: str) -> None:
             await window.__aexit__()
 
 
+STAMPS = """root => {
+  const times = [];
+  let moved = 0;
+  root.addEventListener("pointermove", () => { moved ||= performance.now(); }, true);
+  new MutationObserver(() => {
+    if (moved) times.push(performance.now() - moved);
+    moved = 0;
+  }).observe(root, { attributes: true, attributeFilter: ["data-answered"] });
+  window.taken = times;
+}"""
+"""From the first move that is not answered to the frame in which its answer is painted."""
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu"]
+RESTED = "#studio[data-done]:not([data-busy])"
+
+
+def painted(folder: Path) -> None:
+    """Drag in a browser: from the event to the painted answer."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        path = os.environ.get("CHROMIUM") or shutil.which("chromium")
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        for count in (6, 25, 60):
+            scene = ring(count)
+            file = folder / f"ring-{count}.yaml"
+            file.write_text(text_of(scene))
+            with served(str(file)) as (base, key):
+                page = browser.new_page(viewport={"width": 1440, "height": 900})
+                begin = time.perf_counter()
+                page.goto(f"{base}/#k={key}")
+                page.wait_for_selector("#studio[data-answered]")
+                told(f"first answer painted, {count} robots", [time.perf_counter() - begin])
+                page.wait_for_selector(RESTED)
+                page.locator("#studio").evaluate(STAMPS)
+                name = str(count // 3 + 1)
+                box = page.locator(f"[data-robot='{name}'] .foot").bounding_box()
+                assert box is not None
+                x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
+                page.mouse.move(x, y)
+                page.mouse.down()
+                for i in range(MOVES):
+                    page.mouse.move(x + 30.0 * math.sin(0.2 * i), y)
+                    time.sleep(FRAME)
+                page.mouse.up()
+                begin = time.perf_counter()
+                page.wait_for_selector(RESTED)
+                rest = time.perf_counter() - begin
+                taken = page.evaluate("window.taken")
+                told(f"drag to painted answer, {count} robots", [1e-3 * t for t in taken])
+                told(f"all parts after the hand rests, {count} robots", [rest])
+                page.close()
+        browser.close()
+
+
+def text_of(scene: dict[str, Any]) -> str:
+    """Return the text of a scene."""
+    doc = scene["doc"]
+    environment = Environment.from_data(doc["environment"])
+    problem = Problem.from_data(doc["problem"])
+    return scenario_text(problem, name=doc["name"], environment=environment)
+
+
 def main() -> None:
     """Measure everything."""
     print(f"{'':44} {'median':>7} {'95 %':>7}   [ms]")
@@ -173,6 +241,8 @@ def main() -> None:
         told("link printed", [time.perf_counter() - begin])
         asyncio.run(alone(base, key))
         asyncio.run(crowd(base, key))
+    with TemporaryDirectory() as folder:
+        painted(Path(folder))
 
 
 if __name__ == "__main__":
