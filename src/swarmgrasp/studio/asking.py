@@ -14,6 +14,7 @@ from swarmgrasp.swarm import Robot, Swarm
 
 ABOUT = Literal["quality", "wind", "load"]
 CALM = (0.0, 0.0, 0.0)
+NO_ZONE = "no zone is left to the newcomer"
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ def ask(question: Question, share: float | None) -> Found:
     problem = question.problem
     terms = problem.criterion.terms
     if not question.places:
-        return _judged(question)
+        return _judged(question, NO_ZONE if question.doc.newcomer else "")
     try:
         placement = place(problem, runners_up=share)
     except NowhereToAttach as error:

@@ -10,7 +10,7 @@ from swarmgrasp.studio.figures import DEGREE, SPACE, Figures, count
 from swarmgrasp.studio.replies import First
 from swarmgrasp.studio.told_parts import AnswerPart, Fact, Figure, NextPlace, Order, WeakestTold
 from swarmgrasp.swarm import Robot, Swarm
-from swarmgrasp.words import list_words, percent, turned
+from swarmgrasp.words import list_words, turned
 
 MOST_NAMED = 3
 """Robots named in a fact."""
@@ -75,48 +75,51 @@ class Telling:
 
     def second(self) -> str:
         """Return its sentence: after what losses, and what else is held."""
-        found, before = self.found, self.found.values[0]
-        after = self._after_words()
-        name = found.newcomer.name if found.newcomer is not None else ""
+        found, after = self.found, self._after_words()
+        is_of_worst = found.problem.criterion.is_of_worst
         if found.about == "wind":
-            told = self.figures.speeds(found.values[1])
-            return f"at most {told} from there, {after}"
+            return f"at most {self.figures.speeds(found.values[1])} from there, {after}"
         if found.about == "load":
-            return f"at most {percent(found.values[1])} of it, {after}"
+            return f"at most {round(100.0 * found.values[1])}{SPACE}% of the load, {after}"
+        if self._is_missed:
+            return f"short by {self.figures.forces(-found.after.margin)}, {after}"
         if not found.after.value:
             return after
-        if name and before == 0.0 and found.after.value > 0.0:
-            return f"only once {name} is in place, {self._also(after)}"
-        return self._also(after) if found.problem.criterion.is_of_worst else after
+        if found.newcomer is not None and found.before == 0.0:
+            once = f"only once {found.newcomer.name} is in place"
+            return f"{once}, then also {after}" if is_of_worst else f"{once}, {after}"
+        return f"also {after}" if is_of_worst else after
 
-    def _also(self, after: str) -> str:
-        """Return after which losses it is held, too."""
-        return f"also {after}" if self.found.problem.criterion.is_of_worst else after
+    @property
+    def _is_missed(self) -> bool:
+        """Whether a load is missed, and nothing else was found to be told instead."""
+        found, criterion = self.found, self.found.problem.criterion
+        is_plain = criterion.task is None and found.about == "quality"
+        return is_plain and criterion.has_load and found.after.margin < 0.0
 
     def _after_words(self) -> str:
         """Say with whom, or after what."""
         swarm, criterion = self.found.swarm, self.found.problem.criterion
-        said = []
-        if criterion.failures:
-            said.append(
-                f"after the failure of {list_words(criterion.failures[0])}"
-                if len(criterion.failures) == 1
-                else f"after the worst of {count(len(criterion.failures))} failures"
-            )
+        gone, failures = [], criterion.failures
+        if len(failures) == 1:
+            gone.append(f"the failure of {list_words(failures[0])}")
+        elif failures:
+            gone.append(f"the worst of {count(len(failures))} failures")
         if criterion.losing:
-            said.append(f"after losing any {self._lost(swarm)}")
+            gone.append(f"losing {self._lost(swarm)}")
+        said = [f"after {list_words(gone)}"] if gone else []
         if criterion.worst_case:
             said.append("in the worst poses")
-        if said:
-            return ", ".join(said)
-        return f"with {'both' if len(swarm) == 2 else f'all {count(len(swarm))}'} working"
+        return ", ".join(said) or f"with {_all_of(len(swarm))} working"
 
     def _lost(self, swarm: Swarm) -> str:
         """Say how many of how many are lost."""
-        losing, groups = self.found.problem.criterion.losing, bool(swarm.rare.groups)
-        of = f"{self.found.question.terms.several} or groups" if groups else ""
-        whom = f" of the {of}" if of else f" of the {count(len(swarm))}"
-        return f"{count(losing)}{whom}"
+        losing, machines = self.found.problem.criterion.losing, len(set(swarm.machines.tolist()))
+        if losing >= machines:
+            return "all of them"
+        if swarm.rare.groups:
+            return f"any {count(losing)} of the {self.found.question.terms.several} or groups"
+        return f"any {count(losing)} of the {count(machines)}"
 
     def _wind(self) -> str:
         """Say which wind it is."""
@@ -155,6 +158,9 @@ class Telling:
             return (_figure(*numbers, figures.in_speed, figures.terms.speed, words),)
         if found.about == "load":
             return (_figure(*numbers, float, "times", "the load is held"),)
+        if self._is_missed:
+            short = figures.in_force(-found.after.margin)
+            return (Figure(None, short, figures.force_unit, "missing in the worst case"),)
         words = "in the weakest direction"
         if criterion.has_load:
             words = f"to spare {words}"
@@ -187,8 +193,9 @@ class Telling:
         if found.about == "load":
             return "no allowed place holds the load; none holds more of it than here"
         if after == 0.0:
-            return "no allowed place holds every way"
-        return f"within {percent(max(bound / after - 1.0, FINE))} of the best"
+            held = "it" if found.problem.criterion.has_load else "every way"
+            return f"no allowed place holds {held}"
+        return f"within {100.0 * max(bound / after - 1.0, FINE):.1g}{SPACE}% of the best"
 
     def next_best(self) -> tuple[NextPlace, ...]:
         """Return the best of other places."""
@@ -275,6 +282,11 @@ def _figure(
 ) -> Figure:
     """Return a figure in a unit."""
     return Figure(None if before is None else told(before), told(after), unit, words)
+
+
+def _all_of(number: int) -> str:
+    """Say that all of so many do something."""
+    return {0: "nobody", 1: "the only one", 2: "both"}.get(number, f"all {count(number)}")
 
 
 def _lean(off: float, normal: float) -> str:
