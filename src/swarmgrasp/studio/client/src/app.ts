@@ -80,6 +80,7 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   });
   store.ask = ({ scene, doc }, moving) => {
     plan.push.ask();
+    root.dataset.busy = "";
     return talk.ask(doc, scene.speech, moving);
   };
   store.seen.listen(() => painter.ask());
@@ -91,7 +92,10 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
     }
     store.take(message);
     if (message.kind === "part" && message.name === "answer") painter.mark("answered", message.n);
-    if (message.kind === "done" || message.kind === "refused") painter.mark("done", message.n);
+    if (message.kind === "done" || message.kind === "refused") {
+      painter.mark("done", message.n);
+      if (talk.idle) painter.rest = true;
+    }
   };
   return context;
 }
@@ -100,6 +104,8 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
 class Painter {
   views: View[] = [];
   before: (seen: Seen) => void = () => undefined;
+  /** Whether all that was asked is answered; told once it is painted. */
+  rest = false;
   #asked = 0;
   readonly #marks = new Map<string, number>();
 
@@ -126,14 +132,21 @@ class Painter {
     root.classList.toggle("is-refused", seen.refused.length > 0);
     for (const [name, n] of this.#marks) root.setAttribute(`data-${name}`, String(n));
     this.#marks.clear();
+    if (this.rest && this.context.talk.idle) delete root.dataset.busy;
+    this.rest = false;
   }
 }
 
 const TOAST_STAYS = 6000;
 
+/** A sentence that goes with the first thing that is done after a while: none goes unseen. */
 function toast(room: HTMLElement, sentence: string, action?: { word: string; run: () => void }): void {
+  const root = room.parentElement!;
   const card = el("div", { class: "toast" }, el("span", {}, sentence));
-  const away = (): void => card.remove();
+  const away = (): void => {
+    card.remove();
+    for (const kind of ["pointerdown", "keydown"]) root.removeEventListener(kind, away);
+  };
   if (action !== undefined) {
     const button = el("button", { type: "button", class: "control" }, action.word);
     button.addEventListener("click", () => {
@@ -143,5 +156,7 @@ function toast(room: HTMLElement, sentence: string, action?: { word: string; run
     card.append(button);
   }
   room.replaceChildren(card);
-  window.setTimeout(away, TOAST_STAYS);
+  window.setTimeout(() => {
+    for (const kind of ["pointerdown", "keydown"]) root.addEventListener(kind, away);
+  }, TOAST_STAYS);
 }

@@ -8,7 +8,7 @@ import { type BlowData, figure } from "./speech";
 import { Spin, Word, type SpinOptions } from "./spin";
 
 const MOST_LOST = 3;
-const MOST_LATER = 5;
+const MOST_LATER = 4;
 const DEGREE = Math.PI / 180;
 /** A wind to begin with where a file has none: 25 knots from 60 degrees. */
 export const WIND = { speed: 12.861, bearing: Math.PI / 3 };

@@ -52,7 +52,7 @@ export class Spin {
     show(this.#after, options.after !== undefined);
     put(this.node, {
       "aria-label": options.label, "aria-valuenow": value, "aria-valuetext": text,
-      "aria-valuemin": options.min, "aria-valuemax": Number.isFinite(options.max) ? options.max : null, title: options.label,
+      "aria-valuemin": told(options.min), "aria-valuemax": told(options.max), title: options.label,
     });
   }
 
@@ -156,6 +156,11 @@ export class Spin {
     const within = wraps === true ? ((((value - min) % (max - min)) + (max - min)) % (max - min)) + min : value;
     change(Math.max(min, Math.min(max, within)), false);
   }
+}
+
+/** A bound that is worth telling. */
+function told(bound: number): number | null {
+  return Number.isFinite(bound) && bound !== Number.MIN_VALUE ? bound : null;
 }
 
 /** A word that is on, solid, or off, dashed. */

@@ -34,6 +34,11 @@ export class Talk {
     if (wire.up.value) this.#lineIs(true);
   }
 
+  /** Whether the newest question is answered. */
+  get idle(): boolean {
+    return this.#flying === null && this.#next === null;
+  }
+
   /**
    * Asks about a document; a newer one takes the place of one that has not been sent yet. Returns
    * the least number that its answer may bear.
@@ -113,11 +118,10 @@ export class Talk {
       waiting.answered(message);
       return;
     }
-    this.hear(message);
     const answers = message.kind === "part" ? message.name === "answer" : message.kind !== "empty";
-    if (answers && this.#flying?.n === n) {
-      this.#flying = null;
-      this.#sendNext();
-    }
+    const landed = answers && this.#flying?.n === n;
+    if (landed) this.#flying = null;
+    this.hear(message);
+    if (landed) this.#sendNext();
   }
 }

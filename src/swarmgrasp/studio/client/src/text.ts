@@ -100,6 +100,8 @@ export class TextPane implements View {
     else if (reply.kind === "error") this.#tell([{ line: null, column: null, path: "", sentence: reply.say }]);
     else if (reply.kind === "scene") {
       this.#tell([]);
+      const now = this.context.store.draft;
+      if (now !== null && now.scene.text === text && now.doc === now.scene.doc) return;
       this.read(reply);
       this.#shown = { doc: reply.doc, scene: reply };
     }

@@ -31,7 +31,7 @@ export class HandleLayer {
 
   constructor() {
     this.#pool = new Pool(this.group,
-      () => svg("g", { class: "knob" }, svg("circle", { class: "grab", r: 14 }), svg("circle", { class: "dot" })),
+      () => svg("g", { class: "knob" }, svg("circle", { class: "grab", r: 12 }), svg("circle", { class: "dot" })),
       (group, knob, index) => this.#dress(group, knob, index));
   }
 
@@ -64,6 +64,8 @@ export class HandleLayer {
 
 const TURN_OFF = 11;
 const SIDE_OUT = 14;
+/** Ends of stretches stand outside of the hull, so that a bollard at an end can be taken, too. */
+const ENDS_OFF = 16;
 
 /** The knobs of the robot that is chosen. */
 export function robotKnobs(stage: Stage): Knob[] {
@@ -104,8 +106,10 @@ export function zoneKnobs(stage: Stage): Knob[] {
     const point = stretch.start === stretch.end;
     for (const end of point ? (["both"] as const) : (["start", "end"] as const)) {
       const along = end === "end" ? stretch.end : stretch.start;
+      const place = stage.shape.placeAt(along);
+      const outward = stage.shape.inward(place.edge) + Math.PI;
       knobs.push({
-        grip: { kind, index, end }, at: stage.screen.at(stage.shape.placeAt(along).at),
+        grip: { kind, index, end }, at: stage.screen.step(stage.screen.at(place.at), outward, point ? 0 : ENDS_OFF),
         label: point ? name : `${end === "start" ? "Start" : "End"} of ${name}`,
         value: along / speech.data.length.size, text: `${speech.length(along)} round the outline`,
       });
@@ -119,7 +123,7 @@ export function zoneKnobs(stage: Stage): Knob[] {
     }));
   });
   no_go.forEach((stretch, index) => ends(stretch, "no-go", index));
-  return knobs;
+  return knobs.sort((a, b) => Number("end" in a.grip && a.grip.end !== "both") - Number("end" in b.grip && b.grip.end !== "both"));
 }
 
 /** The knobs at the corners of the outline, and one on each side that adds a corner. */

@@ -1,0 +1,157 @@
+"""Hands on the page: each gesture does what it says, is one step, and can be undone."""
+
+ORIGINS = "escort-ring"
+
+
+def test_a_dragged_robot_stays_on_the_outline_and_is_one_step(window):
+    """A tug dragged away from the hull slides along it; undo and redo take the whole gesture."""
+    one = window()
+    before = one.robot("Carina")
+    one.drag("[data-robot=Carina] .foot", -120, 40)
+    moved = one.robot("Carina")
+    contact = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"][2]["contact"]
+    assert "on starboard side" in moved
+    assert moved != before
+    assert contact[1] == -21.0
+    assert one.text("[aria-label='How far along its side']").endswith("m along")
+    one.press("Control+z")
+    assert one.robot("Carina") == before
+    assert one.kept(ORIGINS) is None
+    one.press("Control+Shift+Z")
+    assert one.robot("Carina") == moved
+
+
+def test_the_round_handle_turns_and_with_alt_changes_the_limit(window):
+    """The handle turns in fives with Shift; with Alt it pulls the limit by whole units."""
+    one = window()
+    one.page.locator("[data-robot=Dufa]").focus()
+    one.drag(".knob-turn .grab", 30, 10, keys=["Shift"])
+    turned = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"][3]
+    assert turned["direction"] != 1.2217304763960306
+    assert "off square" in one.robot("Dufa")
+    one.drag(".knob-turn .grab", 0, -12, keys=["Alt"])
+    limit = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"][3]["limit"] / 9806.65
+    assert limit > 65.0
+    assert abs(limit - round(limit)) < 1e-9
+
+
+def test_keys_alone_do_all_that_hands_do(window):
+    """From the address bar: walk, move, turn, strengthen, flip, add, remove, and undo it all."""
+    one = window()
+    for _ in range(30):
+        one.page.keyboard.press("Tab")
+        if one.page.evaluate("document.activeElement.closest('.robot') !== null"):
+            break
+    assert one.page.evaluate("document.activeElement.dataset.robot") == "Aegir"
+    one.press(".", ".")
+    assert one.page.evaluate("document.activeElement.dataset.robot") == "Carina"
+    one.press("ArrowRight", "Shift+ArrowRight", "]", "Shift+[", "+", "f", "d", "Delete", "a")
+    kept = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"]
+    assert [robot["name"] for robot in kept][-1] == "Tug 9"
+    assert abs(kept[2]["contact"][0] - 81.0) < 0.5
+    assert abs(kept[2]["limit"] / 9806.65 - 66.0) < 1e-9
+    for _ in range(9):
+        one.press("Control+z")
+    assert one.kept(ORIGINS) is None
+
+
+def test_escape_leaves_a_gesture_as_if_it_had_not_been(window):
+    """Escape while the hand still holds a tug puts it back."""
+    one = window()
+    before = one.robot("Carina")
+    x, y = one.middle("[data-robot=Carina] .foot")
+    one.page.mouse.move(x, y)
+    one.page.mouse.down()
+    one.page.mouse.move(x - 90, y, steps=4)
+    one.page.keyboard.press("Escape")
+    one.page.mouse.up()
+    one.rest()
+    assert one.robot("Carina") == before
+    assert one.kept(ORIGINS) is None
+
+
+def test_what_if_is_asked_by_numbers_that_are_typed_stepped_and_dragged(window):
+    """Losses by a key, wind by typing, its bearing by arrows, a limit by dragging."""
+    one = window()
+    one.press("0")
+    one.spin("Speed of the wind", 20)
+    one.page.locator("[aria-label='Where the wind comes from']").focus()
+    one.press("ArrowUp", "Shift+ArrowUp")
+    one.drag("[aria-label='Limit of Idunn']", 36, 0)
+    one.page.click(".word:text-is('poses exact')")
+    one.rest()
+    doc = one.kept(ORIGINS)["doc"]
+    wind, criterion = doc["environment"]["wind"], doc["problem"]["criterion"]
+    assert criterion["losing"] == 0
+    assert criterion["worst_case"]
+    assert abs(wind["speed"] - 20 * 0.514444444444) < 1e-6
+    assert abs(wind["bearing"] - 1.2391837689159739) < 1e-9
+    assert abs(doc["problem"]["newcomer"]["limit"] / 9806.65 - 86.0) < 1e-9
+    assert one.text("h1.first, .answer h1").startswith(("Held in 20 kn from 071", "Not held"))
+    one.press("w")
+    assert not one.kept(ORIGINS)["doc"]["in_weather"]
+
+
+def test_the_newcomer_is_kept_and_the_next_is_asked(window):
+    """N takes the newcomer, Enter makes it a robot where it was best, and another one comes."""
+    one = window()
+    one.press("n", "Enter")
+    problem = one.kept(ORIGINS)["doc"]["problem"]
+    assert problem["swarm"]["robots"][-1]["name"] == "Idunn"
+    assert problem["swarm"]["robots"][-1]["contact"] == [40.0, -21.0]
+    assert problem["newcomer"]["name"] == "Idunn 2"
+
+
+def test_zones_and_corners_are_moved_and_robots_go_with_their_side(window):
+    """An end of a pad is dragged, and a corner of the hull moved by keys."""
+    one = window().open("Deck barge")
+    one.press("z")
+    one.drag("[aria-label='End of port aft pads'] .grab", 60, 0)
+    end = one.kept("deck-barge")["doc"]["problem"]["zones"][3]["stretch"]["end"]
+    assert end < 163.0
+    one.press("z")
+    one.page.locator("[aria-label='Corner 1 of the outline']").focus()
+    one.press("Shift+ArrowLeft")
+    doc = one.kept("deck-barge")["doc"]["problem"]
+    assert abs(doc["swarm"]["outline"]["vertices"][0][0] + 38.1 + 3.048) < 1e-9
+    assert one.page.locator("#studio.is-refused").count() == 0
+    one.press("Control+z", "Control+z")
+    assert one.kept("deck-barge") is None
+
+
+def test_what_the_library_refuses_is_said_and_the_last_answer_stays(window):
+    """A limit below the least that its tolerance allows is refused in words, until it is undone."""
+    one = window()
+    before = one.text(".answer h1")
+    one.page.locator("[data-robot=Carina]").focus()
+    one.spin("Limit", 10)
+    assert one.page.locator("#studio.is-refused").count() == 1
+    assert "least" in one.text(".answer")
+    assert before in one.text(".answer")
+    one.press("Control+z")
+    assert one.page.locator("#studio.is-refused").count() == 0
+
+
+def test_a_wanted_wrench_is_dragged_and_shared_out(window):
+    """The arrow in the middle is pulled out; who gives how much stands beside each name."""
+    one = window()
+    one.press("h")
+    one.page.wait_for_selector(".push-words:not([hidden])")
+    one.page.wait_for_selector(".label .below:text-matches('% of')")
+    assert "%" in one.text(".push-words")
+    one.drag(".knob-force .grab", 120, 0)
+    one.page.wait_for_selector(".push-words.unreached")
+    assert "out of reach" in one.text(".push-words")
+    one.press("Escape")
+    assert one.page.locator(".push-words:not([hidden])").count() == 0
+
+
+def test_several_newcomers_are_placed_one_by_one_and_together(window):
+    """How many more come is asked in the bar; they stand in the plan."""
+    one = window().open("Rectangle, 5 robots")
+    one.page.click("[aria-label='How many more come after it']")
+    one.page.click("[aria-label='How many more come after it']")
+    one.page.wait_for_selector(".newcomer.later >> nth=1")
+    one.page.click(".word:text-is('one by one')")
+    one.page.wait_for_selector(".word:text-is('together')")
+    one.page.wait_for_selector(".newcomer.later >> nth=1")
