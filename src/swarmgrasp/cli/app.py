@@ -38,6 +38,11 @@ COMMANDS = (
     place, move, count, quality, forces, capability, simulate, study, verify, judge, plot, report,
     studio, agent, paper, examples, convert, schema,
 )  # fmt: skip
+USAGES = {
+    "examples": "Usage: swarmgrasp examples [OPTIONS] [NAME]",
+    "studio": "Usage: swarmgrasp studio [OPTIONS] [FILE]",
+}
+"""Of commands whose argument may be left out."""
 READER_LEFT = 141
 """What a shell reports for a program whose reader closed the pipe, as `head` does."""
 
@@ -81,7 +86,7 @@ def build() -> App:
     )
     for command in COMMANDS:
         # cyclopts would call an argument that may be left out [ARGS]
-        usage = "Usage: swarmgrasp examples [OPTIONS] [NAME]" if command is examples else None
+        usage = USAGES.get(command.__name__)
         app.command(command, help_epilogue="", usage=usage)
     app.command(agents.build())
     app.register_install_completion_command()

@@ -65,8 +65,10 @@ def studio(
     host
         Another address or name of this machine to listen at. Whoever reaches it and has the link
         can use the page; it asks for --certificate and --key.
-    certificate, key
-        Files of TLS, in PEM.
+    certificate
+        File of the certificate for TLS, in PEM.
+    key
+        File of its private key, in PEM.
     watch
         Show the robots of this scenario that decide for themselves, as `swarmgrasp agents watch`
         does.

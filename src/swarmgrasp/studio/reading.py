@@ -1,6 +1,6 @@
 """The question that a document of a page asks."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
@@ -14,7 +14,7 @@ from swarmgrasp.plain import Plain, read
 from swarmgrasp.studio.frames import Columns
 from swarmgrasp.studio.messages import Doc, Speech
 from swarmgrasp.studio.scenes import terms_of
-from swarmgrasp.swarm import Robot, Swarm
+from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.terms import Terms
 
 REMEMBERED = 20_000
@@ -61,22 +61,30 @@ def question_of(doc: Doc, speech: Speech) -> Question:
     nowhere = given.get("zones") == []
     if nowhere:  # a Problem knows a place or none at all
         given["zones"] = None
-    problem = read(given, Problem, ("problem",), faults)
     environment = None
     if doc.environment is not None:
         environment = read(
             _known(Environment, doc.environment), Environment, ("environment",), faults
         )
-    if doc.in_weather and (doc.environment is None or (environment and not environment.is_steady)):
-        faults.append("in_weather: there is no steady wind; give it a speed and a bearing")
+    if doc.in_weather:
+        faults += _take_weather(given, environment)
+    problem = read(given, Problem, ("problem",), faults)
     if faults:
         raise DataInvalid(faults)
-    terms = terms_of(speech)
-    if doc.in_weather and environment is not None:
-        x, y, turn = environment.load(problem.swarm.outline).tolist()
-        criterion = replace(problem.criterion, load=(x, y, turn))
-        problem = replace(problem, criterion=criterion)
-    return Question(doc, problem, environment, terms, doc.newcomer and not nowhere)
+    return Question(doc, problem, environment, terms_of(speech), doc.newcomer and not nowhere)
+
+
+def _take_weather(given: dict[str, Any], environment: Environment | None) -> list[str]:
+    """Put the load of the weather into a problem's plain form; return what is wrong with it."""
+    if environment is None or not environment.is_steady:
+        return ["in_weather: there is no steady wind; give it a speed and a bearing"]
+    swarm, criterion = given.get("swarm"), given.get("criterion")
+    outline = swarm.get("outline") if isinstance(swarm, dict) else None
+    if isinstance(swarm, Swarm):
+        outline = swarm.outline
+    if isinstance(outline, Outline) and isinstance(criterion, dict):  # else it is told anyway
+        given["criterion"] = {**criterion, "load": environment.load(outline).tolist()}
+    return []
 
 
 def _remembered(problem: dict[str, Any], faults: list[str]) -> dict[str, Any]:
@@ -90,8 +98,15 @@ def _remembered(problem: dict[str, Any], faults: list[str]) -> dict[str, Any]:
     if not isinstance(swarm, dict) or not isinstance(swarm.get("robots"), list):
         return dict(problem)
     robots = [_known(Robot, robot) for robot in swarm["robots"]]
-    outline = _known(Outline, swarm.get("outline"))
-    return {**problem, "swarm": {**swarm, "robots": robots, "outline": outline}}
+    outline, zones = _known(Outline, swarm.get("outline")), problem.get("zones")
+    if isinstance(zones, list):
+        zones = [_known(Zone, zone) for zone in zones]
+    return {
+        **problem,
+        "swarm": {**swarm, "robots": robots, "outline": outline},
+        "newcomer": _known(Newcomer, problem.get("newcomer")),
+        "zones": zones,
+    }
 
 
 def _crowd(swarm: dict[str, Any], faults: list[str]) -> object:
