@@ -140,6 +140,14 @@ test("columns stand as their pieces do round the outline, and fill the width", (
   assert.ok(columns[2]!.width > columns[1]!.width && columns[1]!.width > columns[0]!.width);
 });
 
+test("many pieces that follow each other stand as one, and never beyond the width", () => {
+  const pieces = Array.from({ length: 40 }, (_, i) => piece({ start: i < 20 ? i : i + 5, end: i < 20 ? i + 1 : i + 6 }));
+  const columns = columnsOf(pieces, SHAPE, 0, 200);
+  const gaps = columns.slice(1).map((column, i) => column.left - columns[i]!.left - columns[i]!.width);
+  assert.equal(gaps.filter((gap) => gap > 1e-9).length, 1);
+  assert.ok(near(columns[39]!.left + columns[39]!.width, 200));
+});
+
 test("values are interpolated between cells, and nothing is told where nothing is allowed", () => {
   const column = one(piece({}));
   const values = Uint16Array.from([1, 11, 21, 101, 111, 121, 201, 211, 0]);

@@ -7,6 +7,8 @@ const DEGREE = Math.PI / 180;
 const RANGES = [35, 65, 90, 180];
 const LEAST_WIDTH = 18;
 const GAP = 5;
+/** From so many pieces on, those that touch are drawn as one. */
+const MANY = 12;
 
 export interface Axis {
   /** Of the picture, either way off square [rad]. */
@@ -61,20 +63,32 @@ export function edgeOf({ edge: name, start, end }: LandscapePiece, shape: Shape)
 
 /** Columns side by side, as they stand round the outline: all wide enough to hit, and longer pieces wider. */
 export function columnsOf(pieces: readonly LandscapePiece[], shape: Shape, left: number, width: number): Column[] {
-  const gap = Math.min(GAP, width / (3 * pieces.length));
-  const room = width - gap * (pieces.length - 1);
-  const base = Math.min(LEAST_WIDTH, room / pieces.length);
-  const total = pieces.reduce((sum, piece) => sum + piece.end - piece.start, 0);
-  const spare = room - base * pieces.length;
-  const free = pieces.some(isFree);
+  const sorted = [...pieces].sort((a, b) => a.start - b.start);
+  const gaps = sorted.map((piece, i) => gapAfter(piece, sorted[i + 1], sorted.length));
+  const squeezed = Math.min(1, width / 3 / Math.max(1e-9, sum(gaps)));
+  const room = width - squeezed * sum(gaps);
+  const base = Math.min(LEAST_WIDTH, (room / 2) / sorted.length);
+  const total = sum(sorted.map((piece) => piece.end - piece.start));
+  const spare = room - base * sorted.length;
+  const free = sorted.some(isFree);
   let at = left;
-  return [...pieces].sort((a, b) => a.start - b.start).map((piece) => {
-    const wide = base + spare * (total > 0 ? (piece.end - piece.start) / total : 1 / pieces.length);
-    const edge = edgeOf(piece, shape);
-    const column = { piece, edge, left: at, width: wide, off: piece.rows.map((row) => (free ? folded(row) : offOf(row))) };
-    at += wide + gap;
+  return sorted.map((piece, i) => {
+    const wide = base + spare * (total > 0 ? (piece.end - piece.start) / total : 1 / sorted.length);
+    const off = piece.rows.map((row) => (free ? folded(row) : offOf(row)));
+    const column = { piece, edge: edgeOf(piece, shape), left: at, width: wide, off };
+    at += wide + squeezed * gaps[i]!;
     return column;
   });
+}
+
+/** Of a round side many short pieces follow each other: these stand without gaps. */
+function gapAfter(piece: LandscapePiece, next: LandscapePiece | undefined, many: number): number {
+  if (next === undefined) return 0;
+  return many > MANY && Math.abs(next.start - piece.end) < 1e-6 * Math.max(1, piece.end) ? 0 : GAP;
+}
+
+function sum(values: readonly number[]): number {
+  return values.reduce((total, value) => total + value, 0);
 }
 
 /**

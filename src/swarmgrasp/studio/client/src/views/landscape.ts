@@ -14,6 +14,9 @@ const DEGREE = Math.PI / 180;
 const [LEFT, TOP, BELOW] = [34, 12, 26];
 const FONT = "11.5px Inter, system-ui, sans-serif";
 
+/** Before the unit of a figure. */
+const UNIT = /\u00a0(?=[^\d]+$)/;
+
 interface Drawn {
   readonly part: LandscapePart;
   readonly answer: AnswerPart;
@@ -84,8 +87,10 @@ export class Landscape implements View {
   #tell({ answer, part }: Drawn): void {
     const speech = this.#context.speech.value;
     const [low, high] = endsOf(answer, part);
-    write(this.#low, said(answer, low, speech));
-    write(this.#high, said(answer, high, speech));
+    const [least, unit] = said(answer, low, speech).split(UNIT);
+    const most = said(answer, high, speech);
+    write(this.#low, unit === most.split(UNIT)[1] ? least! : said(answer, low, speech));
+    write(this.#high, most);
     this.#label("");
   }
 
