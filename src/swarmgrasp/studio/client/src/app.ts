@@ -90,6 +90,7 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
       if (store.seen.value === null) void opening.first(message.opens, home.linked);
       return;
     }
+    if (message.kind === "error" && message.n === null) context.toast(message.say);
     store.take(message);
     if (message.kind === "part" && message.name === "answer") painter.mark("answered", message.n);
     if (message.kind === "done" || message.kind === "refused") {
