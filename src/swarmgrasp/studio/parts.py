@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from swarmgrasp.studio.asking import Found
 from swarmgrasp.studio.figures import Figures
 from swarmgrasp.studio.replies import Empty
 from swarmgrasp.studio.sending import framed, write_message
+from swarmgrasp.studio.sphere import sphere
 from swarmgrasp.studio.told_parts import (
     Ball,
     CapabilityPart,
@@ -30,13 +31,15 @@ from swarmgrasp.studio.told_parts import (
     Slope,
     SlopesPart,
 )
-from swarmgrasp.swarm import Robot
+from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.wrench_set import WrenchSet
 
 STEPS = 30_000
 """Whole steps from the middle of a body to its rim, and of a landscape."""
 MOST_FACETED = 40
-"""Robots whose wrench set is told facet by facet."""
+"""Robots whose wrench set is told facet by facet, if they push along a line each."""
+FLAT = 1e-12
+"""Area of a triangle that is none, relative to the largest."""
 MOST_LOST = 300
 """Robots whose losses are told one by one, and whose places are compared cell by cell."""
 COARSE, FINE = 15.0, 5.0
@@ -76,27 +79,19 @@ class Sheet:
 
 def mesh(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     """Tell the wrench set of the worst case, moved by the load, with its ball."""
-    found = sheet.found
-    swarm, criterion = found.after.worst_swarm, found.problem.criterion
+    found, criterion = sheet.found, sheet.found.problem.criterion
+    swarm, load = found.after.worst_swarm, np.array(criterion.load)
     if not len(swarm):
         raise Nothing(f"There are no {found.question.terms.several}, and no wrenches.")
-    if len(swarm) > MOST_FACETED:
-        raise Nothing(f"The wrench set of more than {MOST_FACETED} is not drawn facet by facet.")
-    body = WrenchSet(swarm).mesh()
-    if not body.faces:
-        raise Nothing("All wrenches lie in a line: the set has no inside.")
-    load = np.array(criterion.load)
-    corners = (body.vertices + load) * swarm.scale
-    reach = float(np.abs(corners).max()) or 1.0
-    unit = reach / STEPS
-    sizes = [len(face) for face in body.faces]
-    radius = found.after.value
-    ball = None
+    is_few = len(swarm) <= MOST_FACETED and bool(swarm.is_line.all())
+    body = _facets(swarm) if is_few else rounded(swarm)
+    corners = body.corners + load * swarm.scale
+    unit = (float(np.abs(corners).max()) or 1.0) / STEPS
+    ball, radius = None, found.after.value
     if criterion.task is None and radius > 0.0:
-        touches = radius * found.after.direction
-        slack = body.offsets + body.normals @ (load * swarm.scale) - radius
-        x, y, z = (touches / unit).tolist()
-        ball = Ball((0.0, 0.0, 0.0), radius / unit, (x, y, z), int(slack.argmin()))
+        x, y, z = (radius * found.after.direction / unit).tolist()
+        face = int(np.argmax(body.normals @ found.after.direction)) if is_few else None
+        ball = Ball((0.0, 0.0, 0.0), radius / unit, (x, y, z), face)
     return framed(
         MeshPart(
             n=sheet.n, ms=ms(), unit=unit, ball=ball,
@@ -105,11 +100,45 @@ def mesh(sheet: Sheet, ms: Callable[[], float]) -> bytes:
         ),
         {
             "corners": np.rint(corners / unit).astype(np.int16),
-            "faces": np.array([i for face in body.faces for i in face], dtype=np.uint16),
-            "starts": np.cumsum([0, *sizes]).astype(np.uint16),
+            "faces": body.faces.astype(np.uint16),
+            "starts": body.starts.astype(np.uint16),
             "normals": np.rint(body.normals * 127.0).astype(np.int8),
         },
     )  # fmt: skip
+
+
+class Body(NamedTuple):
+    """A body: corners (v, 3) [N] in the metric's coordinates, faces one after the other."""
+
+    corners: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    normals: NDArray[np.float64]
+
+
+def _facets(swarm: Swarm) -> Body:
+    """Return the wrench set facet by facet."""
+    found = WrenchSet(swarm).mesh()
+    if not found.faces:
+        raise Nothing("All wrenches lie in a line: the set has no inside.")
+    faces = np.array([i for face in found.faces for i in face])
+    starts = np.cumsum([0, *map(len, found.faces)])
+    return Body(found.vertices * swarm.scale, faces, starts, found.normals)
+
+
+def rounded(swarm: Swarm) -> Body:
+    """Return the farthest wrenches in directions all round, joined as the directions are."""
+    directions, triangles = sphere()
+    corners = WrenchSet(swarm).farthest(directions * swarm.scale) * swarm.scale
+    sides = corners[triangles]
+    normals = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0])
+    sizes = np.linalg.norm(normals, axis=1)
+    middles = directions[triangles].sum(axis=1)
+    middles /= np.linalg.norm(middles, axis=1)[:, None]
+    is_flat = sizes <= FLAT * sizes.max(initial=0.0)  # some directions have one farthest wrench
+    normals = np.where(is_flat[:, None], middles, normals / np.where(is_flat, 1.0, sizes)[:, None])
+    starts = 3 * np.arange(len(triangles) + 1)
+    return Body(corners, triangles.ravel(), starts, normals)
 
 
 # -- weather from all round ----------------------------------------------------------------

@@ -241,6 +241,34 @@ class WrenchSet(Frozen):
         reach = (rows * self._farthest(rows)).sum(axis=1)
         return float(reach[0]) if directions.ndim == 1 else reach
 
+    def farthest(self, normals: ArrayLike) -> NDArray[np.float64]:
+        """Return the wrenches of the set that are farthest along some directions.
+
+        Enough of them tell what the set looks like, round or not, of any number of robots.
+
+        Parameters
+        ----------
+        normals : (m, 3) or (3,) [1, 1, 1/m]
+            As for `support`.
+
+        Returns
+        -------
+        (m, 3) or (3,) [N, N, N m]
+
+        Raises
+        ------
+        WrenchInvalid
+            If the normals are not finite triples.
+
+        Examples
+        --------
+        >>> wedge = WrenchSet.from_generators([[1, 0, 2], [-1, 0, 1]])
+        >>> wedge.farthest([[0, 0, 1], [1, 0, 0]]).tolist()
+        [[0.0, 0.0, 3.0], [1.0, 0.0, 2.0]]
+        """
+        directions = _triples(normals, "normals")
+        return self._farthest(directions.reshape(-1, 3)).reshape(directions.shape)
+
     def _farthest(self, normals: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the wrenches (m, 3) of the set farthest along normals (m, 3), both physical."""
         step = max(1, ROWS // max(1, len(self.generators), 10 * len(self.planar)))
