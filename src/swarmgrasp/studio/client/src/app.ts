@@ -35,6 +35,7 @@ export interface Home {
 /** Builds the widget in an element and lets it live there. */
 export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   const frame = layout(root);
+  root.classList.add("is-empty");
   const store = new Store();
   const talk = new Talk(wire, home.key);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -128,6 +129,7 @@ class Painter {
     const seen = store.seen.value;
     if (seen === null) return;
     if (speech.value.data !== seen.scene.speech) speech.set(new Speech(seen.scene.speech));
+    root.classList.remove("is-empty");
     this.before(seen);
     for (const view of this.views) view.draw(seen);
     root.classList.toggle("is-refused", seen.refused.length > 0);

@@ -23,7 +23,7 @@ export interface BarButtons {
 
 export class Bar implements View {
   readonly name = el("button", { type: "button", class: "scene-name", "aria-haspopup": "menu" });
-  readonly #title = el("h1", { class: "scene-title" });
+  readonly #title = el("h1", { class: "scene-title" }, "Scenes");
   readonly #undo: HTMLButtonElement;
   readonly #redo: HTMLButtonElement;
   readonly textButton: HTMLButtonElement;
