@@ -5,6 +5,7 @@ import { withNewCorner } from "./outline";
 import type { Plan } from "./plan";
 import type { Pair } from "../messages";
 import type { Grip } from "./handles";
+import { distance } from "./shape";
 
 type Held =
   | { readonly kind: "robot"; readonly name: string; readonly off: Pair }
@@ -13,6 +14,8 @@ type Held =
 /** A press that moves less than this is a click. */
 const CLICK = 3;
 const BIG = 10;
+/** Pixels from a contact of a crowd that take it. */
+const NEAR = 12;
 
 export class Hands {
   #held: Held | null = null;
@@ -57,7 +60,7 @@ export class Hands {
     const at = this.#at(event);
     const target = event.target as Element;
     const knob = target.closest<SVGElement>("[data-knob]");
-    const robot = target.closest<SVGElement>("[data-robot]")?.dataset.robot;
+    const robot = target.closest<SVGElement>("[data-robot]")?.dataset.robot ?? this.#ofCrowd(at);
     this.#pressed = at;
     this.#moved = false;
     if (knob !== null) {
@@ -66,8 +69,9 @@ export class Hands {
     } else if (robot !== undefined) {
       store.choose(robot);
       const figure = stage.figures.find((one) => one.robot.name === robot);
-      if (figure !== undefined && stage.seen.mode === "move") {
-        this.#held = { kind: "robot", name: robot, off: [figure.contact[0] - at[0], figure.contact[1] - at[1]] };
+      if (stage.seen.mode === "move" && (figure !== undefined || stage.crowded)) {
+        const [x, y] = figure?.contact ?? at;
+        this.#held = { kind: "robot", name: robot, off: [x - at[0], y - at[1]] };
       }
     }
     if (this.#held === null) return;
@@ -75,6 +79,19 @@ export class Hands {
     this.plan.svg.setPointerCapture(event.pointerId);
     event.preventDefault();
     (knob ?? this.plan.robots.of(robot!))?.focus({ preventScroll: true });
+  }
+
+  /** One of a crowd, which has no elements, whose contact is near. */
+  #ofCrowd(at: Pair): string | undefined {
+    const { stage } = this.plan;
+    if (stage?.crowded !== true || stage.seen.mode !== "move") return undefined;
+    const point = stage.screen.model(at);
+    let [nearest, least]: [string | undefined, number] = [undefined, NEAR / stage.screen.scale];
+    for (const { name, contact } of stage.seen.doc.problem.swarm.robots) {
+      const away = distance(contact, point);
+      if (away < least) [nearest, least] = [name, away];
+    }
+    return nearest === stage.newcomer?.robot.name ? undefined : nearest;
   }
 
   #move(event: PointerEvent): void {

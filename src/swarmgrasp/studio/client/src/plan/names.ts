@@ -48,10 +48,10 @@ export class NameLayer {
       if (seen.mode === "push" && share !== undefined) return `${Math.round(100 * share)}\u00a0% of ${limit}`;
       return few || figure.isNew || figure.robot.name === seen.chosen ? limit : "";
     };
-    const words = new Map(order.map((figure) => [figure, { name: figure.robot.name, below: below(figure) }]));
+    const words = new Map(order.map((figure) => [figure, { name: figure.robot.name || "newcomer", below: below(figure) }]));
     const wanted = order.map((figure): Wanted => {
       const { name, below: second } = words.get(figure)!;
-      const chosen = seen.chosen === name;
+      const chosen = seen.chosen === figure.robot.name;
       return {
         key: figure.isNew ? `new ${name}` : name, end: figure.free, angle: figure.angle,
         width: Math.max(this.#width(name, figure.isNew ? 15 : 13, 600), this.#width(second, 12, 400)),

@@ -29,7 +29,9 @@ export interface Stage {
 export function stageOf(seen: Seen, shape: Shape, screen: Screen, speech: Speech, hovered: Hovered | null): Stage {
   const { robots } = seen.doc.problem.swarm;
   const answer = seen.parts.answer;
-  const best = seen.doc.newcomer ? answer?.newcomer ?? null : null;
+  const placed = seen.doc.newcomer ? answer?.newcomer ?? null : null;
+  // It is known by the document's name, also where it has none.
+  const best = placed === null ? null : { ...placed, name: seen.doc.problem.newcomer.name };
   const scale = scaleOf(robots.length > 1000 ? robots : best === null ? robots : [...robots, best], screen);
   const crowded = robots.length > CANVAS_FROM;
   const lost = new Set(answer?.worst_loss ?? []);
