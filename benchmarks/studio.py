@@ -58,7 +58,7 @@ def ring(count: int) -> dict[str, Any]:
     made = []
     for i in range(count):
         contact = outline.at_arc_length((i + 0.5) * outline.perimeter / count)
-        way = contact.inward + math.pi + 0.3 * math.sin(7.0 * i)
+        way = math.remainder(contact.inward + math.pi + 0.3 * math.sin(7.0 * i), math.tau)
         made.append(
             {**robots[0], "name": str(i + 1), "contact": list(contact.point), "direction": way,
              "limit": limit, "tolerance": None}

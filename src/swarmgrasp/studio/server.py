@@ -215,6 +215,8 @@ def opened(settings: Settings) -> Opened:
     """
     family = sockets.AF_INET6 if ":" in settings.host else sockets.AF_INET
     listening = sockets.create_server((settings.host, settings.port), family=family)
+    # those it accepts inherit this: an answer must not wait for the last one's acknowledgement
+    listening.setsockopt(sockets.IPPROTO_TCP, sockets.TCP_NODELAY, 1)
     port = listening.getsockname()[1]
     config = uvicorn.Config(
         application(settings, port), log_level="warning", access_log=False, server_header=False,
