@@ -167,7 +167,7 @@ function painted(line: string, bad: boolean): HTMLElement {
   let at = 0;
   for (const match of line.matchAll(PIECES)) {
     if (match[1] !== undefined && match.index > 0 && !/\s/.test(line[match.index - 1]!)) continue;
-    row.append(line.slice(at, match.index), el("span", { class: match[1] === undefined ? "key" : "comment" }, match[0]));
+    row.append(line.slice(at, match.index), el("span", { class: match[1] === undefined ? "yaml-key" : "yaml-comment" }, match[0]));
     at = match.index + match[0].length;
   }
   row.append(`${line.slice(at)}\n`);
