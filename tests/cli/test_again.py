@@ -59,7 +59,7 @@ def test_every_command_that_reads_a_question_is_asked():
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
         "agent", "convert", "examples", "judge", "paper", "plot", "report", "schema", "simulate",
-        "study", "verify",
+        "studio", "study", "verify",
     }  # fmt: skip
 
 

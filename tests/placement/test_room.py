@@ -98,7 +98,7 @@ def test_tugs_that_would_cross_are_refused():
     zones = [Zone(outline.stretch(2, 28.0, 28.0))]  # at (-8, 5), under the tug's quarter
     wide = Newcomer(1.0, "push", 0.7)
     assert place(swarm, wide, zones).robot.contact == pytest.approx((-8.0, 5.0))
-    with pytest.raises(NowhereToAttach, match="a body needs room"):
+    with pytest.raises(NowhereToAttach, match="its body needs room"):
         place(swarm, Newcomer(1.0, "push", 0.0, body=Body(15.0, 4.0)), zones)
     turned = place(swarm, Newcomer(1.0, "push", 0.7, body=Body(5.0, 2.0)), zones)
     assert not Room(turned.swarm_after).crossings()

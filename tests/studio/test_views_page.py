@@ -62,14 +62,16 @@ def test_a_row_points_at_its_robot_everywhere(window):
     assert not is_marked(one, ".robot[data-robot='Brimir']")
     assert picture(one, "body") == before
     one.page.click(row)
-    assert one.page.locator(row).get_attribute("aria-pressed") == "true"
+    expect(one.page.locator(row)).to_have_attribute("aria-pressed", "true")
     one.page.click(row)
-    assert one.page.locator(row).get_attribute("aria-pressed") == "false"
+    expect(one.page.locator(row)).to_have_attribute("aria-pressed", "false")
 
 
 def test_a_place_of_the_map_stands_in_the_plan(window):
     """By hand, by keys with a sentence, and from the next best; Escape lets it go."""
     one = window()
+    spoken = one.page.locator(".spoken")
+    expect(spoken).to_contain_text("Held in ")  # the answer is spoken once, after a while
     ghost = one.page.locator(".ghost")
     one.page.locator(".next li").nth(1).hover()
     assert ghost.is_visible()
@@ -78,10 +80,9 @@ def test_a_place_of_the_map_stands_in_the_plan(window):
     one.page.locator(".landscape").focus()
     one.page.keyboard.press("ArrowUp")
     assert ghost.is_visible()
-    heard = one.text(".spoken")
-    assert re.fullmatch("starboard fore bollard, \u2212\\d° off square: 34 t", heard), heard
+    expect(spoken).to_have_text(re.compile("^starboard fore bollard, \u2212\\d° off square: 34.t$"))
     one.page.keyboard.press("ArrowLeft")
-    assert one.text(".spoken").startswith("starboard aft bollard, ")
+    expect(spoken).to_contain_text("starboard aft bollard, ")
     one.page.keyboard.press("Escape")
     assert not ghost.is_visible()
 

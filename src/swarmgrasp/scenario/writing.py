@@ -62,7 +62,7 @@ def scenario_text(
 
     Examples
     --------
-    >>> from swarmgrasp import Swarm
+    >>> from swarmgrasp import Newcomer, Outline, Problem, Robot, Swarm
     >>> barge = Outline([(0, 0), (4, 0), (4, 2), (0, 2)])
     >>> swarm = Swarm(barge, [Robot((4, 0.5), 3.14, 1.5, "Ajax")], 2.0)
     >>> print(scenario_text(Problem(swarm, Newcomer(2.0, "push")), name="Barge"), end="")
