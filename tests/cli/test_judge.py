@@ -57,6 +57,16 @@ def test_faults_are_told_at_once(run, tmp_path):
     assert "the quality is 0" in run("judge", path, "--mass", 20)[2]
 
 
+def test_an_object_too_light_for_mujoco_is_told(run, tmp_path, monkeypatch):
+    """With how much heavier it should be, and nothing is left where one stands."""
+    monkeypatch.chdir(tmp_path)
+    status, _, complaints = run("judge", "deck-barge", "--mass", 1e-9)
+    assert (status, list(tmp_path.iterdir())) == (2, [])
+    assert complaints.startswith("deck-barge: an object of 1e-09 kg is too light to judge: ")
+    times = float(complaints.split("; give it ")[1].split()[0])
+    assert run("judge", "deck-barge", "--mass", 1.1e-9 * times)[0] == 0
+
+
 def test_without_mujoco_it_says_how_to_install_it(run, monkeypatch):
     """In one line."""
     monkeypatch.setattr(swarmgrasp.packages, "find_spec", lambda _: None)

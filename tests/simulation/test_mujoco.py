@@ -101,15 +101,23 @@ def test_size_and_mass_do_not_matter(size, mass):
 
 
 def test_what_mujoco_does_not_count_or_take_is_told(tmp_path, monkeypatch):
-    """A motion beyond 1e10, at which it begins anew; a shape that is too small for it."""
+    """A motion beyond 1e10, at which it begins anew; a shape that is too small for it.
+
+    MuJoCo writes no log of its own where one stands, and whoever hears its warnings hears on.
+    """
     swarm = Swarm(BARGE, ROBOTS[:1])
-    monkeypatch.chdir(tmp_path)  # where MuJoCo writes a log of its own
+    monkeypatch.chdir(tmp_path)
+    heard = []
+    mujoco.set_mju_user_warning(heard.append)
     world = World(swarm, Hull(1e-6, (0.0, 0.0), 1.0, (0.0, 0.0, 0.0)), step=0.1)
     with pytest.raises(SimulationInvalid, match="a heavier object"):
         world.advance([(300e3, 0.0)], steps=100)
     tiny = Outline(1e-7 * BARGE.vertices)
     with pytest.raises(SimulationInvalid, match="MuJoCo does not take the model of the object: "):
         World(Swarm(tiny, []), Hull(1.0, (0.0, 0.0), 1.0, (0.0, 0.0, 0.0)))
+    assert (list(tmp_path.iterdir()), heard) == ([], [])
+    assert mujoco.get_mju_user_warning() == heard.append
+    mujoco.set_mju_user_warning(None)
 
 
 def test_nothing_held_is_nothing_to_judge():

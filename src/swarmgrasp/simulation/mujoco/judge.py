@@ -23,6 +23,8 @@ DURATION = 60.0
 """Of a trial at most [s]."""
 FARTHEST = 100.0
 """Way, in extents of the object, on which the weakest wrench alone would move it meanwhile."""
+FASTEST = 1e10
+"""Acceleration [m/s^2, rad/s^2] up to which MuJoCo counts."""
 STEPS = 600
 """Of a trial."""
 STILL = 1e-6
@@ -101,7 +103,8 @@ def judge(quality: Quality, hull: Hull) -> Judgement:
     PackageMissing
         Without MuJoCo.
     SimulationInvalid
-        If a value is none of these, or the quality is 0: nothing is held in some direction.
+        If a value is none of these, or the quality is 0: nothing is held in some direction; or if
+        the object is too light for MuJoCo.
 
     Examples
     --------
@@ -126,11 +129,24 @@ def judge(quality: Quality, hull: Hull) -> Judgement:
         raise SimulationInvalid(faults)
     extent = quality.worst_swarm.outline.extent
     bare = replace(hull, added=(0.0, 0.0, 0.0))
-    start = _way(inverse_of(bare.matrix) @ quality.weakest_wrench, extent)
+    rates = inverse_of(bare.matrix) @ quality.weakest_wrench
+    _check_rates(rates, hull)
+    start = _way(rates, extent)
     duration = min(DURATION, math.sqrt(2.0 * FARTHEST * extent / start))
     still = STILL * 0.5 * start * duration**2
     trials = tuple(_tried(quality, hull, factor, duration, still) for factor in FACTORS)
     return Judgement(quality, hull, duration, trials, version("mujoco"))
+
+
+def _check_rates(rates: Array, hull: Hull) -> None:
+    """Raise `SimulationInvalid` if the weakest wrench alone is too much for MuJoCo."""
+    fastest = float(np.abs(rates).max())
+    if fastest > FASTEST:
+        raise SimulationInvalid(
+            f"an object of {hull.mass:.3g} kg is too light to judge: the weakest wrench alone "
+            f"would give it {fastest:.2g} m/s^2 or rad/s^2, and MuJoCo counts up to {FASTEST:.0e}; "
+            f"give it {fastest / FASTEST:.2g} times the mass and inertia, or more"
+        )
 
 
 def _tried(quality: Quality, hull: Hull, factor: float, duration: float, still: float) -> Trial:

@@ -1,6 +1,8 @@
 """An object and its robots that MuJoCo moves: the one door to it."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,7 +69,8 @@ class World:
         self._library = mujoco
         text = mjcf(swarm, hull, floor, lags=lags, step=step)
         try:
-            self._model = mujoco.MjModel.from_xml_string(text)
+            with self._silent():
+                self._model = mujoco.MjModel.from_xml_string(text)
         except ValueError as error:  # such as of a shape too small for it
             said = " ".join(str(error).split())
             raise SimulationInvalid(
@@ -77,7 +80,7 @@ class World:
         self._columns = columns_of(swarm)
         self._start = np.zeros(3)
         if floor is not None:
-            mujoco.mj_step(self._model, self._data, nstep=math.ceil(SETTLING / step))
+            self._step(math.ceil(SETTLING / step))
             self._start = self.pose
 
     @property
@@ -96,7 +99,8 @@ class World:
 
         In the earth's frame, about the outline's origin.
         """
-        self._library.mj_forward(self._model, self._data)
+        with self._silent():
+            self._library.mj_forward(self._model, self._data)
         found = np.zeros(self._model.nv)
         self._library.mj_mulM(self._model, self._data, found, self._data.qacc)
         return found[[0, 1, YAW[len(found)]]]
@@ -164,10 +168,29 @@ class World:
             )
         self.order(vectors, load)
         if steps:
-            self._library.mj_step(self._model, self._data, nstep=steps)
+            self._step(steps)
             if self._has_begun_anew:
                 raise SimulationInvalid(
                     f"in steps of {self.step:g} s the motion grows beyond all that MuJoCo counts; "
                     "take shorter steps, or a heavier object"
                 )
         return self.pose
+
+    def _step(self, steps: int) -> None:
+        """Let MuJoCo take some steps."""
+        with self._silent():
+            self._library.mj_step(self._model, self._data, nstep=steps)
+
+    @contextmanager
+    def _silent(self) -> Iterator[None]:
+        """Keep MuJoCo from writing its warnings to a file of its own where the user stands.
+
+        It counts them in its data, where `_has_begun_anew` finds them.
+        """
+        library = self._library
+        before = library.get_mju_user_warning()
+        library.set_mju_user_warning(lambda _: None)
+        try:
+            yield
+        finally:
+            library.set_mju_user_warning(before)
