@@ -69,14 +69,25 @@ def test_a_run_too_short_to_tell_anything_says_so(run, pond):
     assert "Length   too short a run to tell even a load twice as large as the robots" in said
 
 
-def test_a_control_too_slow_for_its_observer_is_told_before_it_runs(run, pond):
-    """With what it should be, and the line."""
-    status, said, complaints = run("simulate", pond(SIMULATION.replace("0.1}", "20}")))
+def test_a_control_too_slow_is_told_where_it_is_said(run, pond):
+    """For its observer, and for so short a run: all at once, before anything is run."""
+    slow = SIMULATION.replace("period: 0.1", "period: 20") + "  events: [{at: 15, lose: A}]\n"
+    status, said, complaints = run("simulate", pond(slow))
     assert (status, said) == (2, "")
-    assert ":16:3: simulation: the control's period is 20 s, too long for an observer of" in (
-        complaints
-    )
-    assert complaints.endswith("at most 0.5 / observer = 0.571 s, or the observer slower\n")
+    for told, wanted in zip(
+        complaints.splitlines(),
+        (
+            ":16:13: simulation.duration: the run ends at 12 s, before a period of the control, 20",
+            ":19:21: simulation.control.period: the control's period is 20 s, too long for an obse",
+            ":20:12: simulation.events.0: lose at 15 s: the run ends at 12 s; it should be before",
+        ),
+        strict=True,
+    ):
+        assert wanted in told
+    complaints = run("simulate", pond(), "--for", "0.01")[2]
+    assert complaints.startswith("--for: the run ends at 0.01 s, before a period of the control")
+    still = SIMULATION.replace("{lag: 1, slew: 1}", "{lag: 0, except: [{name: A, lag: 1}]}")
+    assert run("simulate", pond(still), "--for", "1")[0] == 0  # another's lag is enough
 
 
 def test_an_object_that_is_not_held(run, pond):

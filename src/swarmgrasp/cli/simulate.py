@@ -271,24 +271,30 @@ def _changed(
     left = len(asked.events) - len(events)
     if left and not is_quiet:
         complain([f"left out: {left} event{'s' * (left > 1)} after {duration:g} s"])
+    with blaming(file if for_ is None else "--for"):
+        asked = replace(
+            asked,
+            duration=duration,
+            seed=asked.seed if seed is None else int(seed),
+            events=tuple(events),
+            actuators=_of_those_there(asked, events),
+        )
     losses: list[Lose] = []
     for text in losing:
         name, _, at = text.rpartition("@")
         losses.append(Lose(float(at), name))
-    with blaming("--losing" if losing else file):
-        return replace(
-            asked,
-            duration=duration,
-            seed=asked.seed if seed is None else int(seed),
-            events=(*events, *losses),
-            actuators=_of_those_there(asked, events),
-        )
+    with blaming("--losing"):
+        return replace(asked, events=(*events, *losses))
 
 
 def _of_those_there(asked: "Simulation", events: "list[Event]") -> "tuple[Named, ...]":
     """Return the actuators of all robots that ever take part with some of the events."""
-    plain = replace(asked, actuators=(), events=tuple(events))
-    return tuple(pair for pair in asked.actuators if pair[0] in plain.names)
+    from swarmgrasp.simulation.events import joining_names
+
+    problem = asked.problem
+    present = problem.swarm.names
+    names = (*present, *joining_names(present, events, problem.newcomer))
+    return tuple(pair for pair in asked.actuators if pair[0] in names)
 
 
 # -- the largest winds --------------------------------------------------------------------

@@ -28,7 +28,7 @@ from swarmgrasp.scenario.simulation_schema import (
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.simulation.actuator import Actuator
-from swarmgrasp.simulation.control import Control
+from swarmgrasp.simulation.control import Control, loop_faults
 from swarmgrasp.simulation.events import (
     Change,
     Event,
@@ -114,7 +114,7 @@ def check_simulation(section: SimulationSection, units: Units, checked: Checked)
         _made(checked, path, partial(_weather, section.weather, units))
     if checked.is_sound(*_HERE, "control"):
         _made(checked, (*_HERE, "control"), partial(_control, section.control, units))
-    _check_actuators(section.robots, units, checked)
+    actuators = _check_actuators(section.robots, units, checked)
     newcomer = Newcomer(name=checked.file.newcomer.name if checked.file.newcomer else "")
     events = _check_each_event(section, newcomer, units, checked)
     if not checked.is_known("newcomer") or not _are_names_sound(checked):
@@ -124,7 +124,9 @@ def check_simulation(section: SimulationSection, units: Units, checked: Checked)
     dropped = set(range(len(section.events))) - set(events)
     if any("send" in _said(i, checked) for i in dropped):
         return  # whom it brings, and when, is not known
-    _check_robots(section, [*names, *joining_names(names, ordered, newcomer)], checked)
+    everybody = [*names, *joining_names(names, ordered, newcomer)]
+    _check_robots(section, everybody, checked)
+    _check_loop(section, units, actuators, everybody, checked)
     paths = {id(event): path for path, event in events.items()}
     groups: dict[str, list[str]] = {}
     for name, robot in zip(names, checked.file.robots, strict=True):
@@ -153,15 +155,38 @@ def _check_surroundings(section: SimulationSection, checked: Checked) -> None:
         checked.fault(wind, said, got=False)
 
 
-def _check_actuators(section: RobotsSection, units: Units, checked: Checked) -> None:
-    """Note what does not go together in how robots answer to orders."""
+def _check_actuators(
+    section: RobotsSection, units: Units, checked: Checked
+) -> tuple[Actuator, dict[str, Actuator]] | None:
+    """Note what does not go together in how robots answer to orders; return it if all does."""
     path: Path = (*_HERE, "robots")
     if not all(checked.is_sound(*path, key) for key in ActuatorSection.model_fields):
-        return
+        return None
     usual = _made(checked, path, partial(_actuator, section, units))
+    others: dict[str, Actuator] = {}
     for i, each in enumerate(section.others):
         if usual is not None and checked.is_sound(*path, "except", i):
-            _made(checked, (*path, "except", i), partial(_actuator, each, units, usual))
+            made = _made(checked, (*path, "except", i), partial(_actuator, each, units, usual))
+            others |= {} if made is None else {each.name: made}
+    is_whole = usual is not None and len(others) == len(section.others)
+    return (usual, others) if usual is not None and is_whole else None
+
+
+def _check_loop(
+    section: SimulationSection,
+    units: Units,
+    actuators: tuple[Actuator, dict[str, Actuator]] | None,
+    names: list[str],
+    checked: Checked,
+) -> None:
+    """Note what does not go together in control, the lag of those who take part, and duration."""
+    if actuators is None or not all(checked.is_sound(*_HERE, k) for k in ("control", "duration")):
+        return
+    usual, others = actuators
+    lag = max([others.get(name, usual).lag for name in names], default=usual.lag)
+    for part, fault in loop_faults(_control(section.control, units), lag, section.duration):
+        path: Path = (*_HERE, part) if part == "duration" else (*_HERE, "control", part)
+        checked.fault(path if part else path[:-1], fault, got=False)
 
 
 def _are_names_sound(checked: Checked) -> bool:

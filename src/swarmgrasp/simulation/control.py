@@ -100,3 +100,44 @@ class Control(Plain):
             min(0.3, length / 200.0) if self.position_noise is None else self.position_noise,
             self.heading_noise,
         )
+
+
+def loop_faults(control: Control, lag: float, duration: float) -> list[tuple[str, str]]:
+    """Return what of a control loop does not go together: what is at fault, and why it is.
+
+    Parameters
+    ----------
+    control : Control
+    lag : float [s]
+        The largest of the robots.
+    duration : float [s]
+        Of the run.
+
+    Examples
+    --------
+    >>> loop_faults(Control(), 5.0, 0.05)[0][0]
+    'duration'
+    >>> loop_faults(Control(period=200.0), 5.0, 600.0)[0][0]
+    'period'
+    """
+    missing = [name for name in ("period", "frequency") if getattr(control, name) is None]
+    if lag == 0.0 and missing:
+        return [
+            ("", f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the "
+                 "control follows; give it")
+        ]  # fmt: skip
+    tuning, faults = control.settled(lag, 1.0), []
+    period, observer = tuning.period, tuning.observer
+    if period * observer > LONGEST_LOOK:
+        part = "period" if control.period is not None else "observer"
+        faults.append(
+            (part, f"the control's period is {period:g} s, too long for an observer of "
+                   f"{observer:.3g} rad/s; it should be at most {LONGEST_LOOK:g} / observer = "
+                   f"{LONGEST_LOOK / observer:.3g} s, or the observer slower")
+        )  # fmt: skip
+    if duration < period * (1.0 - 1e-9):
+        faults.append(
+            ("duration", f"the run ends at {duration:g} s, before a period of the control, "
+                         f"{period:g} s, is over; let it last longer, or give a shorter period")
+        )  # fmt: skip
+    return faults

@@ -14,7 +14,7 @@ from swarmgrasp.placement.problem import check_newcomer
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import MOST_SEED, is_whole, items, kind_faults, shown
 from swarmgrasp.simulation.actuator import Actuator
-from swarmgrasp.simulation.control import LONGEST_LOOK, PERIOD, Control, Tuning
+from swarmgrasp.simulation.control import PERIOD, Control, Tuning, loop_faults
 from swarmgrasp.simulation.events import (
     KINDS,
     Change,
@@ -90,7 +90,8 @@ class Simulation(Frozen, Plain):
             step=None if self.step is None else float(self.step),
             seed=int(self.seed),
         )
-        faults = [*self._robot_faults(), *self._weather_faults(), *self._control_faults()]
+        faults = [*self._robot_faults(), *self._weather_faults()]
+        faults += [fault for _, fault in loop_faults(self.control, self._lag, self.duration)]
         problem = self.problem
         swarm, newcomer = problem.swarm, problem.newcomer
         contradictions = event_faults(
@@ -177,23 +178,6 @@ class Simulation(Frozen, Plain):
         if series and any(name.startswith("wind") for event in changes for name in event.said):
             faults.append("a series says the wind, and an event changes it; leave out one of them")
         return faults
-
-    def _control_faults(self) -> list[str]:
-        """Return what does not follow from the robots and has to be said."""
-        missing = [n for n in ("period", "frequency") if getattr(self.control, n) is None]
-        if self._lag == 0.0 and missing:
-            return [
-                f"all robots have a lag of 0 s, from which no {' and no '.join(missing)} of the "
-                "control follows; give it"
-            ]
-        period, observer = self.tuning.period, self.tuning.observer
-        if period * observer <= LONGEST_LOOK:
-            return []
-        return [
-            f"the control's period is {period:g} s, too long for an observer of {observer:.3g} "
-            f"rad/s; it should be at most {LONGEST_LOOK:g} / observer = "
-            f"{LONGEST_LOOK / observer:.3g} s, or the observer slower"
-        ]
 
     @property
     def joining(self) -> tuple[str, ...]:
