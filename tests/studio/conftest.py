@@ -28,6 +28,8 @@ FLAGS = [
     "--disable-sync",
 ]
 RESTED = "#studio[data-done]:not([data-busy])"
+# A pointer's moves wait for the next frame: after two, what was done has been heard.
+HEARD = "new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(go)))"
 
 
 def sheet(scenario, name, text):
@@ -96,11 +98,14 @@ def browser():
 
 
 class Window:
-    """One window of the studio, as somebody has it before them."""
+    """One window of the studio, as somebody has it before them.
 
-    def __init__(self, context, link):
-        self.context = context
-        self.page = context.new_page()
+    The page paints once a frame: whatever is done through a window is painted when it returns.
+    """
+
+    def __init__(self, page, link):
+        self.context = page.context
+        self.page = page
         self.page.set_default_timeout(20_000)
         self.complaints = []
         self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
@@ -113,7 +118,8 @@ class Window:
             self.complaints.append(message.text)
 
     def rest(self):
-        """Wait until all that was asked is painted."""
+        """Wait until all that was done is heard, all that was asked answered, and it is painted."""
+        self.page.evaluate(HEARD)
         self.page.wait_for_selector(RESTED)
         return self
 
@@ -130,6 +136,26 @@ class Window:
             self.page.keyboard.press(key)
         return self.rest()
 
+    def click(self, selector):
+        """Click on an element."""
+        self.page.click(selector)
+        return self.rest()
+
+    def tap(self, selector):
+        """Touch an element."""
+        self.page.tap(selector)
+        return self.rest()
+
+    def hover(self, selector):
+        """Hold the pointer over an element."""
+        self.page.hover(selector)
+        return self.rest()
+
+    def focus(self, selector):
+        """Give an element the keys."""
+        self.page.locator(selector).focus()
+        return self.rest()
+
     def text(self, selector):
         """Return a text of the page, all its spaces and breaks made plain."""
         found = self.page.locator(selector).first.evaluate(
@@ -139,8 +165,7 @@ class Window:
 
     def spin(self, label, value):
         """Type a number into one of the sentence's controls."""
-        control = self.page.locator(f"[role=spinbutton][aria-label='{label}']")
-        control.focus()
+        self.focus(f"[role=spinbutton][aria-label='{label}']")
         self.page.keyboard.type(str(value))
         self.page.keyboard.press("Enter")
         return self.rest()
@@ -185,14 +210,17 @@ class Window:
 
 @pytest.fixture
 def window(browser, link):
-    """Give a function that opens windows; none may complain in its console."""
+    """Give a function that opens windows, prepared if need be; none may complain in its console."""
     contexts, windows = [], []
 
-    def one(beside=None, at=link, **settings):
+    def one(prepare=None, beside=None, at=link, **settings):
         if beside is None:
             shape = {"viewport": {"width": 1440, "height": 900}, "reduced_motion": "reduce"}
             contexts.append(browser.new_context(**shape | settings))
-        windows.append(Window(beside.context if beside else contexts[-1], at))
+        page = (beside.context if beside else contexts[-1]).new_page()
+        if prepare is not None:
+            prepare(page)
+        windows.append(Window(page, at))
         return windows[-1]
 
     yield one

@@ -37,7 +37,7 @@ def test_what_is_typed_is_drawn_and_faults_stand_at_their_line(window):
     assert one.text(".text-where").startswith(f"line {line}, column")
     assert "limit" in one.text(".text-fault")
     assert one.text(".label-new .below") == "75 t"
-    one.page.click(".text-fault")
+    one.click(".text-fault")
     assert one.page.evaluate("document.activeElement.selectionStart") >= text.index("limit: 75")
     source.fill(text)
     one.page.wait_for_selector(".text-fault", state="detached")
@@ -51,7 +51,7 @@ def test_a_link_carries_the_scenario_and_no_key(window):
     one = window(permissions=["clipboard-read", "clipboard-write"])
     one.drag("[data-robot=Carina] .foot", -120, 0)
     moved = one.robot("Carina")
-    one.page.click("[aria-label='Copy a link to this']")
+    one.click("[aria-label='Copy a link to this']")
     one.page.wait_for_selector(".toast:has-text('copied')")
     link = one.page.evaluate("navigator.clipboard.readText()")
     assert "k" * 32 not in link
@@ -75,16 +75,14 @@ def test_a_reload_brings_changes_back_though_an_idle_window_is_open(window):
     one.drag("[data-robot=Carina] .foot", -120, 0)
     moved = one.robot("Carina")
     idle = window(beside=one)
-    idle.page.click(".toast button")
-    idle.rest()
+    idle.click(".toast button")
     assert idle.robot("Carina") != moved
     one.drag("[data-robot=Dufa] .foot", -60, 0)
     idle.page.close()
     one.page.reload()
     one.rest()
     assert one.robot("Carina") == moved
-    one.page.click(".toast button")
-    one.rest()
+    one.click(".toast button")
     assert one.robot("Carina") != moved
     one.press("Control+z")
     assert one.robot("Carina") == moved
@@ -105,7 +103,7 @@ def test_a_server_that_comes_back_finds_everything_still_there(window, comes_and
     comes_and_goes.end()
     one.page.wait_for_selector(".banner:not([hidden])")
     assert "Everything here is kept" in one.text(".banner")
-    one.page.locator("[data-robot=Carina]").focus()
+    one.focus("[data-robot=Carina]")
     one.page.keyboard.press("ArrowLeft")
     one.page.keyboard.press("0")
     comes_and_goes.begin()

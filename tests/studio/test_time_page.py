@@ -57,14 +57,11 @@ def live(robots, whole=True, sides=()):
 
 
 @pytest.fixture
-def tapped(browser, link):
-    """Open a page whose line says more; give it, what it sent, and a voice on its line."""
-    contexts = []
+def tapped(window):
+    """Open a window whose line says more; give it, what it sent, and a voice on its line."""
 
     def one(welcome, replies):
-        contexts.append(browser.new_context(reduced_motion="reduce"))
-        page, sent, voice = contexts[-1].new_page(), [], []
-        page.set_viewport_size({"width": 1440, "height": 900})
+        sent, voice = [], []
 
         def tap(line):
             server = line.connect_to_server()
@@ -87,49 +84,43 @@ def tapped(browser, link):
             line.on_message(up)
             server.on_message(down)
 
-        page.route_web_socket("**/ws", tap)
-        page.goto(link)
-        page.wait_for_selector("#studio[data-done]")
-        return page, sent, voice[0]
+        return window(lambda page: page.route_web_socket("**/ws", tap)), sent, voice[0]
 
-    yield one
-    for context in contexts:
-        context.close()
+    return one
+
+
+def told(rows):
+    """Return what those who hear the page hear of some rows."""
+    return rows.evaluate_all("all => all.map(one => one.ariaLabel)")
 
 
 def test_a_run_is_scrubbed_and_left(tapped):
     """By the bar, by keys and by its events; who is lost or comes is told; the plan comes back."""
-    page, _, _ = tapped({"run": "run"}, {"run": RUN})
-    bar = page.locator(".track")
+    one, _, _ = tapped({"run": "run"}, {"run": RUN})
+    bar = one.page.locator(".track")
     assert bar.get_attribute("aria-valuetext").startswith("0:00 of 6:40: 0.0")
-    rows = page.locator(".of-time .bar-row")
-    assert rows.evaluate_all("all => all.map(one => one.ariaLabel)") == [
-        "Ajax: 50\u00a0%",
-        "Castor: 25\u00a0%",
-    ]
-    page.click(".event:has-text('Castor is lost')")
+    rows = one.page.locator(".of-time .bar-row")
+    assert told(rows) == ["Ajax: 50\u00a0%", "Castor: 25\u00a0%"]
+    one.click(".event:has-text('Castor is lost')")
     assert bar.get_attribute("aria-valuenow") == "100"
-    assert rows.evaluate_all("all => all.map(one => one.ariaLabel)")[1:] == [
-        "Castor: failed",
-        "Gaia: coming",
-    ]
-    assert page.locator(".missing").is_hidden()
-    bar.focus()
-    for _ in range(4):
-        page.keyboard.press("Shift+ArrowRight")
+    assert told(rows)[1:] == ["Castor: failed", "Gaia: coming"]
+    assert one.page.locator(".missing").is_hidden()
+    one.focus(".track")
+    one.press(*4 * ["Shift+ArrowRight"])
     assert "making fast" in rows.last.inner_text()
     box = bar.bounding_box()
-    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 20)
+    one.page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 20)
+    one.rest()
     assert bar.get_attribute("aria-valuenow") == "200"
-    assert page.locator(".missing").inner_text().startswith("41")
-    assert page.locator(".figure .after[data-bad]").count() == 2
-    page.keyboard.press("End")
+    assert one.text(".missing").startswith("41")
+    assert one.page.locator(".figure .after[data-bad]").count() == 2
+    one.press("End")
     assert bar.get_attribute("aria-valuenow") == "400"
-    page.click("button[aria-label='Leave the run']")
-    assert page.locator(".plan-svg").is_visible()
-    assert page.locator(".sea").is_hidden()
-    page.click(".again")
-    assert page.locator(".sea").is_visible()
+    one.click("button[aria-label='Leave the run']")
+    assert one.page.locator(".plan-svg").is_visible()
+    assert one.page.locator(".sea").is_hidden()
+    one.click(".again")
+    assert one.page.locator(".sea").is_visible()
 
 
 def test_live_robots_are_watched_and_a_copy_edited(tapped):
@@ -137,18 +128,20 @@ def test_live_robots_are_watched_and_a_copy_edited(tapped):
     robots = [agent("Ajax", "holds", True), agent("Boreas", "holds", True)]
     robots.append(agent("Gaia", "arrived", False, confirmed=1))
     watching = {"watch": True, "demonstration": True}
-    page, sent, say = tapped(watching, {"watch": live(robots), "control": live([], whole=False)})
-    drawn = page.locator(".robot").evaluate_all("all => all.map(one => one.dataset.robot)")
+    one, sent, say = tapped(watching, {"watch": live(robots), "control": live([], whole=False)})
+    expect(one.page.locator(".agent-name").last).to_have_text("Gaia 1 of 2")
+    drawn = (
+        one.rest().page.locator(".robot").evaluate_all("all => all.map(one => one.dataset.robot)")
+    )
     assert drawn == ["Ajax", "Boreas"]
-    assert page.locator(".agent-name").last.text_content() == "Gaia 1 of 2"
     say(live([agent("Boreas", "not answering", True)], False, [["Ajax", "Gaia"], ["Boreas"]]))
-    expect(page.locator(".cut")).to_contain_text("Out of touch: Ajax, Gaia | Boreas.")
-    assert page.locator(".agent-row[data-phase='not answering']").count() == 1
-    page.click("button[aria-label='kill Ajax']")
-    page.click("button:text-is('Cut the network in two')")
-    told = [(m["robot"], m["what"]) for m in sent if m.get("kind") == "control"]
-    assert told == [("Ajax", "kill"), (None, "split")]
-    page.click("button:text-is('Edit a copy')")
+    expect(one.page.locator(".cut")).to_contain_text("Out of touch: Ajax, Gaia | Boreas.")
+    assert one.page.locator(".agent-row[data-phase='not answering']").count() == 1
+    one.click("button[aria-label='kill Ajax']")
+    one.click("button:text-is('Cut the network in two')")
+    controls = [(m["robot"], m["what"]) for m in sent if m.get("kind") == "control"]
+    assert controls == [("Ajax", "kill"), (None, "split")]
+    one.click("button:text-is('Edit a copy')")
     assert sent[-1]["kind"] == "watch"
     assert not sent[-1]["on"]
-    assert page.locator(".answer:not(.of-time)").is_visible()
+    assert one.page.locator(".answer:not(.of-time)").is_visible()

@@ -81,11 +81,13 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   });
   store.ask = ({ scene, doc }, moving) => {
     plan.push.ask();
-    root.dataset.busy = "";
+    painter.owed = true;
+    painter.ask();
     return talk.ask(doc, scene.speech, moving);
   };
   store.seen.listen(() => painter.ask());
   talk.connected.listen((connected) => store.setConnected(connected));
+  talk.exchanged = () => painter.ask();
   talk.hear = (message) => {
     if (message.kind === "welcome") {
       if (store.seen.value === null) void opening.first(message.opens, home.linked);
@@ -94,26 +96,31 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
     if (message.kind === "error" && message.n === null) context.toast(message.say);
     store.take(message);
     if (message.kind === "part" && message.name === "answer") painter.mark("answered", message.n);
-    if (message.kind === "done" || message.kind === "refused") {
-      painter.mark("done", message.n);
-      if (talk.idle) painter.rest = true;
+    if (message.kind === "done" || message.kind === "refused") painter.mark("done", message.n);
+    if (message.kind === "done" || message.kind === "refused" || message.kind === "error") {
+      if (talk.idle) painter.owed = false;
+      painter.ask();
     }
   };
   return context;
 }
 
-/** Draws once a frame, however often the state changed. */
+/**
+ * Draws once a frame, however often the state changed. The root bears `data-busy` from the moment
+ * that something is asked or changes until all of it is painted.
+ */
 class Painter {
   views: View[] = [];
   before: (seen: Seen) => void = () => undefined;
-  /** Whether all that was asked is answered; told once it is painted. */
-  rest = false;
+  /** Whether something that was asked is not wholly answered. */
+  owed = false;
   #asked = 0;
   readonly #marks = new Map<string, number>();
 
   constructor(readonly context: Context) {}
 
   ask(): void {
+    this.context.root.dataset.busy = "";
     if (this.#asked === 0) this.#asked = requestAnimationFrame(() => this.#draw());
   }
 
@@ -135,8 +142,7 @@ class Painter {
     root.classList.toggle("is-refused", seen.refused.length > 0);
     for (const [name, n] of this.#marks) root.setAttribute(`data-${name}`, String(n));
     this.#marks.clear();
-    if (this.rest && this.context.talk.idle) delete root.dataset.busy;
-    this.rest = false;
+    if (!this.owed && this.#asked === 0 && this.context.talk.replied) delete root.dataset.busy;
   }
 }
 

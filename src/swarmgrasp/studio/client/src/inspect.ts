@@ -23,7 +23,6 @@ export class Inspector implements View {
   readonly #keep = el("button", { type: "button", class: "control keep" }, "Keep it");
   readonly #copy: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
-  #seen: Seen | null = null;
 
   constructor(readonly plan: Plan, readonly context: Context) {
     const [along, off, limit, steers, reverse] = this.#spins.map((spin) => spin.node);
@@ -40,7 +39,6 @@ export class Inspector implements View {
   }
 
   draw(seen: Seen): void {
-    this.#seen = seen;
     const robot = this.robot;
     const newcomer = this.#isNewcomer ? seen.doc.problem.newcomer : null;
     show(this.node, this.plan.stage !== null && seen.mode === "move" && (robot !== null || newcomer !== null));
@@ -56,25 +54,31 @@ export class Inspector implements View {
     else this.#drawNewcomer(newcomer!);
   }
 
+  /** What is so now, drawn or not: a key may come before the frame. */
+  get #now(): Seen | null {
+    return this.context.store.seen.value;
+  }
+
   /** The robot that is chosen. */
   get robot(): RobotData | null {
-    return this.#seen?.doc.problem.swarm.robots.find(({ name }) => name === this.#seen!.chosen) ?? null;
+    const now = this.#now;
+    return now?.doc.problem.swarm.robots.find(({ name }) => name === now.chosen) ?? null;
   }
 
   get #isNewcomer(): boolean {
-    const { doc, chosen } = this.#seen!;
+    const { doc, chosen } = this.#now!;
     return doc.newcomer && chosen !== null && chosen === doc.problem.newcomer.name && this.robot === null;
   }
 
   flip(): void {
     const { store } = this.context;
     if (this.robot !== null) store.editRobot(this.robot.name, reversed);
-    else if (this.#seen !== null && this.#isNewcomer) this.#nextWay();
+    else if (this.#now !== null && this.#isNewcomer) this.#nextWay();
   }
 
   /** Changes the limit by whole units. */
   strengthen(by: number): void {
-    const robot = this.robot ?? (this.#seen !== null && this.#isNewcomer ? this.#seen.doc.problem.newcomer : null);
+    const robot = this.robot ?? (this.#now !== null && this.#isNewcomer ? this.#now.doc.problem.newcomer : null);
     if (robot === null) return;
     const unit = this.context.speech.value.forceUnit(robot.limit).size;
     const step = stepOf(robot.limit / unit) * unit;
@@ -86,8 +90,9 @@ export class Inspector implements View {
   duplicate(): void {
     const { robot, plan: { stage } } = this;
     if (robot === null || stage === null) return;
-    const gap = Math.max(stage.seen.doc.problem.spacing, 24 / stage.screen.scale);
-    const copy = duplicated(stage.shape, stage.seen.doc, robot, gap);
+    const { doc } = this.#now!;
+    const gap = Math.max(doc.problem.spacing, 24 / stage.screen.scale);
+    const copy = duplicated(stage.shape, doc, robot, gap);
     this.context.store.edit((doc) => withRobots(doc, [copy]));
     this.context.store.choose(copy.name);
   }
@@ -101,9 +106,9 @@ export class Inspector implements View {
 
   /** Makes the newcomer a robot at its best place, and asks for the next. */
   keep(): void {
-    const best = this.#seen?.parts.answer?.newcomer ?? null;
-    if (best === null || this.#seen === null || this.#seen.refused.length > 0) return;
-    const name = nextName(this.#seen, best.name);
+    const best = this.#now?.parts.answer?.newcomer ?? null;
+    if (best === null || this.#now === null || !this.context.store.isAnswered) return;
+    const name = nextName(this.#now, best.name);
     this.context.store.edit((doc) => {
       const kept = withRobots(doc, [best]);
       return { ...kept, problem: { ...kept.problem, newcomer: { ...kept.problem.newcomer, name } } };
@@ -113,9 +118,8 @@ export class Inspector implements View {
   }
 
   #rename(name: string): void {
-    const seen = this.#seen!;
     const { store } = this.context;
-    if (name === "" || name === seen.chosen) return;
+    if (name === "" || name === this.#now!.chosen) return;
     const { robot } = this;
     if (robot !== null) store.editRobot(robot.name, (one) => ({ ...one, name }));
     else store.editNewcomer((one) => ({ ...one, name }));

@@ -102,7 +102,7 @@ function walk(context: Context, plan: Plan, by: number): void {
   const next = names[now < 0 ? (by > 0 ? 0 : names.length - 1) : (now + by + names.length) % names.length]!;
   store.setMode("move");
   store.choose(next);
-  requestAnimationFrame(() => requestAnimationFrame(() => plan.robots.of(next)?.focus()));
+  plan.focus(next);
 }
 
 function chooseNewcomer({ store }: Context): void {

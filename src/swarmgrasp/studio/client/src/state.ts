@@ -21,6 +21,8 @@ export class Store {
   #moving = false;
   /** Parts of older asks belong to another scene. */
   #oldest = 0;
+  /** The least number that an answer about the document as it is now may bear. */
+  #newest = 0;
 
   get canUndo(): boolean {
     return this.#history?.canUndo ?? false;
@@ -28,6 +30,12 @@ export class Store {
 
   get canRedo(): boolean {
     return this.#history?.canRedo ?? false;
+  }
+
+  /** Whether the answer that is there is about the document as it is now. */
+  get isAnswered(): boolean {
+    const { parts: { answer }, refused } = this.seen.value ?? { parts: {}, refused: [] };
+    return answer !== undefined && answer.n >= this.#newest && refused.length === 0;
   }
 
   get draft(): Draft | null {
@@ -52,6 +60,7 @@ export class Store {
       connected: this.seen.value?.connected ?? true,
     });
     this.#oldest = this.ask({ scene, doc }, false);
+    this.#newest = this.#oldest;
   }
 
   /** The same scene read again from a text; typing is a gesture, which ends when it rests. */
@@ -160,7 +169,7 @@ export class Store {
     const known = draft.doc.problem.swarm.robots.some((robot) => robot.name === this.seen.value?.chosen)
       || draft.doc.problem.newcomer.name === this.seen.value?.chosen;
     this.#see({ ...draft, moving, ...(known ? {} : { chosen: null }) });
-    this.ask(draft, moving);
+    this.#newest = this.ask(draft, moving);
   }
 
   #see(change: Partial<Seen>): void {

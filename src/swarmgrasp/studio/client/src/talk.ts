@@ -22,6 +22,8 @@ export class Talk {
   readonly live = new Signal<Live | null>(null);
   /** Set once: everything that is not the answer to a request. */
   hear: (message: Incoming) => void = () => undefined;
+  /** Set once: a request is sent, or its answer was given. */
+  exchanged: () => void = () => undefined;
   readonly #requests = new Map<number, Waiting>();
   readonly #last = new Map<Request["kind"], Promise<unknown>>();
   #n = 0;
@@ -37,6 +39,11 @@ export class Talk {
   /** Whether the newest question is answered. */
   get idle(): boolean {
     return this.#flying === null && this.#next === null;
+  }
+
+  /** Whether all requests are answered. */
+  get replied(): boolean {
+    return this.#requests.size === 0;
   }
 
   /**
@@ -62,6 +69,7 @@ export class Talk {
     const message = { ...request, n: ++this.#n } as Asked;
     return new Promise((answered) => {
       this.#requests.set(message.n, { message, answered });
+      this.exchanged();
       if (this.connected.value) this.#send(message);
     });
   }
@@ -116,6 +124,7 @@ export class Talk {
     if (waiting !== undefined) {
       this.#requests.delete(n);
       waiting.answered(message);
+      queueMicrotask(this.exchanged);
       return;
     }
     const answers = message.kind === "part" ? message.name === "answer" : message.kind !== "empty";

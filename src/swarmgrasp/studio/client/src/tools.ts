@@ -58,11 +58,11 @@ export class Tools implements View {
   add(): void {
     const { stage } = this.plan;
     if (stage === null) return;
-    const robot = roomiest(stage.shape, stage.seen.doc, this.context.speech.value.Robot);
+    const robot = roomiest(stage.shape, this.context.store.seen.value!.doc, this.context.speech.value.Robot);
     this.context.store.edit((doc) => withRobots(doc, [robot]));
     this.context.store.setMode("move");
     this.context.store.choose(robot.name);
-    requestAnimationFrame(() => requestAnimationFrame(() => this.plan.robots.of(robot.name)?.focus()));
+    this.plan.focus(robot.name);
   }
 
   /** Into a mode, or out of it. */
@@ -77,8 +77,9 @@ export class Tools implements View {
   #addStretch(kind: "zone" | "no-go"): void {
     const { stage } = this.plan;
     if (stage === null) return;
-    const { shape, seen } = stage;
-    const middle = shape.nearest(roomiest(shape, seen.doc, "x").contact).along;
+    const { shape } = stage;
+    const { doc } = this.context.store.seen.value!;
+    const middle = shape.nearest(roomiest(shape, doc, "x").contact).along;
     const half = (NEW_ZONE * shape.perimeter) / 2;
     this.context.store.editProblem((problem) => {
       const count = (kind === "zone" ? problem.zones?.length ?? 0 : problem.no_go.length) + 1;

@@ -49,6 +49,7 @@ export class Plan implements View {
   readonly #shares = el("div", { class: "push-words", role: "status" });
   #shape: { of: OutlineData; shape: Shape } | null = null;
   #stage: Stage | null = null;
+  #focus: string | null = null;
 
   constructor(readonly card: HTMLElement, readonly context: Context) {
     this.push = new PushLayer(context);
@@ -75,6 +76,11 @@ export class Plan implements View {
     return this.#stage;
   }
 
+  /** Gives a robot the keys as soon as it is drawn. */
+  focus(name: string): void {
+    this.#focus = name;
+  }
+
   draw(seen: Seen): void {
     const width = this.card.clientWidth;
     // On phones the sheet lies over the card's last pixels.
@@ -99,6 +105,8 @@ export class Plan implements View {
     const later = this.later.map((robot) => figureOf(robot, true, stage.shape, screen, stage.scale));
     this.#names.draw(stage, seen.mode === "push" ? [] : later, this.#kept(stage, chosen));
     this.#drawShares(seen);
+    if (this.#focus !== null) this.robots.of(this.#focus)?.focus();
+    this.#focus = null;
   }
 
   #redraw(): void {

@@ -116,7 +116,7 @@ export class Player implements View {
 
   /** The pictures belong to those who hold: asked about again when these change. */
   #askFor(moment: Moment): void {
-    const { store, talk } = this.context;
+    const { store } = this.context;
     const { draft } = store;
     if (draft === null) return;
     const holding = moment.robots.filter(({ phase }) => phase === "holds").map(({ actor }) => actor);
@@ -133,6 +133,6 @@ export class Player implements View {
     });
     const newcomer = draft.doc.newcomer && !holding.some(({ name }) => name === problem.newcomer.name);
     const doc = { ...draft.doc, newcomer, problem: { ...problem, swarm: { ...problem.swarm, robots } } };
-    talk.ask(doc, draft.scene.speech, false);
+    store.ask({ ...draft, doc }, false);
   }
 }
