@@ -27,6 +27,7 @@ import numpy as np
 
 from swarmgrasp.errors import DataInvalid, SwarmGraspError
 from swarmgrasp.ranges import shown, unknown_key
+from swarmgrasp.visible import Visible
 
 LARGEST = 1e300
 """Of any number that is read."""
@@ -66,7 +67,7 @@ class Plain(Told):
         return found
 
 
-class Answer(Told):
+class Answer(Told, Visible):
     """What an answer file may hold: an answer, told together with its question."""
 
     kind: ClassVar[str]

@@ -34,6 +34,7 @@ from swarmgrasp.ranges import (
     number,
     shown,
 )
+from swarmgrasp.visible import Visible
 
 if TYPE_CHECKING:
     from shapely import Polygon
@@ -109,7 +110,7 @@ class Stretch(Plain):
 
 
 @dataclass(frozen=True, eq=False)
-class Outline(Frozen, Plain):
+class Outline(Frozen, Plain, Visible):
     """A simple polygon, convex or not, with the point that moments are taken about.
 
     Vertices may be given in either orientation; they are kept counter-clockwise, with

@@ -52,6 +52,18 @@ li.fails b { color: var(--bad); }
   figure, tr, li, .whole { break-inside: avoid; } }
 """
 
+PART = """
+.swarmgrasp figure { margin: 0.6em 0; } .swarmgrasp svg { max-width: 100%; height: auto;
+  background: #fff; }
+.swarmgrasp .strong { font-weight: 600; } .swarmgrasp .note { opacity: 0.75; margin: 0.2em 0; }
+.swarmgrasp .wide { overflow-x: auto; }
+.swarmgrasp th, .swarmgrasp td { text-align: left; vertical-align: top; padding: 0.15em 0.9em
+  0.15em 0; }
+.swarmgrasp .facts th { white-space: nowrap; }
+.swarmgrasp th.number, .swarmgrasp td.number { text-align: right; white-space: nowrap; }
+"""
+"""Of what stands on a page of others, whose colours and type it takes."""
+
 
 @dataclass(frozen=True)
 class Heading:
@@ -223,10 +235,13 @@ class Drawing:
 
     def html(self) -> str:
         """Return it as HTML with its SVG inside."""
-        return f"<figure>{self.svg}<figcaption>{_safe(self.caption)}</figcaption></figure>"
+        below = f"<figcaption>{_safe(self.caption)}</figcaption>" if self.caption else ""
+        return f"<figure>{self.svg}{below}</figure>"
 
 
-Block = Heading | Paragraph | Points | Facts | Findings | Table | Picture | Drawing
+Part = Heading | Paragraph | Points | Facts | Findings | Table | Drawing
+"""What is whole in itself."""
+Block = Part | Picture
 
 
 def markdown(blocks: Sequence[Block]) -> str:
@@ -251,6 +266,12 @@ def html_page(title: str, blocks: Sequence[Block], pictures: Mapping[str, bytes]
         f"<title>{_safe(title)}</title><style>{STYLE}</style></head><body>"
     )
     return "\n".join([head, *body, "</body></html>"]) + "\n"
+
+
+def html_part(blocks: Sequence[Part]) -> str:
+    """Return blocks as HTML that can stand on a page of others."""
+    body = (block.html() for block in blocks)
+    return "\n".join(['<div class="swarmgrasp">', f"<style>{PART}</style>", *body, "</div>"])
 
 
 def _mark(statement: Statement) -> str:

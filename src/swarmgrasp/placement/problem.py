@@ -32,12 +32,13 @@ from swarmgrasp.quality.robot_sets import turn_faults
 from swarmgrasp.ranges import items, kind_faults, length_faults, shown
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 from swarmgrasp.swarm.swarm import check_gaps, check_rays, swarm_faults
+from swarmgrasp.visible import Visible
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Problem(Frozen, Plain):
+class Problem(Frozen, Plain, Visible):
     """One newcomer looking for a place.
 
     Attributes

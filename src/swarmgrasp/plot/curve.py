@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.agents.knowledge import Curve
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 
 KINDS: Final[dict[str, dict[str, Any]]] = {
     "push": {"color": style.BLUE, "marker": "o"},
@@ -31,7 +32,7 @@ def knowledge_curve(curve: Curve) -> Figure:
     """
     lines = curve.every.lines[::-1]
     with style.settings():
-        figure = Figure(figsize=(style.WIDTH, LINE * len(lines) + 1.3), layout="constrained")
+        figure = Drawn(figsize=(style.WIDTH, LINE * len(lines) + 1.3), layout="constrained")
         left, right = figure.subplots(1, 2, sharey=True, width_ratios=(3, 2))
         for ax in (left, right):
             ax.spines[["top", "right", "left"]].set_visible(False)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
 
@@ -47,7 +48,7 @@ def history(run: Run, verdict: Verdict, *, index: int = 0, width: float = style.
     """
     with style.settings(width):
         total = HEIGHT * len(PANELS) + 1.0
-        figure = Figure(figsize=(style.width(), total))
+        figure = Drawn(figsize=(style.width(), total))
         axes = panels(figure, 0.45 / total, 1.0 - 0.35 / total)
         draw_history(axes, run, verdict, index)
     return figure

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Placement, Problem, cell_qualities
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.words import TIMES
 
@@ -117,7 +118,7 @@ def _new_axes(heading: str, title: str, words: str, small_print: Sequence[str]) 
     bottom += PRINT_ROW * len(caption.print_lines)
     rows = [*caption.headings, *caption.lines]
     total = bottom + height + ABOVE[0] + ABOVE[1] * len(rows)
-    figure = Figure(figsize=(style.width(), total))
+    figure = Drawn(figsize=(style.width(), total))
     across, up = 1.0 / style.width(), 1.0 / total
     looks: list[dict[str, Any]] = [
         *(

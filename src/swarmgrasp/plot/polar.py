@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.labels import Page
 
 Vector = NDArray[np.float64]
@@ -47,7 +48,7 @@ def new_axes(below: float) -> Axes:
     width = style.width()
     side = SIDE * min(1.0, width / style.WIDTH)
     height = ABOVE + side + below
-    figure = Figure(figsize=(width, height))
+    figure = Drawn(figsize=(width, height))
     left = 0.5 * (width - side)
     return figure.add_axes((left / width, below / height, side / width, side / height))
 

@@ -4,6 +4,7 @@ import io
 import os
 import re
 from collections.abc import Mapping, Sequence
+from hashlib import sha256
 from pathlib import Path
 from typing import Final
 from xml.sax.saxutils import escape
@@ -88,7 +89,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     return target
 
 
-def svg(figure: Figure, name: str, title: str) -> str:
+def svg(figure: Figure, name: str = "", title: str = "") -> str:
     """Return a picture as SVG that can stand within a page, its text as text.
 
     The same picture gives the same text.
@@ -98,7 +99,7 @@ def svg(figure: Figure, name: str, title: str) -> str:
     figure : Figure
     name : str
         A word of letters and digits, which tells its parts from those of other pictures on the
-        page.
+        page; made of the picture when left out.
     title : str
         What it shows, for those who do not see it.
 
@@ -114,7 +115,8 @@ def svg(figure: Figure, name: str, title: str) -> str:
     with look, style.quietly():
         figure.savefig(out, format="svg", metadata=nothing)
     drawn = out.getvalue()
-    drawn = drawn[drawn.index("<svg") :].strip()
+    drawn = drawn[drawn.index("<svg") :].strip().replace(*FONTS)
+    name = name or f"picture{sha256(drawn.encode()).hexdigest()[:8]}"
     drawn = re.sub(r'(\bid="|href="#|url\(#)', rf"\1{name}-", drawn)
     tag, rest = drawn.split(">", 1)
     return f'{tag} role="img">\n <title>{escape(title)}</title>{rest}'

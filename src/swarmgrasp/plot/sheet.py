@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import ArrowEntry, ArrowInLegend, Arrows, draw_arrows
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.flows import Flow, draw_flows, height_of
 from swarmgrasp.plot.labels import Page
 
@@ -148,7 +149,7 @@ def new_axes(arrows: Arrows, caption: Caption) -> Axes:
     height = (width - room) * float((high - low)[1] / (high - low)[0]) + room
     height = float(np.clip(height, *HEIGHTS)) + height_of(caption.flows) / 72.0
     total = height + top + bottom
-    figure = Figure(figsize=(style.width(), total))
+    figure = Drawn(figsize=(style.width(), total))
     return figure.add_axes(
         (left / style.width(), bottom / total, width / style.width(), height / total)
     )

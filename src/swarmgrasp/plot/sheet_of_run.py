@@ -3,6 +3,7 @@
 from matplotlib.figure import Figure
 
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.history import HEIGHT, PANELS, draw_history, panels
 from swarmgrasp.plot.track import height_of, legend_columns, stages_of, track
 from swarmgrasp.simulation.run import Run
@@ -37,7 +38,7 @@ def run_sheet(
         legend = 0.5 + 0.17 * (len(stages_of(run, verdict, index)) // legend_columns() + 1)
         below = HEIGHT * len(PANELS) + 0.8
         total = TOP + height + legend + below
-        figure = Figure(figsize=(style.width(), total))
+        figure = Drawn(figsize=(style.width(), total))
         above = figure.add_axes(
             (LEFT / style.width(), (below + legend) / total, room / style.width(), height / total)
         )

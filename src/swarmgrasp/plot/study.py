@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, MaxNLocator, PercentFormatter
 
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.simulation.study import Findings, Gathered
 
 HEIGHT: Final = 2.9
@@ -28,7 +29,7 @@ def study_picture(found: Gathered, *, title: str = "", width: float = style.WIDT
     """
     draw, panels = KINDS[found.plan.study.kind]
     with style.settings(width):
-        figure = Figure(figsize=(style.width(), HEIGHT), layout="constrained")
+        figure = Drawn(figsize=(style.width(), HEIGHT), layout="constrained")
         axes = figure.subplots(1, panels, squeeze=False)[0]
         for ax in axes:
             ax.spines[["top", "right"]].set_visible(False)

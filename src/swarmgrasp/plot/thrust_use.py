@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from swarmgrasp.capability import ThrustUse
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import all_round, polar, style
+from swarmgrasp.plot.figure import Drawn
 
 MOST_ROWS: Final = 40
 """Robots that have a row each; of more, the busiest."""
@@ -48,7 +49,7 @@ def thrust_use_picture(
     with style.settings(width):
         foot = 0.98
         height = 0.5 + CURVE + 0.12 + ROW * rows + foot
-        figure = Figure(figsize=(width, height))
+        figure = Drawn(figsize=(width, height))
         room = width - LEFT - 0.75
 
         def axes(bottom: float, tall: float) -> Axes:

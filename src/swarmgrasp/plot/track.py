@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import style
 from swarmgrasp.plot.arrows import draw_arrows
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
@@ -177,7 +178,7 @@ def _new_axes(low: Vector, high: Vector, stages: int) -> Axes:
     width = style.width() - left - right
     height = float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]), *HEIGHTS))
     total = height + top + bottom
-    figure = Figure(figsize=(style.width(), total))
+    figure = Drawn(figsize=(style.width(), total))
     return figure.add_axes(
         (left / style.width(), bottom / total, width / style.width(), height / total)
     )

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.plot import style
 from swarmgrasp.plot.bodies import Body, body, split
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.fit import fit
 from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.quality import Criterion
@@ -344,7 +345,7 @@ def _new_figure(caption: Caption) -> tuple[Figure, tuple[float, float, float, fl
     above = head + LEGEND[0] + LEGEND[1] * math.ceil(len(caption.entries) / columns)
     below = PRINT[0] + PRINT[1] * len(caption.print_lines)
     height = below + BOX * min(1.0, style.width() / style.WIDTH) + above
-    figure = Figure(figsize=(style.width(), height))
+    figure = Drawn(figsize=(style.width(), height))
     for row, line in enumerate(rows):
         look: dict[str, Any] = {"fontsize": style.text(8.0), "gid": "criterion"}
         if row < len(caption.headings):

@@ -122,6 +122,11 @@ class Quality(Frozen, Answer):
         rows = self._aim.lost_at(self._normal) if self.criterion.losing else ()
         return tuple(dict.fromkeys(groups.get(i) or self._held.names[i] for i in rows))
 
+    @property
+    def swarm(self) -> Swarm:
+        """The swarm it is of."""
+        return self._swarm
+
     @cached_property
     def failure(self) -> tuple[str, ...]:
         """The worst of the criterion's failures: the names that it takes."""

@@ -21,6 +21,7 @@ from swarmgrasp.quality.task import Polytope
 from swarmgrasp.quality.weakest_facets import TIED, weakest_facets
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
+from swarmgrasp.visible import Visible
 
 KINK = 1e-7
 """Difference of two slopes that is a kink, relative to how fast the robot's wrench changes."""
@@ -31,7 +32,7 @@ ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivities(Frozen, Told):
+class Sensitivities(Frozen, Told, Visible):
     """How fast the quality rises when one robot changes and the others stay.
 
     Row i is of the robot ``swarm.names[i]``. Each array has two columns, for the one way and for

@@ -1,5 +1,6 @@
 """What was asked, in words."""
 
+from swarmgrasp.outline import Outline
 from swarmgrasp.pages.page import Facts
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm.force_words import newcomer_words
@@ -20,11 +21,10 @@ def question(scenario: Scenario, tell: Telling, weather: str) -> Facts:
     weather : str
         The weather in which the object is to be held, in words; empty if that is not asked.
     """
-    swarm, outline, criterion = scenario.swarm, scenario.swarm.outline, scenario.criterion
-    corners = f"an outline of {len(outline.vertices)} vertices"
+    swarm, criterion = scenario.swarm, scenario.criterion
     asked = criterion.words(swarm, tell.terms.robot)
     rows = [
-        ("Object", f"{corners}, {tell.length.text(outline.extent)} from corner to corner"),
+        ("Object", f"an outline of {_size(swarm.outline, tell)}"),
         ("Held by", _named(tell.terms.robots(len(swarm)), list(swarm.names))),
     ]
     if scenario.newcomer is not None:
@@ -33,6 +33,30 @@ def question(scenario: Scenario, tell: Telling, weather: str) -> Facts:
     if criterion.task is not None:
         rows.append(("", "as a multiple of the task in the file"))
     return Facts([*rows, *([("To be held", weather)] if weather else [])])
+
+
+def outline_facts(outline: Outline, tell: Telling) -> Facts:
+    """Say how large an outline is, and about which point moments are taken.
+
+    Parameters
+    ----------
+    outline : Outline
+    tell : Telling
+    """
+    names = [name for name in outline.edge_names if name]
+    rows = [
+        ("Size", _size(outline, tell)),
+        ("Area", tell.area(outline.area)),
+        ("Perimeter", tell.length.text(outline.perimeter)),
+        ("Moments about", tell.point(outline.origin.tolist())),
+    ]
+    return Facts([*rows, *([("Edges", _some(names))] if names else [])])
+
+
+def _size(outline: Outline, tell: Telling) -> str:
+    """Say how many vertices an outline has, and how far apart they are."""
+    far = tell.length.text(outline.extent)
+    return f"{len(outline.vertices)} vertices, {far} from corner to corner"
 
 
 def _newcomer(scenario: Scenario, tell: Telling) -> list[tuple[str, str]]:

@@ -12,13 +12,14 @@ from swarmgrasp.placement import Problem
 from swarmgrasp.quality.criterion import NOMINAL, Criterion
 from swarmgrasp.swarm import Newcomer, Swarm, Zone
 from swarmgrasp.terms import SI, Terms
+from swarmgrasp.visible import Visible
 
 if TYPE_CHECKING:
     from swarmgrasp.simulation.simulation import Simulation
 
 
 @dataclass(frozen=True, eq=False)
-class Scenario(Frozen):
+class Scenario(Frozen, Visible):
     """What is asked: who holds the object, who comes next, and where it may attach.
 
     Attributes

@@ -10,6 +10,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.visible import Visible
 
 Array = NDArray[np.float64]
 Kept = NDArray[np.float32]
@@ -68,7 +69,7 @@ class Happening(Frozen, Told):
 
 
 @dataclass(frozen=True, eq=False)
-class Run(Frozen, Told):
+class Run(Frozen, Told, Visible):
     """What became of a simulation, in one run for each seed.
 
     Numbers are kept at m instants. Of a robot that is not there, forces and shares are 0 and angles

@@ -58,10 +58,11 @@ from swarmgrasp.swarm.robot import Robot
 from swarmgrasp.swarm.rounding import generator_errors
 from swarmgrasp.swarm.sectors import Sector
 from swarmgrasp.swarm.tolerance import Tolerance
+from swarmgrasp.visible import Visible
 
 
 @dataclass(frozen=True, eq=False)
-class Swarm(Frozen, Plain):
+class Swarm(Frozen, Plain, Visible):
     """Robots in contact with an object, each known by its name.
 
     Kept as read-only arrays, so that there may be a million of them: see `from_arrays`. A robot

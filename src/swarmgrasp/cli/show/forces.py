@@ -296,20 +296,23 @@ def _show_robots(report: Report, found: Forces, tell: Telling) -> None:
     ]  # fmt: skip
     if not swarm.has_rays_only:
         columns.insert(-1, Column("how", is_spare=True))
-    rows = []
-    for index, robot in enumerate(swarm.robots):
+
+    def row(index: int) -> list[str]:
+        """Return what is told of a robot."""
+        robot = swarm[swarm.names[index]]
         part, direction = float(found.shares[index]), float(found.directions[index])
         is_idle = part <= IDLE and robot.least == 0.0 and robot.envelope is None
         said = "" if is_idle else manner(robot, direction)
         where = "on board" if robot.mounted else stance(swarm.outline, robot).where
         is_other_way = "astern" in said or (robot.lever and math.sin(direction) < 0.0)
         limit = robot.reverse_limit if is_other_way else robot.limit
-        rows.append([
-            swarm.names[index], unit.number(0.0 if is_idle else float(found.forces[index])),
+        return [
+            robot.name, unit.number(0.0 if is_idle else float(found.forces[index])),
             share(part), unit.number(limit),
             heading(robot, tell) if is_idle or robot.lever else tell.degrees(direction),
             *tell.xy(robot.contact),
             *([] if swarm.has_rays_only else [said]), where,
-        ])  # fmt: skip
+        ]  # fmt: skip
+
     report.blank()
-    report.table(columns, rows, "robots")
+    report.table(columns, map(row, range(len(swarm))), "robots")

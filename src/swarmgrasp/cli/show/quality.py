@@ -298,15 +298,18 @@ def _show_robots(report: Report, swarm: Swarm, title: str, tell: Telling) -> Non
         *([Column("group")] if has_groups else []), Column("place"),
         Column("off the normal [deg]", is_spare=True),
     ]  # fmt: skip
-    rows = []
-    for robot in swarm:
+
+    def row(name: str) -> list[str]:
+        """Return what is told of a robot."""
+        robot = swarm[name]
         x, y, _, to_deg, off = spot(swarm.outline, robot, tell)
-        rows.append([
-            robot.name, x, y,
+        return [
+            name, x, y,
             *([force_words(robot, tell)] if has_forces else [to_deg, unit.number(robot.limit)]),
             *([robot.group] if has_groups else []), stance(swarm.outline, robot).where, off,
-        ])  # fmt: skip
+        ]  # fmt: skip
+
     report.blank()
     if title:
         report.headline(title)
-    report.table(columns, rows, "worst poses" if title == POSES else "robots")
+    report.table(columns, map(row, swarm.names), "worst poses" if title == POSES else "robots")

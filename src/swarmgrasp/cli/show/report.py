@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -124,25 +125,46 @@ class Facts:
     rows: Sequence[tuple[str, str]]
 
 
-_TOLD: ContextVar[list[Line | Facts | Table] | None] = ContextVar("told", default=None)
+Piece = Line | Facts | Table
+
+
+@dataclass(frozen=True)
+class _Telling:
+    """Where goes what is told, and how many rows of a table at most."""
+
+    pieces: list[Piece]
+    most: int | None
+
+
+_TOLD: ContextVar[_Telling | None] = ContextVar("told", default=None)
 """Where goes what is told, if it is not written."""
 
 
-def told_by(show: Callable[[], None]) -> list[Line | Facts | Table]:
+def told_by(show: Callable[[], None], most: int | None = None) -> list[Piece]:
     """Return what is told, piece by piece, and write nothing.
+
+    Parameters
+    ----------
+    show : callable
+        Tells it.
+    most : int, optional
+        Rows of each table; the first of more are told, and that they are.
 
     Examples
     --------
     >>> told_by(lambda: Report().headline("barge: held", "good"))
     [Line(kind='headline', text='barge: held', mood='good')]
+    >>> tugs = [["Ajax"], ["Boreas"], ["Castor"]]
+    >>> told_by(lambda: Report().table([Column("tug")], tugs, "tugs"), most=2)[1].text
+    'The first 2 tugs are listed.'
     """
-    told: list[Line | Facts | Table] = []
+    told = _Telling([], most)
     token = _TOLD.set(told)
     try:
         show()
     finally:
         _TOLD.reset(token)
-    return told
+    return told.pieces
 
 
 def tables_of(show: Callable[[], None]) -> list[Table]:
@@ -183,7 +205,7 @@ class Report:
     def _line(self, line: Line, style: str = "") -> None:
         """Write a line."""
         if self._told is not None:
-            self._told.append(line)
+            self._told.pieces.append(line)
         elif self._console is None:
             print(clean(line.text))
         else:
@@ -202,7 +224,7 @@ class Report:
     def facts(self, rows: Sequence[tuple[str, str]]) -> None:
         """Write labelled facts; an empty label continues the one above."""
         if self._told is not None:
-            self._told.append(Facts(rows))
+            self._told.pieces.append(Facts(rows))
             return
         if self._console is None:
             self._write_columns([[label, fact] for label, fact in rows], [False, False])
@@ -217,11 +239,16 @@ class Report:
         self._console.print(grid)
 
     def table(
-        self, columns: Sequence[Column], rows: Sequence[Sequence[str]], name: str = "rows"
+        self, columns: Sequence[Column], rows: Iterable[Sequence[str]], name: str = "rows"
     ) -> None:
         """Write a table, whose rows are called by a name."""
+        most = None if self._told is None else self._told.most
+        going = iter(rows)
+        rows = list(islice(going, most))
         if self._told is not None:
-            self._told.append(Table(name, columns, rows))
+            self._told.pieces.append(Table(name, columns, rows))
+            if next(going, None) is not None:
+                self.note(f"The first {most} {name} are listed.")
             return
         if self._console is None:
             cells = [[column.name for column in columns], *map(list, rows)]

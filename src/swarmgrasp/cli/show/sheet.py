@@ -1,8 +1,8 @@
 """What commands tell, as parts of a sheet: the same words, tables and numbers."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from swarmgrasp.cli.show.report import Facts, Line, Table, told_by
+from swarmgrasp.cli.show.report import Facts, Line, Piece, Table, told_by
 from swarmgrasp.pages import page
 from swarmgrasp.report import Section
 
@@ -17,13 +17,17 @@ def section(title: str, show: Callable[[], None], *drawings: page.Drawing) -> Se
         Tells it.
     *drawings : Drawing
     """
-    pieces = [piece for piece in told_by(show) if piece != Line("sentence", "")]
-    first = pieces[0]
+    first, *rest = without_blanks(told_by(show))
     lead = first.text if isinstance(first, Line) else ""
-    return Section(title, [_block(first, True), *drawings, *map(_block, pieces[1:])], lead)
+    return Section(title, [block(first, True), *drawings, *map(block, rest)], lead)
 
 
-def _block(piece: Line | Facts | Table, is_first: bool = False) -> page.Block:
+def without_blanks(pieces: Sequence[Piece]) -> list[Piece]:
+    """Return what is told without its empty lines."""
+    return [piece for piece in pieces if piece != Line("sentence", "")]
+
+
+def block(piece: Piece, is_first: bool = False) -> page.Part:
     """Return a piece of what is told as a block of a page."""
     if isinstance(piece, Facts):
         return page.Facts(piece.rows)

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.paper.draws import FREE, NORMAL
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 
 COLOURS: Final = {5: style.ORANGE, 15: style.VERMILION, 25: style.BLUE}
 """Of each number of robots."""
@@ -17,7 +18,7 @@ DASHES: Final[dict[str, Any]] = {FREE: "-", NORMAL: (0, (4, 2))}
 
 def chart(panels: int = 1, height: float = 3.1) -> tuple[Figure, list[Axes]]:
     """Return a figure and its panels side by side, without frames above and to the right."""
-    figure = Figure(figsize=(style.WIDTH, height), layout="constrained")
+    figure = Drawn(figsize=(style.WIDTH, height), layout="constrained")
     axes = [figure.add_subplot(1, panels, k + 1) for k in range(panels)]
     for ax in axes:
         ax.spines[["top", "right"]].set_visible(False)

@@ -13,6 +13,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 
 from swarmgrasp.plot import style
+from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
@@ -40,7 +41,7 @@ def construction(steps: list[Swarm]) -> Figure:
     low, high = corners.min(axis=0), corners.max(axis=0)
     rows = math.ceil(len(steps) / COLUMNS)
     with style.settings():
-        figure = Figure(figsize=(style.WIDTH, 1.75 * rows + 0.3))
+        figure = Drawn(figsize=(style.WIDTH, 1.75 * rows + 0.3))
         for k, step in enumerate(steps):
             look: dict[str, Any] = {"projection": "3d", "proj_type": "ortho"}
             ax = cast(
