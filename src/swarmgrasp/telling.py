@@ -156,15 +156,37 @@ class Telling:
         >>> Telling.of(Terms(), 1.0, []).from_words(math.pi / 3)
         'from 60 deg'
         """
-        frame = self.terms.frame
-        true = "" if frame.heading is None else " true"
-        return f"from {round(math.degrees(frame.bearing(-bearing)), 1) % 360.0:g} deg{true}"
+        true = "" if self.terms.frame.heading is None else " true"
+        return f"from {round(self.from_degrees(bearing), 1) % 360.0:g} deg{true}"
+
+    def from_degrees(self, bearing: float) -> float:
+        """Return where wind or current comes from as it is told, in degrees within [0, 360).
+
+        Parameters
+        ----------
+        bearing : float [rad]
+            Clockwise from the bow.
+
+        Examples
+        --------
+        >>> due_east = Terms(frame=Frame(heading=math.pi / 2))
+        >>> Telling.of(due_east, 1.0, []).from_degrees(math.pi / 3)
+        150.0
+        """
+        return round(math.degrees(self.terms.frame.bearing(-bearing)), 9) % 360.0
 
     # -- words -----------------------------------------------------------------------------
 
     def machines(self, count: int, has_groups: bool) -> str:
         """Return what so many of that which fails at once are called."""
         return machine_words(count, has_groups, self.terms.robot)
+
+    @property
+    def frame_words(self) -> str:
+        """Say how the frame of the file lies on the object."""
+        frame = self.terms.frame
+        x, y = (_side(frame, axis) for axis in ((1.0, 0.0), (0.0, 1.0)))
+        return f"x {x}, y {y}" if x and y else f"the bow towards {_bow(frame)}"
 
     def notes(self) -> list[str]:
         """Return the small print: what the units and the frame are."""
@@ -174,8 +196,6 @@ class Telling:
         if (terms.length, terms.force, terms.speed) == (SI.length, SI.force, SI.speed):
             said = "Units: SI with degrees"
         radians = " for the file's radians" * (terms.angle == "rad")
-        x, y = (_side(frame, axis) for axis in ((1.0, 0.0), (0.0, 1.0)))
-        lies = f"x {x}, y {y}" if x and y else f"the bow towards {_bow(frame)}"
         sense = _sense(frame)
         ways = f"degrees {sense} from +x"
         if terms.bearings:
@@ -183,7 +203,7 @@ class Telling:
             ways = f"bearings, degrees clockwise from {from_}"
         torques = f"; torques {sense}" if frame.mirrored else ""
         return [
-            f"{said}{radians}. Frame: {lies}, as in the file{torques}.",
+            f"{said}{radians}. Frame: {self.frame_words}, as in the file{torques}.",
             f"Directions: {ways}, the way the force acts on the object.",
         ]
 

@@ -20,7 +20,7 @@ from swarmgrasp import (
 from swarmgrasp.environment import KNOT
 from swarmgrasp.forces import forces
 from swarmgrasp.placement import Problem, best_move
-from swarmgrasp.plot import forces_plan, plan, save
+from swarmgrasp.plot import forces_plan, plan, save, style
 from swarmgrasp.plot.arrows import Arrows
 from swarmgrasp.plot.flows import flows_of
 from swarmgrasp.quality import quality
@@ -63,7 +63,8 @@ def test_wind_and_current_are_drawn_where_the_load_is_theirs(barge):
     assert said == ["wind 25 kn (12.9 m/s) from 60°", "current 1.5 kn (0.772 m/s) from 300°"]
     assert not flows_of(WEATHER, outline, 2.0 * load)
     marine = Terms(speed="kn", frame=Frame(heading=math.radians(90.0)))
-    assert flows_of(WEATHER, outline, load, marine)[0].words == "25 kn from 150° true"
+    with style.settings(terms=marine):
+        assert flows_of(WEATHER, outline, load)[0].words == "25 kn from 150° true"
 
 
 @pytest.mark.parametrize(("size", "note"), [(80e3, ""), (1e3, " (direction only)")])

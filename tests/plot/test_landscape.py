@@ -160,7 +160,7 @@ def test_a_landscape_says_its_criterion(crowd):
     said = " ".join(text.get_text() for text in figure.texts)
     assert "after the worst loss of 1 robot, beside the load" in said
     assert "times the task" in said
-    assert "surge 0.1 N" in said
+    assert "Load on the object: 0.1 N ahead." in said
     bar = figure.axes[0].child_axes[0]
     assert bar.get_ylabel() == "quality with the newcomer"
     newcomer = Newcomer(1.0, tolerance=Tolerance(contact=0.1))

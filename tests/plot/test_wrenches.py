@@ -146,7 +146,7 @@ def test_a_task_takes_the_place_of_the_ball(rough):
     assert legend[0].startswith("15 robots: ")
     assert legend[0].endswith(" times the task")
     assert "the task, times the quality" in legend
-    assert "Load on the object: surge 0.1 N, sway \u22120.3 N, yaw 0.2 N m." in said
+    assert "Load on the object: 0.1 N ahead, 0.3 N to starboard, 0.2 N m turning to port." in said
 
 
 def test_a_load_beyond_reach_shows_the_face_it_is_beyond(barge):

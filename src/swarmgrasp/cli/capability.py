@@ -1,5 +1,6 @@
 """`swarmgrasp capability`: the weather the robots hold, at every bearing."""
 
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -113,21 +114,29 @@ def capability(
 
     bearings = before.get("bearings") if step is None else None
     if bearings is None:
-        bearings = bearings_apart(step or STEP)
+        bearings = bearings_apart(step or STEP, scenario.terms.frame.heading)
     speed = before.get("speed", 0.0) if use is None else speed_of(use, scenario.terms.speed)
-    asked = _Asked(
-        scenario, file, environment, criterion, np.array(bearings), drawing.look(scenario.name)
-    )
+    look = drawing.look(scenario.name, wording.terms(scenario))
+    asked = _Asked(scenario, file, environment, criterion, np.array(bearings), look)
     with blaming(file):
         found = _use(asked, speed) if what == USE else ASK[what](asked)
     _deliver(asked, found, plot, json, wording)
 
 
-def bearings_apart(step: float = STEP) -> "NDArray[np.float64]":
-    """Return bearings (m,) [rad] from all round, so many degrees apart."""
+def bearings_apart(step: float = STEP, heading: float | None = None) -> "NDArray[np.float64]":
+    """Return bearings (m,) [rad], clockwise from the bow, from all round.
+
+    Parameters
+    ----------
+    step : float [deg]
+        Between them.
+    heading : float, optional [rad]
+        The true bearing of the bow: the true bearings are round numbers then.
+    """
     import numpy as np
 
-    return np.asarray(np.radians(np.arange(0.0, 360.0 - 1e-9, step)))
+    off = math.degrees(heading or 0.0)
+    return np.asarray(np.radians((np.arange(0.0, 360.0 - 1e-9, step) - off) % 360.0))
 
 
 class _Asked(NamedTuple):
@@ -171,7 +180,7 @@ def _winds(asked: _Asked) -> _Found:
         """Draw the diagram."""
         from swarmgrasp.plot import capability_diagram, save
 
-        return save(capability_diagram(found, robot=asked.scenario.terms.robot, **asked.look), path)
+        return save(capability_diagram(found, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -188,7 +197,7 @@ def _numbers(asked: _Asked) -> _Found:
         """Draw the diagram."""
         from swarmgrasp.plot import numbers_diagram, save
 
-        return save(numbers_diagram(found, robot=asked.scenario.terms.robot, **asked.look), path)
+        return save(numbers_diagram(found, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -205,7 +214,7 @@ def _use(asked: _Asked, speed: float) -> _Found:
         """Draw the shares."""
         from swarmgrasp.plot import save, thrust_use_picture
 
-        return save(thrust_use_picture(found, robot=asked.scenario.terms.robot, **asked.look), path)
+        return save(thrust_use_picture(found, **asked.look), path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)
 
@@ -225,8 +234,7 @@ def _joined(asked: _Asked) -> _Found:
         """Draw both."""
         from swarmgrasp.plot import capability_diagram, save
 
-        robot = asked.scenario.terms.robot
-        figure = capability_diagram(found.after, before=found.before, robot=robot, **asked.look)
+        figure = capability_diagram(found.after, before=found.before, **asked.look)
         return save(figure, path)
 
     return _Found(found, lambda terms: show(name, found, terms), draw)

@@ -101,6 +101,7 @@ def count(
     required = before["required"] if quality is None else _required(quality, criterion)
     steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     terms = wording.terms(scenario)
+    look = drawing.look(scenario.name, terms)
     with blaming(file):
         found, stopped = _counted(scenario.problem(criterion), required, tried, steps, terms)
     from swarmgrasp.answer_file import document_of
@@ -112,7 +113,7 @@ def count(
         json,
         document_of(found, scenario.name),
         lambda: show(weather.title(scenario, terms), found, terms, is_stopped=stopped),
-        lambda: picture_of_plan(plot, scenario, found.answer or (), criterion, drawing),
+        lambda: picture_of_plan(plot, scenario, found.answer or (), criterion, look),
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0

@@ -2,11 +2,14 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 from cyclopts import Parameter
 
 from swarmgrasp.cli.inputs import PICTURES, noting, output_faults
+
+if TYPE_CHECKING:
+    from swarmgrasp.terms import Terms
 
 WIDTHS: Final = (0.0762, 0.3048)
 """Least and greatest width of a picture [m]."""
@@ -41,14 +44,14 @@ class Drawing:
                 said.append(f"it should be from {1e3 * least:g}mm to {1e3 * most:g}mm")
         return faults + [f"--width is {self.width}: {fault}" for fault in said]
 
-    def look(self, name: str) -> dict[str, Any]:
-        """Return title and width [in] of the pictures of a scenario of some name."""
-        title = name if self.title is None else self.title
+    def look(self, name: str, terms: "Terms") -> dict[str, Any]:
+        """Return how pictures of a scenario look: with what title, in what terms, how wide [in]."""
+        look = {"title": name if self.title is None else self.title, "terms": terms}
         if self.width is None:
-            return {"title": title}
+            return look
         from swarmgrasp.units import quantity
 
-        return {"title": title, "width": quantity(self.width, "length") / INCH}
+        return look | {"width": quantity(self.width, "length") / INCH}
 
 
 USUAL = Drawing()

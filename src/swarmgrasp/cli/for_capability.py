@@ -68,13 +68,15 @@ def tell_for_capability(
             scenario.problem(asked.criterion), asked.environment, gap=asked.gap,
             runners_up=asked.runners_up,
         )  # fmt: skip
+    terms = wording.terms(scenario)
+    look = drawing.look(scenario.name, terms)
     answers = Placements([found.placement])
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(scenario.name, found, wording.terms(scenario)),
+        lambda: show(scenario.name, found, terms),
         lambda: (
-            pictures(plot, scenario, answers, found.placement.problem.criterion, drawing)
+            pictures(plot, scenario, answers, found.placement.problem.criterion, look)
             if plot
             else []
         ),

@@ -156,8 +156,8 @@ def _tell_one(
             return []
         from swarmgrasp.plot import forces_plan, save
 
-        look = drawing.look(scenario.name)
-        figure = forces_plan(found, environment=scenario.environment, terms=scenario.terms, **look)
+        look = drawing.look(scenario.name, terms)
+        figure = forces_plan(found, environment=scenario.environment, **look)
         return [save(figure, plot)]
 
     def tell() -> None:

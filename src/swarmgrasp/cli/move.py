@@ -76,10 +76,11 @@ def move(
     from swarmgrasp.cli.show.move import show
 
     terms = wording.terms(scenario)
+    look = drawing.look(scenario.name, terms)
     deliver(
         json,
         document_of(found, scenario.name),
         lambda: show(weather.title(scenario, terms), found, terms),
-        lambda: picture_of_plan(plot, scenario, found, criterion, drawing),
+        lambda: picture_of_plan(plot, scenario, found, criterion, look),
         csv=wording.csv,
     )

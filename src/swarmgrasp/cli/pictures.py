@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.errors import ForceSetUnsupported, WrenchSetTooLarge
 
@@ -24,7 +23,7 @@ def pictures(
     scenario: "Scenario",
     answers: "Sequence[Placement]",
     criterion: "Criterion",
-    drawing: Drawing = USUAL,
+    look: dict[str, Any],
 ) -> list[Path]:
     """Write pictures, once all of them are drawn.
 
@@ -38,7 +37,8 @@ def pictures(
         The newcomers; a landscape needs one, and shows what the first could choose from.
     criterion : Criterion
         What quality means.
-    drawing : Drawing
+    look : dict
+        As from `Drawing.look`.
 
     Returns
     -------
@@ -51,7 +51,7 @@ def pictures(
     drawn = {}
     for what, path in wanted.items():
         try:
-            drawn[path] = _figure(what, scenario, answers, criterion, drawing)
+            drawn[path] = _figure(what, scenario, answers, criterion, look)
         except (ForceSetUnsupported, WrenchSetTooLarge) as error:
             if len(wanted) == 1:
                 raise
@@ -60,15 +60,15 @@ def pictures(
 
 
 def pictures_together(
-    wanted: dict[Picture, Path], scenario: "Scenario", found: "Together", drawing: Drawing
+    wanted: dict[Picture, Path], scenario: "Scenario", found: "Together", look: dict[str, Any]
 ) -> list[Path]:
     """Write the plan and the wrenches of newcomers that are placed together."""
     from swarmgrasp.plot import save, wrench_sets
 
-    criterion, look = found.problem.criterion, drawing.look(scenario.name)
+    criterion = found.problem.criterion
     sets = wrench_sets(scenario.swarm, found.swarm_after, criterion=criterion, **look)
     drawn = {
-        wanted["plan"]: _plan(scenario, found, criterion, drawing),
+        wanted["plan"]: _plan(scenario, found, criterion, look),
         wanted["wrenches"]: sets,
     }
     return [save(figure, path) for path, figure in drawn.items()]
@@ -79,21 +79,21 @@ def picture_of_plan(
     scenario: "Scenario",
     answer: "Sequence[Placement] | Together | Move",
     criterion: "Criterion",
-    drawing: Drawing,
+    look: dict[str, Any],
 ) -> list[Path]:
     """Write the plan alone, if a path is given for it."""
     if path is None:
         return []
     from swarmgrasp.plot import save
 
-    return [save(_plan(scenario, answer, criterion, drawing), path)]
+    return [save(_plan(scenario, answer, criterion, look), path)]
 
 
 def _plan(
     scenario: "Scenario",
     answer: "Sequence[Placement] | Together | Move",
     criterion: "Criterion",
-    drawing: Drawing,
+    look: dict[str, Any],
 ) -> "Figure":
     """Draw the object from above, with its robots, newcomers, zones and weather."""
     from swarmgrasp.plot import plan
@@ -107,8 +107,7 @@ def _plan(
         zones=(scenario.zones or ()) if newcomer else (),
         no_go=scenario.no_go if newcomer else (),
         environment=scenario.environment,
-        terms=scenario.terms,
-        **drawing.look(scenario.name),
+        **look,
     )
 
 
@@ -117,14 +116,13 @@ def _figure(
     scenario: "Scenario",
     answers: "Sequence[Placement]",
     criterion: "Criterion",
-    drawing: Drawing,
+    look: dict[str, Any],
 ) -> "Figure":
     """Draw one picture."""
     from swarmgrasp.plot import landscape, wrench_sets
 
-    look = drawing.look(scenario.name)
     if what == "plan":
-        return _plan(scenario, answers, criterion, drawing)
+        return _plan(scenario, answers, criterion, look)
     if what == "wrenches":
         after = answers[-1].swarm_after if answers else None
         return wrench_sets(scenario.swarm, after, criterion=criterion, **look)

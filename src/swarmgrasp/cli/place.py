@@ -169,12 +169,13 @@ def _tell_sequence(
         from swarmgrasp.placement.grounds import grounds
 
         survey = grounds(solve(scenario, file, 1, near, 0.0, criterion)[0])
-    at_once = _at_once(answers)
+    at_once, terms = _at_once(answers), wording.terms(scenario)
+    look = drawing.look(scenario.name, terms)
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(title, answers, wording.terms(scenario), survey, at_once, count),
-        lambda: pictures(_beside(plot), scenario, answers, criterion, drawing) if plot else [],
+        lambda: show(title, answers, terms, survey, at_once, count),
+        lambda: pictures(_beside(plot), scenario, answers, criterion, look) if plot else [],
         csv=wording.csv,
     )
     return INTERRUPTED if len(answers) < count else 0
@@ -210,11 +211,12 @@ def _tell_together(
 
         found = place_together(problem, count, gap=near, effort=steps, progress=progress)
         stopped = is_stopped() and found.stopped_early
+    look = drawing.look(scenario.name, terms)
     deliver(
         json,
         document_of(found, scenario.name),
         lambda: show(title, found, terms, is_stopped=stopped),
-        lambda: pictures_together(_beside(plot), scenario, found, drawing) if plot else [],
+        lambda: pictures_together(_beside(plot), scenario, found, look) if plot else [],
         csv=wording.csv,
     )
     return INTERRUPTED if stopped else 0

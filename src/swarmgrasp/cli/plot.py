@@ -8,6 +8,7 @@ from swarmgrasp.cli.inputs import blaming, read_scenario
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import check_newcomer, tell_omitted
 from swarmgrasp.cli.weather import CALM, Weather
+from swarmgrasp.cli.wording import AS_FILED, Phrasing
 
 
 def plot(
@@ -18,6 +19,7 @@ def plot(
     what: Picture = "plan",
     drawing: Drawing = USUAL,
     weather: Weather = CALM,
+    phrasing: Phrasing = AS_FILED,
 ) -> None:
     """Draw a scenario, its newcomer in the best place.
 
@@ -47,7 +49,8 @@ def plot(
     from swarmgrasp.cli.place import solve
     from swarmgrasp.cli.show.report import told_written
 
+    look = drawing.look(scenario.name, phrasing.terms(scenario))
     answers = solve(scenario, file) if scenario.newcomer else ()
     with blaming(file):
-        written = pictures({what: picture}, scenario, answers, scenario.criterion, drawing)
+        written = pictures({what: picture}, scenario, answers, scenario.criterion, look)
     told_written(written)

@@ -101,11 +101,12 @@ def quality(
     from swarmgrasp.cli.pictures import picture_of_plan
     from swarmgrasp.cli.show.quality import show
 
+    terms = wording.terms(scenario)
     deliver(
         json,
         sealed(found.kind, told, scenario.name),
-        lambda: show(scenario, found, lost, slopes, wording.terms(scenario), alone),
-        lambda: picture_of_plan(plot, scenario, (), criterion, drawing),
+        lambda: show(scenario, found, lost, slopes, terms, alone),
+        lambda: picture_of_plan(plot, scenario, (), criterion, drawing.look(scenario.name, terms)),
         csv=wording.csv,
     )
 

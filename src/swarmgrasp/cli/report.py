@@ -270,7 +270,7 @@ def _placed(job: _Job, terms: "Terms") -> list["Section"]:
     before = quality(scenario.swarm, **scenario.criterion.terms)
     picture = plan(
         scenario.swarm, quality=before, placements=job.answers,
-        environment=scenario.environment, terms=scenario.terms,
+        environment=scenario.environment, terms=terms,
     )  # fmt: skip
     drawn = drawing("plan", picture, f"Plan of {scenario.name}, with the answer.")
     answer = section("Answer", lambda: show(scenario.name, job.answers, terms), drawn)
@@ -293,7 +293,7 @@ def _quality(job: _Job, terms: "Terms") -> "Section":
     if not job.answers:
         picture = plan(
             swarm, quality=found, zones=job.scenario.zones or (), no_go=job.scenario.no_go,
-            environment=job.scenario.environment, terms=job.scenario.terms,
+            environment=job.scenario.environment, terms=terms,
         )  # fmt: skip
         drawn.append(drawing("plan", picture, f"Plan of {job.scenario.name}."))
     title = "All of them together" if job.answers else "How well the object is held"
@@ -316,7 +316,7 @@ def _forces(job: _Job, terms: "Terms") -> list["Section"]:
     else:
         return []
     found = forces(swarm, (0.0, 0.0, 0.0), load=load)
-    picture = forces_plan(found, environment=environment, terms=job.scenario.terms)
+    picture = forces_plan(found, environment=environment, terms=terms)
     drawn = drawing("forces", picture, "Push forces against the load.")
     return [section("Push forces", lambda: show(job.held, found, terms), drawn)]
 
@@ -333,13 +333,13 @@ def _capability(job: _Job, terms: "Terms") -> list["Section"]:
     losing = criterion.losing or int(not criterion.failures)
     if environment is None or _machines(swarm) <= losing:
         return []
-    bearings = bearings_apart()
+    bearings = bearings_apart(heading=terms.frame.heading)
     asked = environment, bearings, losing, criterion.worst_case, criterion.failures
     found, name = capability(swarm, *asked), job.scenario.name
     start = job.scenario.swarm
     before = capability(start, *asked) if job.answers and _machines(start) > losing else None
     caption = "The largest wind held from every bearing, the bow up."
-    picture = capability_diagram(found, name, before=before, robot=terms.robot)
+    picture = capability_diagram(found, name, before=before, terms=terms)
     drawn = drawing("capability", picture, caption)
     return [section("Capability", lambda: show(name, found, terms), drawn)]
 

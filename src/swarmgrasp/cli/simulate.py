@@ -4,7 +4,7 @@ import math
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
@@ -152,11 +152,12 @@ def simulate(
     from swarmgrasp.cli.show.simulate import show
 
     name, verdict, terms = scenario.name, verdict_of(run, far, limit), wording.terms(scenario)
+    look = drawing.look(name, terms)
     deliver(
         json,
         sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name),
         lambda: show(name, run, verdict, terms),
-        lambda: _write(name, run, verdict, log, plot, drawing, gif, mcap, player),
+        lambda: _write(run, verdict, log, plot, look, gif, mcap, player),
         csv=wording.csv,
     )
     if not run.is_whole:
@@ -327,7 +328,7 @@ def _capability(
         from swarmgrasp.plot import save
         from swarmgrasp.plot.limits import limits_diagram
 
-        return [save(limits_diagram(found, **drawing.look(name)), plot)]
+        return [save(limits_diagram(found, **drawing.look(name, terms)), plot)]
 
     document = sealed("winds", found.to_data(), name)
     deliver(json, document, lambda: show(name, found, terms), draw, csv=csv)
@@ -348,8 +349,8 @@ def _run(asked: "Simulation") -> "Run":
 
 
 def _write(
-    name: str, run: "Run", verdict: "Verdict", log: Path | None, plot: Path | None,
-    drawing: Drawing, gif: Path | None, mcap: Path | None, player: Path | None,
+    run: "Run", verdict: "Verdict", log: Path | None, plot: Path | None,
+    look: dict[str, Any], gif: Path | None, mcap: Path | None, player: Path | None,
 ) -> list[Path]:  # fmt: skip
     """Write the files that are wanted; return their paths."""
     written: list[Path] = []
@@ -361,7 +362,7 @@ def _write(
         from swarmgrasp.plot import save
         from swarmgrasp.plot.sheet_of_run import run_sheet
 
-        written.append(save(run_sheet(run, verdict, **drawing.look(name)), plot))
+        written.append(save(run_sheet(run, verdict, **look), plot))
     if gif is not None:
         from swarmgrasp.simulation.export.gif import write_gif
 

@@ -113,8 +113,9 @@ def study(
         if plot is None:
             return []
         from swarmgrasp.plot import save, study_picture
+        from swarmgrasp.terms import SI
 
-        return [save(study_picture(found, **drawing.look(found.plan.name)), plot)]
+        return [save(study_picture(found, **drawing.look(found.plan.name, SI)), plot)]
 
     deliver(json, found.to_data(), lambda: show(where, found), draw, csv=csv)
 

@@ -15,10 +15,11 @@ from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from swarmgrasp.capability import AllRound
-from swarmgrasp.environment import KNOT, Environment, WindTable, vessel_type
-from swarmgrasp.plot import polar, style
+from swarmgrasp.environment import Environment, WindTable, vessel_type
+from swarmgrasp.plot import polar, style, written
 from swarmgrasp.plot.arrows import Arrows, draw_arrows, has_area
 from swarmgrasp.plot.labels import Page
+from swarmgrasp.units import LENGTHS
 
 Vector = NDArray[np.float64]
 
@@ -200,10 +201,12 @@ def drag_words(environment: Environment) -> str:
         return f"Wind drag: by a table of loads from {len(wind.bearings)} bearings."
     vessel = vessel_type(wind.coefficients)
     drag = f"Blendermann (1994), {vessel}" if vessel else "Blendermann (1994), own coefficients"
-    return (
-        f"Wind drag: {drag}; {style.number(wind.frontal_area)} m² ahead, "
-        f"{style.number(wind.lateral_area)} m² abeam."
+    name = style.terms().length
+    ahead, abeam = (
+        f"{written.number(area / LENGTHS[name] ** 2)} {name}²"
+        for area in (wind.frontal_area, wind.lateral_area)
     )
+    return f"Wind drag: {drag}; {ahead} ahead, {abeam} abeam."
 
 
 def water_words(environment: Environment) -> str:
@@ -211,18 +214,17 @@ def water_words(environment: Environment) -> str:
     current, waves = environment.current, environment.waves
     said = "Still water"
     if current is not None and current.speed > 0.0:
-        way = "with the wind" if current.bearing is None else f"from {degrees(current.bearing)}"
-        knots, metres = style.number(current.speed / KNOT), style.number(current.speed)
-        said = f"Current {knots} kn ({metres} m/s) {way}"
+        way = "with the wind" if current.bearing is None else written.from_words(current.bearing)
+        said = f"Current {written.speed(current.speed)} {way}"
     if waves is None:
         return f"{said}; no waves"
-    way = "" if waves.bearing is None else f" from {degrees(waves.bearing)}"
+    way = "" if waves.bearing is None else f" {written.from_words(waves.bearing)}"
     if waves.height is None or waves.period is None:
         return f"{said}; drift of the wind's sea (DNV-ST-0111){way}"
-    sea = f"{style.number(waves.height)} m, {style.number(waves.period)} s"
+    sea = f"{written.length(waves.height)}, {written.number(waves.period)} s"
     return f"{said}; drift of a sea of {sea}{way}"
 
 
 def degrees(bearing: float) -> str:
-    """Return a bearing [rad] in degrees."""
-    return f"{math.degrees(bearing) % 360.0:.4g}°"
+    """Return a bearing [rad], clockwise from the bow, in degrees as it is told."""
+    return f"{written.telling().from_degrees(bearing):.4g}°"

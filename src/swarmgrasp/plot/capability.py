@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from swarmgrasp.capability import Capability
 from swarmgrasp.environment import KNOT, beaufort
-from swarmgrasp.plot import all_round, polar, style
+from swarmgrasp.plot import all_round, polar, style, written
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.words import plural
 
 Vector = NDArray[np.float64]
@@ -29,7 +30,7 @@ def capability_diagram(
     *,
     ax: Axes | None = None,
     before: Capability | None = None,
-    robot: str = "robot",
+    terms: Terms = SI,
     width: float = style.WIDTH,
 ) -> Figure:
     """Draw a capability as a polar diagram, bow up, bearings clockwise.
@@ -48,8 +49,8 @@ def capability_diagram(
         Draw here, at its present size, instead of in a figure of its own; then without caption.
     before : Capability, optional
         The same without the robot that joined last: in grey.
-    robot : str
-        What one robot is called, such as "tug".
+    terms : Terms
+        The units, the frame and the words in which it is told; bearings are true with a heading.
     width : float [in]
         Of a figure of its own.
 
@@ -57,9 +58,9 @@ def capability_diagram(
     -------
     Figure
     """
+    robot, joined = terms.robot, _joined(found, before)
     curves = _curves(found, before, robot)
-    joined = _joined(found, before)
-    with style.settings(width):
+    with style.settings(width, terms):
         alone = ax is None
         print_ = _small_print(found, curves)
         ax = polar.new_axes(all_round.below(len(curves), len(print_))) if ax is None else ax
@@ -78,7 +79,7 @@ def capability_diagram(
         for curve in curves:
             all_round.name_curve(page, found.bearings, curve, most)
         if alone:
-            said = "The largest wind held, by where it comes from, clockwise from the bow"
+            said = f"The largest wind held, by where it comes from, {polar.from_words()}"
             all_round.write_caption(ax, title, said, HEADINGS, _rows(found, before, robot), print_)
         return cast(Figure, ax.get_figure(root=True))
 
@@ -147,15 +148,16 @@ def _rows(
 
 
 def _least(found: Capability, speeds: Vector, index: int) -> tuple[str, str, str, str]:
-    """Write the least of some speeds [m/s]: in knots, in m/s, as Beaufort, and its bearing."""
+    """Write the least of some speeds [m/s]: in two units, as Beaufort, and its bearing."""
     speed = float(speeds[index])
     bearing = all_round.degrees(found.bearings[index])
     if speed == 0.0:
         return ("none", "", "", bearing if speeds.any() else "any")
     most = min(polar.MOST_SHOWN * KNOT, found.most_told)
-    if speed >= most:
-        return (f"over {most / KNOT:.3g} kn", f"{most:.3g} m/s", f"{beaufort(most)}", "any")
-    return (f"{speed / KNOT:.3g} kn", f"{speed:.3g} m/s", f"{beaufort(speed)}", bearing)
+    size, name = written.other_speed()
+    told, over, bearing = (most, "over ", "any") if speed >= most else (speed, "", bearing)
+    winds = f"{over}{told / KNOT:.3g} kn", f"{told / size:.3g} {name}"
+    return (*winds, f"{beaufort(told)}", bearing)
 
 
 def _small_print(found: Capability, curves: list[Curve]) -> list[str]:

@@ -7,8 +7,9 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.capability import ALLOWANCE, CapabilityNumbers
 from swarmgrasp.environment import KNOT, STEPS
-from swarmgrasp.plot import all_round, polar, style
+from swarmgrasp.plot import all_round, polar, style, written
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.words import plural
 
 HEADINGS: Final = ("", "least held", "wind", "waves", "from", "lost")
@@ -20,7 +21,7 @@ WINDS_AT: Final = 315.0
 
 
 def numbers_diagram(
-    found: CapabilityNumbers, title: str = "", *, robot: str = "robot", width: float = style.WIDTH
+    found: CapabilityNumbers, title: str = "", *, terms: Terms = SI, width: float = style.WIDTH
 ) -> Figure:
     """Draw capability numbers as a polar diagram, bow up, bearings clockwise.
 
@@ -32,21 +33,22 @@ def numbers_diagram(
     found : CapabilityNumbers
     title : str
         Such as the vessel's name.
-    robot : str
-        What one robot is called, such as "tug".
+    terms : Terms
+        The units, the frame and the words in which it is told; bearings are true with a heading.
     width : float [in]
 
     Returns
     -------
     Figure
     """
+    robot = terms.robot
     less = found.less_by if found.failures else f"loss of {found.loss_words(robot)}"
     curves = [
         Curve(_radii(found.intact), INTACT, "intact", f"all {plural(robot)}"),
         Curve(_radii(found.after_loss), AFTER_LOSS, "after-loss", f"after the worst\n{less}", True),
     ]
-    small_print = _small_print(found)
-    with style.settings(width):
+    with style.settings(width, terms):
+        small_print = _small_print(found)
         ax = polar.new_axes(all_round.below(2, len(small_print)))
         page = polar.frame(ax, LAST)
         polar.draw_rings(page, 1.0, LAST)
@@ -62,7 +64,7 @@ def numbers_diagram(
                 polar.write_ring(page, number, wind, WINDS_AT, "center")
         for curve in curves:
             all_round.name_curve(page, found.bearings, curve, LAST + 1.0)
-        said = "The largest step of wind, sea and current held, by where it comes from"
+        said = f"The largest step of weather held, by where it comes from, {polar.from_words()}"
         all_round.write_caption(ax, title, said, HEADINGS, _rows(found, robot), small_print)
         return cast(Figure, ax.get_figure(root=True))
 
@@ -89,7 +91,7 @@ def _least(found: CapabilityNumbers, numbers: Any, index: int) -> tuple[str, str
     if number < 0:
         return ("none", "", "", "any")
     step = STEPS[number]
-    sea = f"{step.wind / KNOT:.3g} kn", f"{step.height:g} m"
+    sea = f"{step.wind / KNOT:.3g} kn", written.length(step.height)
     return (f"{number}", *sea, all_round.degrees(found.bearings[index]))
 
 

@@ -7,13 +7,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.environment import KNOT, Environment
+from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Outline
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import draw_arrows
 from swarmgrasp.plot.labels import Page
-from swarmgrasp.telling import Telling
-from swarmgrasp.terms import SI, Terms
 
 SAME: Final = 1e-9
 """Difference of a load from that of the weather, relative, that counts as none."""
@@ -54,7 +52,7 @@ class Flow:
 
 
 def flows_of(
-    environment: Environment | None, outline: Outline, load: ArrayLike, terms: Terms = SI
+    environment: Environment | None, outline: Outline, load: ArrayLike
 ) -> tuple[Flow, ...]:
     """Return wind, current and sea, if a load is theirs.
 
@@ -64,26 +62,23 @@ def flows_of(
     outline : Outline
     load : (3,) [N, N, N m]
         On the object; of something else nothing is drawn.
-    terms : Terms
-        How bearings are told, and in which unit a speed is told beside knots.
     """
     if environment is None or not environment.is_steady:
         return ()
     if not np.allclose(environment.load(outline), load, rtol=SAME, atol=0.0):
         return ()
-    tell = Telling.of(terms, outline.extent, [])
     wind, current, waves = environment.wind, environment.current, environment.waves
     from_, speed = wind.bearing or 0.0, wind.speed or 0.0
-    found = [_flow("wind", _speed(speed, tell), from_, tell)] if speed else []
+    found = [_flow("wind", written.speed(speed), from_)] if speed else []
     if current is not None and current.speed:
         bearing = from_ if current.bearing is None else current.bearing
-        found.append(_flow("current", _speed(current.speed, tell), bearing, tell))
+        found.append(_flow("current", written.speed(current.speed), bearing))
     if waves is not None:
         bearing = from_ if waves.bearing is None else waves.bearing
         size = "of that wind"
         if waves.height is not None and waves.period is not None:
-            size = f"{tell.length.text(waves.height)}, {waves.period:.3g} s"
-        found.append(_flow("sea", size, bearing, tell))
+            size = f"{written.length(waves.height)}, {waves.period:.3g} s"
+        found.append(_flow("sea", size, bearing))
     return tuple(found)
 
 
@@ -135,13 +130,6 @@ def _rows(flows: tuple[Flow, ...], room: float) -> list[list[Flow]]:
     return rows
 
 
-def _flow(kind: str, words: str, bearing: float, tell: Telling) -> Flow:
+def _flow(kind: str, words: str, bearing: float) -> Flow:
     """Return what comes from a bearing [rad], clockwise from the bow."""
-    from_ = tell.from_words(bearing).replace(" deg", "°")
-    return Flow(kind, f"{words} {from_}", math.pi - bearing)
-
-
-def _speed(speed: float, tell: Telling) -> str:
-    """Return a speed [m/s] in knots, and in the file's unit."""
-    knots = f"{style.number(speed / KNOT)} kn"
-    return knots if tell.terms.speed == "kn" else f"{knots} ({tell.speed(speed)})"
+    return Flow(kind, f"{words} {written.from_words(bearing)}", math.pi - bearing)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.environment import Environment
 from swarmgrasp.forces import Forces
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows, draw_arrows, has_area
 from swarmgrasp.plot.direction import Pointer, load_pointer
 from swarmgrasp.plot.flows import Flow, flows_of
@@ -66,7 +66,7 @@ def forces_plan(
     environment : Environment, optional
         Draws wind, current and sea, if the load is theirs.
     terms : Terms
-        How their bearings and speeds are told, and what a robot is called.
+        The units, the frame and the words in which it is told.
     title : str
         Such as the name of the object.
     width : float [in]
@@ -80,10 +80,10 @@ def forces_plan(
     """
     swarm = found.swarm
     arrows = Arrows(swarm.outline, swarm.robots)
-    with style.settings(width):
+    with style.settings(width, terms):
         pointers = _pointers(arrows, found)
-        flows = flows_of(environment, swarm.outline, found.load, terms)
-        caption = _caption(found, pointers, flows, title, terms)
+        flows = flows_of(environment, swarm.outline, found.load)
+        caption = _caption(found, pointers, flows, title)
         alone = ax is None
         ax = new_axes(arrows, caption) if ax is None else ax
         page = frame(ax, arrows, flows, has_table=alone)
@@ -177,7 +177,7 @@ def _percent(share: float) -> str:
 
 
 def _caption(
-    found: Forces, pointers: dict[str, Pointer], flows: tuple[Flow, ...], heading: str, terms: Terms
+    found: Forces, pointers: dict[str, Pointer], flows: tuple[Flow, ...], heading: str
 ) -> Caption:
     """Return what is written round the picture."""
     swarm = found.swarm
@@ -197,16 +197,16 @@ def _caption(
     entries += [pointer.entry() for pointer in pointers.values()]
     words = wrench_words(found.wanted * swarm.scale)
     size = float(np.linalg.norm(found.wanted * swarm.scale))
-    title = f"{words}: {style.force(size)}" if size > 0.0 else words
+    title = f"{words}: {written.force(size)}" if size > 0.0 else words
     if size == 0.0 and found.load.any():
         title = "not held" if found.is_degraded else "held"
         if found.shares.any():
             busiest = swarm.names[int(np.argmax(found.shares))]
             title += f": busiest {busiest}, {_percent(found.largest_share)}"
-    small_print = [f"Size of a wrench with {swarm.metric_sentence}."]
+    small_print = [f"Size of a wrench with {written.metric(swarm)}."]
     if found.load.any():
-        small_print.append(style.load_sentence(tuple(found.load.tolist())))
-    small_print += style.frame_sentences(terms)
+        small_print.append(written.load_sentence(tuple(found.load.tolist()), swarm))
+    small_print += written.frame_sentences()
     return Caption(
         heading, _capital(title), _outcome(found), tuple(entries), tuple(small_print), flows
     )
@@ -215,7 +215,7 @@ def _caption(
 def _outcome(found: Forces) -> str:
     """Say how well the wrench is made."""
     if found.is_degraded:
-        return f"out of reach by {style.force(found.shortfall)}, the nearest wrench is made"
+        return f"out of reach by {written.force(found.shortfall)}, the nearest wrench is made"
     return f"made, with shares up to {_percent(found.largest_share)}" if found.shares.any() else ""
 
 

@@ -8,10 +8,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from swarmgrasp.environment import KNOT
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.units import LENGTHS
 
 PANELS: Final = ("position", "heading", "shares", "shortfall", "wind")
 SHORT: Final = {"lost": "lost", "left": "leaves", "sent": "sent", "joined": "joins"}
@@ -30,7 +32,9 @@ LINES: Final = (
 )  # fmt: skip
 
 
-def history(run: Run, verdict: Verdict, *, index: int = 0, width: float = style.WIDTH) -> Figure:
+def history(
+    run: Run, verdict: Verdict, *, index: int = 0, terms: Terms = SI, width: float = style.WIDTH
+) -> Figure:
     """Draw errors of position and heading, shares, shortfall and wind over time, events marked.
 
     Parameters
@@ -40,13 +44,15 @@ def history(run: Run, verdict: Verdict, *, index: int = 0, width: float = style.
         Of the run.
     index : int
         Which of the runs.
+    terms : Terms
+        The units and the words in which it is told.
     width : float [in]
 
     Returns
     -------
     Figure
     """
-    with style.settings(width):
+    with style.settings(width, terms):
         total = HEIGHT * len(PANELS) + 1.0
         figure = Drawn(figsize=(style.width(), total))
         axes = panels(figure, 0.45 / total, 1.0 - 0.35 / total)
@@ -71,20 +77,24 @@ def draw_history(axes: list[Axes], run: Run, verdict: Verdict, index: int) -> No
     """Draw the panels of a history."""
     position, heading, shares, shortfall, wind = axes
     times = run.times
-    _draw_error(position, times, run.distances[index], verdict.within, "off by\n[m]")
+    length = style.terms().length
+    metres = LENGTHS[length]
+    far = run.distances[index] / metres
+    _draw_error(position, times, far, verdict.within / metres, f"off by\n[{length}]")
     turns, turn = np.degrees(run.turns[index]), math.degrees(verdict.within_turn)
     _draw_error(heading, times, turns, turn, "turned\nby [deg]")
     _draw_shares(shares, run, index)
     missing = run.shortfalls[index].astype(float)
-    factor, unit = style.force_unit(float(missing.max(initial=0.0)))
-    shortfall.fill_between(times, 0.0, missing * factor, color=style.VERMILION, linewidth=0.0)
-    shortfall.set_ylabel(f"out of\nreach [{unit}]")
-    shortfall.set_ylim(0.0, max(1.05 * float(missing.max(initial=0.0)) * factor, 1.0))
+    unit = written.unit_of(float(missing.max(initial=0.0)))
+    missing /= unit.newtons
+    shortfall.fill_between(times, 0.0, missing, color=style.VERMILION, linewidth=0.0)
+    shortfall.set_ylabel(f"out of\nreach [{unit.name}]")
+    shortfall.set_ylim(0.0, max(1.05 * float(missing.max(initial=0.0)), 1.0))
     speeds = np.hypot(*run.streams[index, :, :2].astype(float).T)
-    scale, unit = (KNOT, "kn") if speeds.max(initial=0.0) > 2.0 else (1.0, "m/s")
+    scale, name = (KNOT, "kn") if speeds.max(initial=0.0) > 2.0 else (1.0, "m/s")
     wind.plot(times, speeds / scale, color=style.GREY, linewidth=0.7)
     wind.set_ylim(0.0, max(1.1 * float(speeds.max(initial=0.0)) / scale, 0.1))
-    wind.set_ylabel(f"wind\n[{unit}]")
+    wind.set_ylabel(f"wind\n[{name}]")
     for ax in axes:
         _finish(ax, run, is_last=ax is wind)
     _mark(axes, run)

@@ -16,9 +16,12 @@ from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Placement, Problem, cell_qualities
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
+from swarmgrasp.plot.coordinates import Scale
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.sheet import Caption
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.units import LENGTHS
 from swarmgrasp.words import TIMES
 
 COLOURS: Final = "cividis"
@@ -56,6 +59,7 @@ def landscape(
     subject: Placement | Problem,
     *,
     resolution: tuple[int, int] = (180, 90),
+    terms: Terms = SI,
     title: str = "",
     width: float = style.WIDTH,
 ) -> Figure:
@@ -75,6 +79,8 @@ def landscape(
         Cells along the boundary and over the directions. A cell shows the best of the
         allowed contacts and directions sampled in it, so that bollards and directions
         exactly along the normal are seen too.
+    terms : Terms
+        The units, the frame and the words in which it is told.
     title : str
         Such as the name of the object.
     width : float [in]
@@ -95,18 +101,22 @@ def landscape(
     low, high = float(np.nanmin(grid)), float(np.nanmax(grid))
     if placement is not None:  # the best place may lie between the middles of cells
         low, high = min(low, placement.quality_before), max(high, placement.quality)
-    factor, unit = style.quality_unit(high, problem.criterion)
-    with style.settings(width):
-        words = problem.criterion.words(problem.swarm)
+    with style.settings(width, terms):
+        unit = written.unit_of(high, criterion=problem.criterion)
+        words = problem.criterion.words(problem.swarm, terms.robot)
         ax = _new_axes(title, _title(subject), words, _small_print(subject))
-        _draw_values(ax, grid * factor, (low * factor, high * factor), outline.perimeter, unit)
+        _draw_values(
+            ax,
+            grid / unit.newtons,
+            (low / unit.newtons, high / unit.newtons),
+            outline.perimeter,
+            unit.name,
+        )
         _draw_normals(ax, outline)
         _name_boundary(ax, outline)
         if placement is not None:
             _mark(ax, placement)
-        ax.set_ylabel("direction of the force [°]")
-        ax.set_yticks(range(-180, 181, 90))
-        ax.set_yticks(range(-180, 181, 30), minor=True)
+        _tick_directions(ax)
     return cast(Figure, ax.figure)
 
 
@@ -146,19 +156,19 @@ def _new_axes(heading: str, title: str, words: str, small_print: Sequence[str]) 
 def _title(subject: Placement | Problem) -> str:
     """Return the picture in a line."""
     problem = subject.problem if isinstance(subject, Placement) else subject
-    title = f"+{style.force(problem.newcomer.limit)}, {problem.newcomer.attachment}"
+    title = f"+{written.force(problem.newcomer.limit)}, {problem.newcomer.attachment}"
     if not isinstance(subject, Placement):
         return title
-    gain = style.gain(subject.quality_before, subject.quality, problem.criterion)
+    gain = written.gain(subject.quality_before, subject.quality, problem.criterion)
     return f"{title}: {gain}"
 
 
 def _small_print(subject: Placement | Problem) -> list[str]:
     """Return what the picture's numbers and marks mean, in lines."""
     problem = subject.problem if isinstance(subject, Placement) else subject
-    lines = [f"Quality with {problem.swarm.metric_sentence}."]
+    lines = [f"Quality with {written.metric(problem.swarm)}."]
     if problem.criterion.has_load:
-        lines.append(style.load_sentence(problem.criterion.load))
+        lines.append(written.load_sentence(problem.criterion.load, problem.swarm))
     marks = "White lines: inward normals."
     if isinstance(subject, Placement):
         others = ", dots: runners-up" if subject.runners_up else ""
@@ -200,7 +210,7 @@ def _draw_values(
     )  # fmt: skip
     ax.set(xlim=(0.0, perimeter), ylim=(-180.0, 180.0))
     if flat:
-        value = f"{style.number(low)} {unit} everywhere"
+        value = f"{written.number(low)} {unit} everywhere"
         paper = {"boxstyle": "round", "facecolor": "white", "linewidth": 0.0, "alpha": 0.9}
         ax.text(
             0.5, 0.5, value, transform=ax.transAxes, bbox=paper, ha="center", va="center", zorder=6
@@ -271,27 +281,48 @@ def _draw_normals(ax: Axes, outline: Outline) -> None:
 
 def _name_boundary(ax: Axes, outline: Outline) -> None:
     """Tick the corners by arc length and write the edges' names above them."""
-    words = "along the boundary, counter-clockwise from the first corner [m]"
+    terms = style.terms()
+    is_clockwise = terms.frame.mirrored
+    sense = "clockwise" if is_clockwise else "counter-clockwise"
+    words = f"along the boundary, {sense} from the first corner [{terms.length}]"
     ax.set_xlabel(textwrap.fill(words, int(72.0 * (style.width() - BOX[0]) / 4.9)))
+    ax.xaxis.set_inverted(is_clockwise)
+    metres = LENGTHS[terms.length]
+    scale = Scale(-metres, outline.perimeter) if is_clockwise else Scale(metres)
     if len(outline) > MOST_CORNERS:
+        scale.put_on(ax.xaxis, MOST_CORNERS // 2)
         return
     near = NEAR * outline.perimeter * max(1.0, style.WIDTH / style.width())
     ticks = [0.0, outline.perimeter]
     for corner in outline.corner_arc_lengths[1:-1]:
         if min(abs(corner - tick) for tick in ticks) > near:
             ticks.append(float(corner))
-    digits = max(0, 2 - math.floor(math.log10(outline.perimeter)))
-    ax.set_xticks(sorted(ticks), [f"{tick:.{digits}f}" for tick in sorted(ticks)])
+    digits = max(0, 2 - math.floor(math.log10(outline.perimeter / metres)))
+    ax.set_xticks(ticks, [f"{scale.told(tick) + 0.0:.{digits}f}" for tick in ticks])
     ax.set_xticks(outline.corner_arc_lengths, minor=True)
     for edge in range(len(outline)):
         start, end = outline.corner_arc_lengths[edge : edge + 2]
         artist = ax.text(
-            0.5 * (start + end), 186.0, outline.edge_label(edge), ha="center", va="bottom",
-            fontsize=style.text(7.0), fontstyle="italic", color=style.GREY, gid="edge-label",
+            0.5 * (start + end), 1.02, outline.edge_label(edge), ha="center", va="bottom",
+            transform=ax.get_xaxis_transform(), fontsize=style.text(7.0), fontstyle="italic",
+            color=style.GREY, gid="edge-label",
         )  # fmt: skip
         room = (end - start) / outline.perimeter * ax.bbox.width
         if artist.get_window_extent().width > room:
             artist.remove()
+
+
+def _tick_directions(ax: Axes) -> None:
+    """Tick the directions as the file counts them, or as bearings, and let them grow upwards."""
+    tell = written.telling()
+    is_clockwise = tell.terms.bearings or tell.terms.frame.mirrored
+    said = "bearing" if tell.terms.bearings else "direction"
+    ax.set_ylabel(f"{said} of the force [°]")
+    ticks = range(-180, 181, 90)
+    words = [tell.short(math.radians(tick)).replace("-", "\u2212") for tick in ticks]
+    ax.set_yticks(ticks, words)
+    ax.set_yticks(range(-180, 181, 30), minor=True)
+    ax.yaxis.set_inverted(is_clockwise)
 
 
 def _mark(ax: Axes, placement: Placement) -> None:

@@ -9,8 +9,9 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from swarmgrasp.environment import KNOT
-from swarmgrasp.plot import polar, style
+from swarmgrasp.plot import polar, style, written
 from swarmgrasp.simulation.limits import Limits
+from swarmgrasp.terms import SI, Terms
 
 Vector = NDArray[np.float64]
 
@@ -26,7 +27,9 @@ LOOKS: Final[dict[str, dict[str, Any]]] = {
 """How the curves are drawn, by their name in `Limits`."""
 
 
-def limits_diagram(found: Limits, title: str = "", *, width: float = style.WIDTH) -> Figure:
+def limits_diagram(
+    found: Limits, title: str = "", *, terms: Terms = SI, width: float = style.WIDTH
+) -> Figure:
     """Draw the largest winds held as a polar diagram, bow up, bearings clockwise.
 
     Dashed what statics says, blue what is held in a simulated steady wind, and vermilion the mean
@@ -37,6 +40,8 @@ def limits_diagram(found: Limits, title: str = "", *, width: float = style.WIDTH
     found : Limits
     title : str
         Such as the object's name.
+    terms : Terms
+        The units and the frame in which it is told; bearings are true with a heading.
     width : float [in]
 
     Returns
@@ -44,7 +49,7 @@ def limits_diagram(found: Limits, title: str = "", *, width: float = style.WIDTH
     Figure
     """
     curves = {"static": found.static, "steady": found.steady, "gusty": found.gusty.min(axis=0)}
-    with style.settings(width):
+    with style.settings(width, terms):
         ax = polar.new_axes(BELOW)
         step, top = polar.rings(max(float(speeds.max()) for speeds in curves.values()))
         page = polar.frame(ax, top)
@@ -73,7 +78,7 @@ def _write_caption(figure: Figure, found: Limits, curves: dict[str, Vector], tit
     top = figure.get_size_inches()[1] - 0.22
     heading = polar.cut(title, polar.LONGEST_TITLE) or "Simulated capability"
     polar.write(figure, heading, 0.12, top, size=10.0, weight="bold", gid="heading")
-    said = "The largest wind held, by where it comes from, clockwise from the bow"
+    said = f"The largest wind held, by where it comes from, {polar.from_words()}"
     polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY, gid="title")
     height = figure.get_size_inches()[1]
     gusts = found.simulation.weather.gusts != "none"
@@ -92,7 +97,7 @@ def _write_caption(figure: Figure, found: Limits, curves: dict[str, Vector], tit
         polar.write(figure, words[name], 0.5, y, size=8.0)
         polar.write(figure, _least(found, speeds), 2.6, y, size=8.0)
         y -= 0.17
-    held = f"{found.within:.3g} m and {math.degrees(found.within_turn):.3g}°"
+    held = f"{written.length(found.within)} and {math.degrees(found.within_turn):.3g}°"
     said = f"Held within {held} for {found.simulation.duration:g} s; no waves."
     polar.write(figure, said, 0.12, y - 0.02, size=7.0, color=style.GREY)
 

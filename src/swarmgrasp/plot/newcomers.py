@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from swarmgrasp.placement import Move, Placement, Problem, Together
-from swarmgrasp.plot import style
+from swarmgrasp.plot import written
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.words import TIMES
 
@@ -46,7 +46,7 @@ class Newcomers:
     @property
     def gain(self) -> str:
         """How they change the quality."""
-        return style.gain(self.quality_before, self.quality, self.problem.criterion)
+        return written.gain(self.quality_before, self.quality, self.problem.criterion)
 
 
 def newcomers_of(answer: Answer) -> Newcomers | None:
@@ -79,7 +79,7 @@ def _placed(answers: Sequence[Placement]) -> Newcomers:
     return Newcomers(
         first.problem,
         tuple(p.robot for p in answers),
-        tuple(style.gain(p.quality_before, p.quality, criterion) for p in answers),
+        tuple(written.gain(p.quality_before, p.quality, criterion) for p in answers),
         tuple(others),
         first.quality_before,
         last.quality,
@@ -90,7 +90,7 @@ def _placed(answers: Sequence[Placement]) -> Newcomers:
 def _moved(found: Move) -> Newcomers:
     """Return the robot that moves, where it then is."""
     best, swarm = found.best, found.problem.swarm
-    gain = style.gain(found.quality_before, found.quality, found.problem.criterion)
+    gain = written.gain(found.quality_before, found.quality, found.problem.criterion)
     rest = swarm.without(best.name)
     return Newcomers(
         found.problem, (best.new,), (gain,), (), found.quality_before, found.quality,
@@ -100,5 +100,5 @@ def _moved(found: Move) -> Newcomers:
 
 def _short(placement: Placement, quality: float) -> str:
     """Return what a runner-up would have brought, in the unit of the answer."""
-    text = style.quality(quality, placement.problem.criterion, placement.quality)
+    text = written.quality(quality, placement.problem.criterion, placement.quality)
     return text.removesuffix(f" {TIMES}")

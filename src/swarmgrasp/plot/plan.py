@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from swarmgrasp.environment import Environment
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.placement import Move, Problem, Together
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.areas import draw_areas, name_areas
 from swarmgrasp.plot.arrows import Arrows
 from swarmgrasp.plot.direction import Pointer, load_pointer
@@ -86,7 +86,7 @@ def plan(
     environment : Environment, optional
         Draws wind, current and sea, if the load of the quality is theirs.
     terms : Terms
-        How their bearings and speeds are told, and what a robot is called.
+        The units, the frame and the words in which it is told.
     title : str
         Such as the name of the object.
     width : float [in]
@@ -98,21 +98,21 @@ def plan(
     -------
     Figure
     """
-    new = newcomers_of(placements)
     if (asked := _problem_of(placements)) is not None:
         zones, no_go = zones or asked.zones or (), no_go or asked.no_go
     strips = [zone.stretch for zone in zones if zone.stretch is not None]
     areas = [zone for zone in zones if zone.area is not None]
-    case = worst_case(swarm, quality, new)
-    arrows = _arrows(swarm, new, case)
-    with style.settings(width):
+    with style.settings(width, terms):
+        new = newcomers_of(placements)
+        case = worst_case(swarm, quality, new)
+        arrows = _arrows(swarm, new, case)
         pointers = _pointers(arrows, swarm, quality)
         leaving = frozenset() if new is None else new.leaving
         entries = robot_entries(arrows, terms.robot) + pose_entries(case, has_left=bool(leaving))
         entries += [pointer.entry() for pointer in pointers.values()]
         entries += zone_entries(zones, no_go)
         load = (0.0, 0.0, 0.0) if quality is None else quality.criterion.load
-        flows = flows_of(environment, swarm.outline, load, terms)
+        flows = flows_of(environment, swarm.outline, load)
         caption = _caption(swarm, quality, new, entries, flows, title, terms)
         alone = ax is None
         ax = new_axes(arrows, caption) if ax is None else ax
@@ -194,7 +194,7 @@ def _label_newcomers(page: Page, arrows: Arrows, new: Newcomers | None) -> None:
     if new is None:
         return
     for robot, words in zip(new.robots, new.words, strict=True):
-        text = f"{robot.name}, {style.force(robot.limit)}\n{words}".rstrip()
+        text = f"{robot.name}, {written.force(robot.limit)}\n{words}".rstrip()
         spots, bearing = outer_spots(arrows, robot)
         page.label(text, spots, bearing, fontsize=8.0, color=style.VERMILION, gid="newcomer-label")
 
@@ -242,18 +242,18 @@ def _caption(
 ) -> Caption:
     """Return what is written round the picture."""
     criterion = NOMINAL if quality is None else quality.criterion
-    title = terms.robots(len(swarm)) if len(swarm) else f"no {terms.several}"
+    title = written.count(len(swarm))
     if new is not None:
         criterion = new.problem.criterion
         more = "one moves" if new.leaving else f"+ {len(new.robots)}"
         title += f"{',' * bool(new.leaving)} {more}: {new.gain}"
     elif quality is not None:
-        title += f": quality {style.quality(quality.value, criterion)}"
-    small_print = [f"Quality with {swarm.metric_sentence}."]
+        title += f": quality {written.quality(quality.value, criterion)}"
+    small_print = [f"Quality with {written.metric(swarm)}."]
     if criterion.has_load:
-        small_print.append(style.load_sentence(criterion.load))
+        small_print.append(written.load_sentence(criterion.load, swarm))
     if new is not None and criterion.is_of_worst:
         small_print.append("The worst case is that with every newcomer there.")
-    small_print += style.frame_sentences(terms)
+    small_print += written.frame_sentences()
     words = criterion.words(swarm, terms.robot)
     return Caption(heading, title, words, tuple(entries), tuple(small_print), flows)

@@ -1,4 +1,7 @@
-"""Polar diagrams of winds: the bow up, bearings clockwise, the radius a speed."""
+"""Polar diagrams of winds: the bow up, bearings clockwise, the radius a speed.
+
+Bearings are true ones where the file has a heading, and else count from the bow.
+"""
 
 import math
 from typing import Any, Final
@@ -11,7 +14,7 @@ from matplotlib.text import Text
 from numpy.typing import NDArray
 
 from swarmgrasp.environment import KNOT
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.labels import Page
 
@@ -34,13 +37,19 @@ ROOM: Final = 1.16
 """Half width of the axes over the outer ring's radius: bearings are written outside the ring."""
 SPOKES: Final = range(0, 360, 30)
 KNOTS_AT: Final = 45.0
-METRES_AT: Final = 315.0
+OTHERS_AT: Final = 315.0
 """Bearings [deg] near which the rings are labelled."""
 TRIED: Final = tuple(float(sign * off) for off in range(0, 73, 4) for sign in (1, -1))
 """Degrees off them that are tried."""
+OUTSIDE: Final = 3.0
+"""Distance [pt] of the bearings from the outer ring."""
+SIDEWAYS: Final = 0.75
+"""Component to the side from which on long words are written along the ring."""
 CLEAR: Final = 1.5
 """Distance [pt] of the labels from curves."""
 QUARTERS: Final = {0: "bow", 90: "starboard", 180: "stern", 270: "port"}
+COMPASS: Final = {0: "N", 90: "E", 180: "S", 270: "W"}
+"""What bearings are called from the bow, and true ones."""
 
 
 def new_axes(below: float) -> Axes:
@@ -88,25 +97,60 @@ def draw_rings(page: Page, step: float, top: float) -> None:
         ax.add_patch(
             Circle((0.0, 0.0), radius, fill=False, color=colour, linewidth=width, zorder=1)
         )
+    bow, words = quarters()
     for bearing in SPOKES:
-        way = points(np.radians([bearing]), np.ones(1))[0]
+        way = points(np.radians([bearing - bow]), np.ones(1))[0]
         ax.plot(*np.outer(way, [0.0, top]), color="#DADADA", linewidth=0.5, zorder=1)
-        word = QUARTERS.get(bearing)
+        word = words.get(bearing)
         text = f"{bearing}°" if word is None else f"{bearing}° {word}"
-        beside = 0.0 if word is None or way[1] ** 2 > 0.5 else 90.0 if way[0] < 0.0 else -90.0
-        x, y = (1.075 * top * way).tolist()
-        artist = ax.text(
-            x, y, text, ha="center", va="center", rotation=beside,
-            fontsize=small(8.0), color=style.INK if word else style.GREY, gid="bearing",
+        is_long = word is not None and words is QUARTERS
+        beside = math.copysign(90.0, -way[0]) if is_long and abs(way[0]) > SIDEWAYS else 0.0
+        artist = ax.annotate(
+            text, top * way, (0.0, 0.0), textcoords="offset points", ha="center", va="center",
+            rotation=beside, fontsize=small(8.0), color=style.INK if word else style.GREY,
+            annotation_clip=False, gid="bearing",
         )  # fmt: skip
+        half = 0.5 * np.array(artist.get_window_extent().size) / page.point_size
+        artist.xyann = ((OUTSIDE + np.abs(way) @ half) * way).tolist()
         page.boxes.append(artist.get_window_extent().extents)
 
 
+def quarters() -> tuple[float, dict[int, str]]:
+    """Return the bearing of the bow [deg] as bearings are told, and what four of them are called.
+
+    Examples
+    --------
+    >>> quarters()
+    (0.0, {0: 'bow', 90: 'starboard', 180: 'stern', 270: 'port'})
+    """
+    is_true = style.terms().frame.heading is not None
+    return written.telling().from_degrees(0.0), COMPASS if is_true else QUARTERS
+
+
+def from_words() -> str:
+    """Say how bearings are told.
+
+    Examples
+    --------
+    >>> from swarmgrasp.terms import Frame, Terms
+    >>> from_words()
+    'clockwise from the bow'
+    >>> with style.settings(terms=Terms(frame=Frame(heading=math.pi / 6))):
+    ...     from_words()
+    'true; bow up, at 30°'
+    """
+    bow, words = quarters()
+    return f"true; bow up, at {bow:.4g}°" if words is COMPASS else "clockwise from the bow"
+
+
 def label_rings(page: Page, step: float, top: float) -> None:
-    """Write the speeds on the rings: knots right of the bow, metres per second left of it."""
+    """Write the speeds on the rings: knots right of the bow, the other unit left of it."""
+    size, name = written.other_speed()
     for radius in np.arange(step, top + 0.5 * step, step).tolist():
         write_ring(page, radius, f"{radius:g} kn", KNOTS_AT, "left")
-        write_ring(page, radius, f"{style.number(radius * KNOT)} m/s", METRES_AT, "right")
+        write_ring(
+            page, radius, f"{written.number(radius * KNOT / size)} {name}", OTHERS_AT, "right"
+        )
 
 
 def write_ring(page: Page, radius: float, text: str, bearing: float, side: str) -> None:

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from swarmgrasp.outline import Outline
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import ArrowEntry, Arrows
 from swarmgrasp.plot.direction import Pointer
 from swarmgrasp.plot.labels import Page
@@ -23,6 +23,8 @@ from swarmgrasp.plot.sheet import Caption, draw_force_key, frame, new_axes, writ
 from swarmgrasp.plot.weakest import label_weakest, weakest_pointer
 from swarmgrasp.quality import Sensitivities
 from swarmgrasp.swarm import Robot
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.units import LENGTHS
 
 Vectors = NDArray[np.float64]
 
@@ -83,18 +85,25 @@ class _Swung(Arrows):
 
 
 def sensitivity_plan(
-    found: Sensitivities, *, title: str = "", width: float = style.WIDTH, ax: Axes | None = None
+    found: Sensitivities,
+    *,
+    terms: Terms = SI,
+    title: str = "",
+    width: float = style.WIDTH,
+    ax: Axes | None = None,
 ) -> Figure:
     """Draw the object from above, and how the quality changes when one robot moves.
 
     Each robot has a bar along the boundary, half of it for a contact shifted the one way and
     half for the other, and an arc round the contact for a force turned the one way or the
-    other. A half is as long as the quality changes per metre, or per degree; green and pointed
-    where it rises.
+    other. A half is as long as the quality changes per unit of length, or per degree; green and
+    pointed where it rises.
 
     Parameters
     ----------
     found : Sensitivities
+    terms : Terms
+        The units, the frame and the words in which it is told.
     title : str
         Such as the name of the object.
     width : float [in]
@@ -108,7 +117,7 @@ def sensitivity_plan(
     """
     swarm = found.swarm
     arrows = _Swung(swarm.outline, swarm.robots)
-    with style.settings(width):
+    with style.settings(width, terms):
         limit = None
         if len(swarm) and in_view(arrows):
             limit = weakest_pointer(arrows, swarm, found.quality)
@@ -281,10 +290,10 @@ def _caption(
     found: Sensitivities, arrows: Arrows, weakest: Pointer | None, heading: str
 ) -> Caption:
     """Return what is written round the picture."""
-    swarm, criterion = found.swarm, found.quality.criterion
+    swarm, criterion, terms = found.swarm, found.quality.criterion, style.terms()
     mounted = {robot.mounted for robot in arrows.robots}
     entries: list[Any] = [
-        ArrowEntry(facecolor=LOOKS[kind][0], label=kind)
+        ArrowEntry(facecolor=LOOKS[kind][0], label=terms.robot if kind == "robot" else kind)
         for kind, is_mounted in (("robot", False), ("thruster", True))
         if is_mounted in mounted
     ]
@@ -303,21 +312,28 @@ def _caption(
     longest = [
         f"{what}: {where}, the longest {_rate(slopes, found)} per {per}."
         for what, where, slopes, per in (
-            ("Bars", "the contact shifted along the boundary", found.contact, "metre"),
+            (
+                "Bars",
+                "the contact shifted along the boundary",
+                found.contact * LENGTHS[terms.length],
+                terms.length,
+            ),
             ("Arcs", "the force turned", found.direction_per_degree, "degree"),
         )
         if np.nan_to_num(slopes).any()
-    ] or ["No small move of one robot changes the quality."]
+    ] or [f"No small move of one {terms.robot} changes the quality."]
     title = (
-        f"{style.count(len(swarm))}: quality {style.quality(found.quality.value, criterion)}, "
+        f"{written.count(len(swarm))}: quality {written.quality(found.quality.value, criterion)}, "
         "and what changes it"
     )
-    small_print = [*longest, f"Quality with {swarm.metric_sentence}."]
+    small_print = [*longest, f"Quality with {written.metric(swarm)}."]
     if criterion.has_load:
-        small_print.append(style.load_sentence(criterion.load))
-    return Caption(heading, title, criterion.words(swarm), tuple(entries), tuple(small_print))
+        small_print.append(written.load_sentence(criterion.load, swarm))
+    small_print += written.frame_sentences()
+    words = criterion.words(swarm, terms.robot)
+    return Caption(heading, title, words, tuple(entries), tuple(small_print))
 
 
 def _rate(slopes: Vectors, found: Sensitivities) -> str:
     """Write the largest of some slopes."""
-    return style.quality(float(np.nanmax(np.abs(slopes))), found.quality.criterion)
+    return written.quality(float(np.nanmax(np.abs(slopes))), found.quality.criterion)

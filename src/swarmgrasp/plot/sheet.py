@@ -12,8 +12,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import ArrowEntry, ArrowInLegend, Arrows, draw_arrows
+from swarmgrasp.plot.coordinates import tick_axes
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.flows import Flow, draw_flows, height_of
 from swarmgrasp.plot.labels import Page
@@ -172,13 +173,7 @@ def frame(
     (left, bottom), (right, top) = middle - 0.5 * metres * box, middle + 0.5 * metres * box
     ax.set(xlim=(left, right), ylim=(bottom, top))
     ax.set_aspect("equal", adjustable="box")
-    size = style.text(style.RC["axes.labelsize"])  # axes of others have their own settings
-    ax.set_xlabel("x [m]", labelpad=2.0, fontsize=size)
-    ax.set_ylabel("y [m]", labelpad=3.0, fontsize=size)
-    ax.spines[["top", "right"]].set_visible(False)
-    ax.tick_params(length=3.0, labelsize=style.text(style.RC["xtick.labelsize"]))
-    ax.locator_params(axis="y", nbins=6)
-    ax.locator_params(axis="x", nbins=max(3, round(axes_width() / 45.0)))
+    tick_axes(ax, (max(3, round(axes_width() / 45.0)), 6))
     draw_flows(page, flows)
     return page
 
@@ -249,17 +244,32 @@ def _grow(ax: Axes, more: float) -> None:
     ax.set_position((x, 1.0 - share * (1.0 - y), breadth, share * rise))
 
 
+def round_below(value: float) -> float:
+    """Return the largest 1, 2 or 5 times a power of ten that is at most a positive value.
+
+    Examples
+    --------
+    >>> round_below(37.0), round_below(0.6)
+    (20.0, 0.5)
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(
+        (m * power for m in (1.0, 2.0, 5.0) if m * power <= value * (1 + 1e-9)), default=power
+    )
+
+
 def draw_force_key(page: Page, arrows: Arrows) -> None:
     """Draw the length of a round force above the picture, on the right."""
     if not arrows.strongest:
         return
     ax, inverse = page.ax, page.ax.transData.inverted()
-    value = style.round_below(arrows.strongest)
+    unit = written.unit_of(arrows.strongest).newtons
+    value = unit * round_below(arrows.strongest / unit)
     tip = inverse.transform((ax.bbox.x1, ax.bbox.y1 + 12.0 * page.point_size))
     tail = tip - [arrows.length(value), 0.0]
     draw_arrows(ax, [(tail, tip)], color=style.GREY, gid="key", clip_on=False)
     ax.annotate(
-        style.force(value), (float(tail[0]), float(tail[1])),
+        written.force(value), (float(tail[0]), float(tail[1])),
         xytext=(-4.0, 0.0), textcoords="offset points", annotation_clip=False,
         ha="right", va="center", fontsize=style.text(8.0), gid="key-label",
     )  # fmt: skip

@@ -8,13 +8,20 @@ from swarmgrasp.plot.history import HEIGHT, PANELS, draw_history, panels
 from swarmgrasp.plot.track import height_of, legend_columns, stages_of, track
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
+from swarmgrasp.terms import SI, Terms
 
 LEFT, RIGHT, TOP = 0.6, 0.14, 0.34
 """Of the track's axes [in]."""
 
 
 def run_sheet(
-    run: Run, verdict: Verdict, title: str = "", *, index: int = 0, width: float = style.WIDTH
+    run: Run,
+    verdict: Verdict,
+    title: str = "",
+    *,
+    index: int = 0,
+    terms: Terms = SI,
+    width: float = style.WIDTH,
 ) -> Figure:
     """Draw one of the runs: its track from above, and its history.
 
@@ -26,13 +33,15 @@ def run_sheet(
     title : str
     index : int
         Which of the runs.
+    terms : Terms
+        The units, the frame and the words in which it is told.
     width : float [in]
 
     Returns
     -------
     Figure
     """
-    with style.settings(width):
+    with style.settings(width, terms):
         room = style.width() - LEFT - RIGHT
         height = height_of(run, verdict, index, room)
         legend = 0.5 + 0.17 * (len(stages_of(run, verdict, index)) // legend_columns() + 1)
@@ -42,7 +51,7 @@ def run_sheet(
         above = figure.add_axes(
             (LEFT / style.width(), (below + legend) / total, room / style.width(), height / total)
         )
-        track(run, verdict, index=index, width=width, ax=above)
+        track(run, verdict, index=index, terms=terms, width=width, ax=above)
         figure.text(
             LEFT / style.width(),
             1.0 - 0.2 / total,

@@ -8,16 +8,20 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import AutoLocator, MaxNLocator, PercentFormatter
 
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.simulation.study import Findings, Gathered
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.units import LENGTHS
 
 HEIGHT: Final = 2.9
 """Of a picture [in]."""
 LINE: Final[dict[str, Any]] = {"marker": "o", "markersize": 3.5, "linewidth": 1.2}
 
 
-def study_picture(found: Gathered, *, title: str = "", width: float = style.WIDTH) -> Figure:
+def study_picture(
+    found: Gathered, *, title: str = "", terms: Terms = SI, width: float = style.WIDTH
+) -> Figure:
     """Draw what a study has found, as its kind needs.
 
     Parameters
@@ -25,10 +29,12 @@ def study_picture(found: Gathered, *, title: str = "", width: float = style.WIDT
     found : Gathered
     title : str
         Instead of the name of the study's scenario.
+    terms : Terms
+        The units in which it is told.
     width : float [in]
     """
     draw, panels = KINDS[found.plan.study.kind]
-    with style.settings(width):
+    with style.settings(width, terms):
         figure = Drawn(figsize=(style.width(), HEIGHT), layout="constrained")
         axes = figure.subplots(1, panels, squeeze=False)[0]
         for ax in axes:
@@ -52,6 +58,11 @@ def _column(findings: Findings, index: int) -> list[float]:
     return [row[index] for row in findings.rows]
 
 
+def _lengths(findings: Findings, index: int) -> list[float]:
+    """Return a column of lengths in the picture's unit."""
+    return [value / LENGTHS[style.terms().length] for value in _column(findings, index)]
+
+
 def _shares(ax: Axes, label: str) -> None:
     """Make an axis one of shares."""
     ax.set(ylim=(0.0, 1.02), ylabel=label)
@@ -66,12 +77,12 @@ def _draw_sizes(axes: Any, findings: Findings) -> None:
     left.set(xlabel="robots")
     _shares(left, "with force closure")
     low, median, high = (_column(findings, index) for index in (3, 4, 5))
-    factor, unit = style.force_unit(max(high, default=0.0))
-    low, median, high = ([factor * value for value in row] for row in (low, median, high))
+    unit = written.unit_of(*high)
+    low, median, high = ([value / unit.newtons for value in row] for row in (low, median, high))
     right.fill_between(robots, low, high, color=style.SKY, alpha=0.3, linewidth=0.0,
                        label="10 to 90 %")  # fmt: skip
     right.plot(robots, median, color=style.BLUE, label="median", **LINE)
-    right.set(xlabel="robots", ylabel=f"quality [{unit}]", ylim=(0.0, None))
+    right.set(xlabel="robots", ylabel=f"quality [{unit.name}]", ylim=(0.0, None))
     right.legend(loc="upper left")
 
 
@@ -115,9 +126,9 @@ def _draw_gusts(axes: Any, findings: Findings) -> None:
     look: dict[str, Any] = {"width": 0.86, "color": style.BLUE}
     left.bar(places, _column(findings, 3), **look)
     _shares(left, "held")
-    right.bar(places, _column(findings, 5), label="90 % of runs", **look | {"color": style.SKY})
-    right.bar(places, _column(findings, 4), label="median", **look)
-    right.set(yscale="log", ylabel="largest error [m]")
+    for column, label, more in ((5, "90 % of runs", {"color": style.SKY}), (4, "median", {})):
+        right.bar(places, _lengths(findings, column), label=label, **look | more)
+    right.set(yscale="log", ylabel=f"largest error [{style.terms().length}]")
     right.legend(loc="upper right")
     for ax in axes:
         ax.set_xticks([index + 1.0 for index in range(len(ends))], ends)
@@ -131,7 +142,10 @@ def _draw_story(axes: Any, findings: Findings) -> None:
     parts = _column(findings, 0)
     turns = [math.degrees(turn) for turn in _column(findings, 2)]
     for ax, values, label in zip(
-        axes, (_column(findings, 1), turns), ("position [m]", "heading [°]"), strict=True
+        axes,
+        (_lengths(findings, 1), turns),
+        (f"position [{style.terms().length}]", "heading [°]"),
+        strict=True,
     ):
         ax.plot(values, parts, color=style.BLUE, **LINE)
         ax.set(xlabel=f"largest error of {label}", xlim=(0.0, None))

@@ -1,6 +1,5 @@
 """A picture of thrust use: the part of its limit that each robot needs, by bearing."""
 
-import math
 from typing import Final
 
 import numpy as np
@@ -9,9 +8,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from swarmgrasp.capability import ThrustUse
-from swarmgrasp.environment import KNOT
-from swarmgrasp.plot import all_round, polar, style
+from swarmgrasp.plot import all_round, polar, style, written
 from swarmgrasp.plot.figure import Drawn
+from swarmgrasp.terms import SI, Terms
 
 MOST_ROWS: Final = 40
 """Robots that have a row each; of more, the busiest."""
@@ -25,7 +24,7 @@ LONGEST_NAME: Final = 18
 
 
 def thrust_use_picture(
-    found: ThrustUse, title: str = "", *, robot: str = "robot", width: float = style.WIDTH
+    found: ThrustUse, title: str = "", *, terms: Terms = SI, width: float = style.WIDTH
 ) -> Figure:
     """Draw thrust use over bearings: the busiest robot's share, and below it every robot's.
 
@@ -34,19 +33,20 @@ def thrust_use_picture(
     found : ThrustUse
     title : str
         Such as the vessel's name.
-    robot : str
-        What one robot is called, such as "tug".
+    terms : Terms
+        The units, the frame and the words in which it is told; bearings are true with a heading.
     width : float [in]
 
     Returns
     -------
     Figure
     """
-    order = np.argsort(found.bearings % math.tau, kind="stable")
     chosen = np.argsort(-found.shares.max(axis=0, initial=0.0), kind="stable")[:MOST_ROWS]
     chosen = np.sort(chosen)
     rows = max(1, len(chosen))
-    with style.settings(width):
+    with style.settings(width, terms):
+        told = np.array([written.telling().from_degrees(b) for b in found.bearings])
+        order = np.argsort(told, kind="stable")
         foot = 0.98
         height = 0.5 + CURVE + 0.12 + ROW * rows + foot
         figure = Drawn(figsize=(width, height))
@@ -56,10 +56,10 @@ def thrust_use_picture(
             """Return axes from a height [in] up."""
             return figure.add_axes((LEFT / width, bottom / height, room / width, tall / height))
 
-        degrees = np.degrees(found.bearings[order] % math.tau)
+        degrees = told[order]
         _draw_busiest(axes(foot + ROW * rows + 0.12, CURVE), found, degrees, order)
         _draw_all(figure, axes(foot, ROW * rows), found, degrees, order, chosen)
-        _write(figure, found, (title, robot), height)
+        _write(figure, found, (title, terms.robot), height)
     return figure
 
 
@@ -105,12 +105,17 @@ def _draw_all(
         )  # fmt: skip
     ax.set_facecolor("#F4DDD0")
     ax.set(xlim=(0.0, 360.0), ylim=(len(chosen), 0.0))
-    quarters = ["0° bow", "90° starboard", "180° stern", "270° port", "360°"]
-    ax.set_xticks(range(0, 361, 90), quarters)
+    bow, words = polar.quarters()
+    quarters = [f"{bearing}° {word}" for bearing, word in words.items()]
+    ax.set_xticks(range(0, 361, 90), [*quarters, "360°"])
+    if bow:
+        ax.plot([bow], [0.0], "v", color=style.INK, markersize=4.0, clip_on=False, gid="bow")
     names = [polar.cut(found.swarm.names[i], LONGEST_NAME) for i in chosen]
     ax.set_yticks(np.arange(len(chosen)) + 0.5, names)
     ax.tick_params(length=0)
-    ax.set_xlabel("where it comes from, clockwise from the bow")
+    ax.set_xlabel(
+        f"where it comes from, {polar.from_words().replace('bow up, at', 'the bow is at')}"
+    )
     box = ax.get_position()
     bar = figure.colorbar(
         mesh, cax=figure.add_axes((box.x1 + 0.02, box.y0, 0.018, box.height)), ticks=[0, 50, 100]
@@ -124,9 +129,7 @@ def _write(figure: Figure, found: ThrustUse, words: tuple[str, str], height: flo
     (title, robot), top = words, height - 0.2
     heading = polar.cut(title, polar.LONGEST_TITLE) or "Thrust use"
     polar.write(figure, heading, 0.12, top, size=10.0, weight="bold", gid="heading")
-    said = (
-        f"Part of each {robot}'s limit used in {found.speed / KNOT:.3g} kn ({found.speed:.3g} m/s)"
-    )
+    said = f"Part of each {robot}'s limit used in {written.speed(found.speed)}"
     if not found.held.all():
         said += "; hatched: not held"
     polar.write(figure, said, 0.12, top - 0.17, size=9.0, color=style.GREY, gid="title")

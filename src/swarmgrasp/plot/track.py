@@ -14,12 +14,14 @@ from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from swarmgrasp.environment import KNOT
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import draw_arrows
+from swarmgrasp.plot.coordinates import tick_axes
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.labels import Page
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
+from swarmgrasp.terms import SI, Terms
 
 Vector = NDArray[np.float64]
 
@@ -29,6 +31,8 @@ TURNS: Final = ("lost", "left", "joined", "aim", "weather")
 """Kinds of happenings that begin a stage: what is noticed or sent changes nothing yet."""
 STILL: Final = 1e-6
 """How far a reference may move, relative to the object's extent, and a circle still be drawn."""
+CALM: Final = 1e-6
+"""Variation of a wind, relative to its mean, that counts as none."""
 WIND_ROW: Final = 28.0
 """Room for the wind above all else [pt]."""
 TWO_COLUMNS: Final = 4.6
@@ -122,6 +126,7 @@ def track(
     verdict: Verdict,
     *,
     index: int = 0,
+    terms: Terms = SI,
     width: float = style.WIDTH,
     ax: Axes | None = None,
 ) -> Figure:
@@ -138,6 +143,8 @@ def track(
         Of the run.
     index : int
         Which of the runs.
+    terms : Terms
+        The units, the frame and the words in which it is told.
     width : float [in]
         Of the figure.
     ax : Axes, optional
@@ -147,7 +154,7 @@ def track(
     -------
     Figure
     """
-    with style.settings(width):
+    with style.settings(width, terms):
         stages = stages_of(run, verdict, index)
         low, high = _box(run, stages, index)
         ax = _new_axes(low, high, len(stages)) if ax is None else ax
@@ -219,11 +226,7 @@ def _frame(ax: Axes, low: Vector, high: Vector) -> Page:
     (left, bottom), (right, top) = middle - 0.5 * metres * box, middle + 0.5 * metres * box
     ax.set(xlim=(left, right), ylim=(bottom, top))
     ax.set_aspect("equal", adjustable="box")
-    ax.set_xlabel("x [m]", labelpad=2.0)
-    ax.set_ylabel("y [m]", labelpad=3.0)
-    ax.spines[["top", "right"]].set_visible(False)
-    ax.tick_params(length=3.0)
-    ax.locator_params(axis="y", nbins=6)
+    tick_axes(ax, (max(3, round(style.width() / 0.62)), 6))
     return page
 
 
@@ -285,7 +288,7 @@ def _draw_end(page: Page, run: Run, index: int) -> None:
 
 
 def _draw_wind(page: Page, run: Run, index: int) -> None:
-    """Draw the mean wind at the end, in the corner."""
+    """Draw the wind, its mean over the run, in the corner."""
     wind = np.asarray(run.streams[index, :, :2], float).mean(axis=0)
     speed = float(np.hypot(*wind))
     if speed == 0.0:
@@ -295,9 +298,10 @@ def _draw_wind(page: Page, run: Run, index: int) -> None:
     way = 11.0 * size * wind / speed
     ends = [(inverse.transform(middle - way), inverse.transform(middle + way))]
     draw_arrows(page.ax, ends, color=style.GREY, width=0.02, gid="wind")
-    from_ = math.degrees(math.pi - math.atan2(wind[1], wind[0])) % 360.0
-    text = f"wind {speed / KNOT:.0f} kn" if speed > 2.0 else f"wind {speed:.2g} m/s"
-    text += f" from {from_:.0f}°"
+    from_ = math.radians(round(math.degrees(math.pi - math.atan2(wind[1], wind[0]))))
+    text = f"{speed / KNOT:.0f} kn" if speed > 2.0 else f"{speed:.2g} m/s"
+    varies = np.ptp(run.streams[index, :, :2], axis=0).max() > CALM * speed
+    text = f"{'mean wind' if varies else 'wind'} {text} {written.from_words(from_)}"
     artist = page.ax.annotate(
         text,
         (1.0, 1.0),
@@ -317,8 +321,8 @@ def _write_legend(ax: Axes, stages: tuple[Stage, ...]) -> None:
     """Write what each stage is, and within what the object was."""
     handles: list[Any] = [
         Line2D([], [], **stage.line,
-               label=f"{stage.words}: {style.number(stage.distance)} m, "
-               f"{style.number(math.degrees(stage.turn))}°")
+               label=f"{stage.words}: {written.length(stage.distance)}, "
+               f"{written.number(math.degrees(stage.turn))}°")
         for stage in stages
     ]  # fmt: skip
     handles.append(

@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import Arrows
 from swarmgrasp.plot.direction import Pointer
 from swarmgrasp.plot.labels import Page
@@ -57,7 +57,7 @@ def _weakness(quality: Quality, when: str) -> str:
     """Say how weak a swarm is or was."""
     criterion = quality.criterion
     if quality.value > 0.0:
-        return f"weakest{when}: {style.quality(quality.value, criterion)}"
+        return f"weakest{when}: {written.quality(quality.value, criterion)}"
     if criterion.has_load:
         return f"load not held{when}"
     return f"not force closed{when}" if criterion.task is None else f"task not possible{when}"

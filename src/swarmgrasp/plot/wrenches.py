@@ -14,7 +14,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-u
 from mpl_toolkits.mplot3d.axes3d import Axes3D  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.bodies import Body, body, split
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.fit import fit
@@ -22,6 +22,8 @@ from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.quality import Criterion
 from swarmgrasp.quality.criterion import NOMINAL
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.words import Unit
 
 ASIDE: Final = 38.0
 """How far the eye stands off the direction of the touching point [deg]: seen straight on,
@@ -61,6 +63,7 @@ def wrench_sets(
     *,
     criterion: Criterion = NOMINAL,
     eye: tuple[float, float] | None = None,
+    terms: Terms = SI,
     title: str = "",
     width: float = style.WIDTH,
 ) -> Figure:
@@ -84,6 +87,8 @@ def wrench_sets(
         What quality means.
     eye : tuple of float [deg, deg], optional
         Elevation and azimuth to look from; by default the touching point faces the eye.
+    terms : Terms
+        The units and the words in which it is told.
     title : str
         Such as the name of the object.
     width : float [in]
@@ -105,11 +110,12 @@ def wrench_sets(
     elif criterion.is_of_worst:
         wires = body(before, replace(criterion, losing=0, worst_case=False, failures=()))
     shapes = (first, last) if wires is None else (first, last, wires)
-    factor, unit = style.force_unit(float(max(np.abs(s.vertices).max() for s in shapes)))
-    load = factor * np.array(criterion.load) * before.scale
-    with style.settings(width):
+    with style.settings(width, terms):
+        unit = written.unit_of(*(float(np.abs(s.vertices).max()) for s in shapes))
+        factor = 1.0 / unit.newtons
+        load = factor * np.array(criterion.load) * before.scale
         entries = _legend_entries(first, last, wires, criterion)
-        words = criterion.words(before)
+        words = criterion.words(before, terms.robot)
         caption = Caption(
             title, "", f"quality {words}" if words else "", tuple(entries),
             tuple(_small_print(before, criterion)),
@@ -137,7 +143,7 @@ def wrench_sets(
         if criterion.has_load:
             arm = np.vstack([np.zeros(3), load])
             ax.plot(*arm.T, **LOAD, markersize=4.5, markevery=[1], zorder=5.5, gid="load")
-        _set_axes(ax, shapes, factor, unit, before)
+        _set_axes(ax, shapes, unit, before)
         fit(figure, ax, room)
     return figure
 
@@ -267,9 +273,9 @@ def _draw_facet(ax: Axes3D, shape: Body, factor: float) -> None:
     ax.plot([0.0], [0.0], [0.0], "+", color=style.INK, markersize=7.0, zorder=6, gid="origin")
 
 
-def _set_axes(ax: Axes3D, shapes: Sequence[Body], factor: float, unit: str, swarm: Swarm) -> None:
+def _set_axes(ax: Axes3D, shapes: Sequence[Body], unit: Unit, swarm: Swarm) -> None:
     """Give all three axes the same scale, so that a ball is round, and name them."""
-    corners = np.concatenate([*(s.vertices for s in shapes), np.zeros((1, 3))]) * factor
+    corners = np.concatenate([*(s.vertices for s in shapes), np.zeros((1, 3))]) / unit.newtons
     low, high = corners.min(axis=0), corners.max(axis=0)
     size = float((high - low).max()) or 1.0
     thin = np.maximum(0.25 * size - (high - low), 0.0) / 2.0
@@ -277,9 +283,9 @@ def _set_axes(ax: Axes3D, shapes: Sequence[Body], factor: float, unit: str, swar
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(tuple(high - low))
     roots = [f"√{a:g} · " if a != 1.0 else "" for a in swarm.force_weights]
-    ax.set_xlabel(f"{roots[0]}surge force [{unit}]")
-    ax.set_ylabel(f"{roots[1]}sway force [{unit}]")
-    ax.set_zlabel(f"torque / {style.number(swarm.characteristic_length)} m [{unit}]")
+    ax.set_xlabel(f"{roots[0]}surge ahead [{unit.name}]")
+    ax.set_ylabel(f"{roots[1]}sway to port [{unit.name}]")
+    ax.set_zlabel(f"yaw to port / {written.length(swarm.characteristic_length)} [{unit.name}]")
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
     ax.tick_params(pad=1.5)
@@ -295,7 +301,7 @@ def _legend_entries(first: Body, last: Body, wires: Body | None, criterion: Crit
         look: dict[str, Any] = {"color": style.VERMILION, "linewidth": 1.2}
         entries.append(Line2D([], [], **look, label=_measured(last, first, criterion)))
     elif wires is not None:
-        text = f"as they stand: {style.quality(wires.quality, criterion)}"
+        text = f"as they stand: {written.quality(wires.quality, criterion)}"
         entries.append(Line2D([], [], color=style.BLUE, linewidth=1.2, label=text))
     if last.quality > 0.0 and criterion.task is None:
         look = {"marker": "o", "linestyle": "none", "markersize": 8.0}
@@ -320,18 +326,19 @@ def _legend_entries(first: Body, last: Body, wires: Body | None, criterion: Crit
 def _measured(shape: Body, other: Body, criterion: Criterion) -> str:
     """Write how good one of two swarms is."""
     largest = max(shape.quality, other.quality)
-    found = style.quality(shape.quality, criterion, largest)
-    crew = style.count(shape.robots)
+    found = written.quality(shape.quality, criterion, largest)
+    crew = written.count(shape.robots)
     return f"{crew}, quality {found}" if criterion.task is None else f"{crew}: {found}"
 
 
 def _small_print(swarm: Swarm, criterion: Criterion) -> list[str]:
     """Return what the picture's numbers mean, in lines."""
-    lines = [f"Metric: {swarm.metric_sentence}."]
+    lines = [f"Metric: {written.metric(swarm)}."]
     if criterion.has_load:
-        lines.append(style.load_sentence(criterion.load))
+        lines.append(written.load_sentence(criterion.load, swarm))
     if criterion.is_of_worst:
-        drawn = "robots left" if criterion.losing or criterion.failures else "robots"
+        several = style.terms().several
+        drawn = f"{several} left" if criterion.losing or criterion.failures else several
         where = " in their worst poses" if criterion.worst_case else ""
         lines.append(f"The quality is that of the {drawn}{where}, whose wrench set is drawn.")
     return lines

@@ -13,28 +13,38 @@ from swarmgrasp.units import SPEEDS
 
 Array = NDArray[np.float64]
 
-CLOCKWISE = "Bearings: degrees clockwise from the bow, where it comes from; 90 is starboard."
 ROWS = 12
 """Of a table: more bearings than this are told every 30 degrees, and where it matters most."""
 
 
-def bare(bearing: float) -> str:
-    """Return a bearing [rad] in degrees, without the unit."""
-    return f"{math.degrees(bearing) % 360.0:.4g}"
+def clockwise_note(tell: Telling, when: str = "") -> str:
+    """Say how bearings are told: from a bow that is where it is at some time."""
+    if tell.terms.frame.heading is None:
+        ours = f"degrees clockwise from the bow{when}, where it comes from; 90 is starboard"
+        return f"Bearings: {ours}."
+    return f"Bearings: true, where it comes from; the bow is at {bare(0.0, tell)} deg{when}."
 
 
-def degrees(bearing: float) -> str:
-    """Return a bearing [rad] in degrees."""
-    return f"{bare(bearing)} deg"
+def bare(bearing: float, tell: Telling) -> str:
+    """Return a bearing [rad], clockwise from the bow, in degrees as it is told, without unit."""
+    return f"{tell.from_degrees(bearing):.4g}"
 
 
-def ranges(bearings: list[float], chosen: Any) -> str:
+def degrees(bearing: float, tell: Telling) -> str:
+    """Return a bearing [rad], clockwise from the bow, in degrees as it is told."""
+    true = "" if tell.terms.frame.heading is None else " true"
+    return f"{bare(bearing, tell)} deg{true}"
+
+
+def ranges(bearings: list[float], chosen: Any, tell: Telling) -> str:
     """Tell some of the bearings [rad] as ranges, clockwise.
 
     Examples
     --------
+    >>> from swarmgrasp.terms import SI
     >>> compass = [math.radians(45 * k) for k in range(8)]
-    >>> ranges(compass, [True, True, False, True, False, False, False, True])
+    >>> chosen = [True, True, False, True, False, False, False, True]
+    >>> ranges(compass, chosen, Telling.of(SI, 1.0, []))
     '315 to 45 deg and 135 deg'
     """
     count = len(bearings)
@@ -44,24 +54,25 @@ def ranges(bearings: list[float], chosen: Any) -> str:
         end = start
         while chosen[(end + 1) % count]:
             end += 1
-        last = degrees(bearings[end % count])
-        said.append(last if end == start else f"{bare(bearings[start])} to {last}")
+        last = degrees(bearings[end % count], tell)
+        said.append(last if end == start else f"{bare(bearings[start], tell)} to {last}")
     return " and ".join([", ".join(said[:-1]), said[-1]] if len(said) > 1 else said)
 
 
-def shown(bearings: Array, *worst: int) -> list[int]:
+def shown(bearings: Array, tell: Telling, *worst: int) -> list[int]:
     """Return the bearings to tell: all of a few, or every 30 degrees and the worst, by index."""
-    if len(bearings) <= ROWS:
-        return list(range(len(bearings)))
-    each = np.degrees(bearings)
-    round_ones = np.flatnonzero(np.abs(each - 30.0 * np.round(each / 30.0)) < 1e-6)
-    return sorted({*round_ones.tolist(), *worst})
+    each = np.array([tell.from_degrees(bearing) for bearing in bearings])
+    chosen = set(range(len(each)))
+    if len(each) > ROWS:
+        round_ones = np.flatnonzero(np.abs(each - 30.0 * np.round(each / 30.0)) < 1e-6)
+        chosen = {*round_ones.tolist(), *worst}
+    return sorted(chosen, key=lambda i: each[i])
 
 
 def step_note(report: Report, bearings: Array, rows: int) -> None:
     """Say that more was computed than told, if it was."""
     if rows < len(bearings):
-        step = math.degrees(bearings[1] - bearings[0])
+        step = math.degrees(bearings[1] - bearings[0]) % 360.0
         report.note(f"Computed every {step:.4g} degrees; --json has them all.")
 
 

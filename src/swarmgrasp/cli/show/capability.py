@@ -5,8 +5,8 @@ from typing import Any
 
 from swarmgrasp.capability import Capability
 from swarmgrasp.cli.show.all_round import (
-    CLOCKWISE,
     bare,
+    clockwise_note,
     decimals,
     degrees,
     ranges,
@@ -37,7 +37,7 @@ def show(name: str, found: Capability, terms: Terms) -> None:
     held = (
         f"holds {wind_text(found, worst, tell)} from any bearing"
         if worst
-        else f"holds {none_words(found.bearings, found.intact == 0.0)}"
+        else f"holds {none_words(found.bearings, found.intact == 0.0, tell)}"
     )
     report.headline(f"{name}: {held}", "good" if after else "caution" if worst else "bad")
     report.blank()
@@ -46,7 +46,7 @@ def show(name: str, found: Capability, terms: Terms) -> None:
     _show_bearings(report, found, tell)
     report.blank()
     for note in (
-        CLOCKWISE,
+        clockwise_note(tell),
         f"The largest winds held beside {calm_words(found)}; loads are steady, and "
         f"{sea_words(found)}.",
     ):
@@ -77,20 +77,20 @@ def _least(found: Capability, speeds: Any, index: int, holds: Any, tell: Telling
     """Tell the least of some winds [m/s] and where it comes from."""
     none = speeds == 0.0
     if not none.any():
-        from_ = degrees(found.bearings[index])
+        from_ = degrees(found.bearings[index], tell)
         return f"least from {from_}: {wind_text(found, speeds[index], tell)}"
-    said = none_words(found.bearings, none)
+    said = none_words(found.bearings, none, tell)
     if holds[none].all():
         return said
     return f"{said}{', in part' if holds[none].any() else ','} not even {calm_words(found)} alone"
 
 
-def none_words(bearings: Any, none: Any) -> str:
+def none_words(bearings: Any, none: Any, tell: Telling) -> str:
     """Say from which of some bearings (m,) [rad] no wind is held."""
     if none.all():
         return "no wind from any bearing"
     few = none.sum() <= 0.5 * len(none)
-    where = ranges(bearings.tolist(), none if few else ~none)
+    where = ranges(bearings.tolist(), none if few else ~none, tell)
     return f"no wind {'from' if few else 'but from'} {where}"
 
 
@@ -120,10 +120,10 @@ def _show_bearings(report: Report, found: Capability, tell: Telling) -> None:
     ]  # fmt: skip
     rows = [
         [
-            bare(found.bearings[i]), *numbers(found, found.intact[i], tell),
+            bare(found.bearings[i], tell), *numbers(found, found.intact[i], tell),
             *numbers(found, found.after_loss[i], tell), found.lost_words(i),
         ]
-        for i in shown(found.bearings, found.worst, found.worst_after_loss)
+        for i in shown(found.bearings, tell, found.worst, found.worst_after_loss)
     ]  # fmt: skip
     report.table(columns, rows, "bearings")
     step_note(report, found.bearings, len(rows))

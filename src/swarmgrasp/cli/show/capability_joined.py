@@ -1,7 +1,14 @@
 """How `swarmgrasp capability --with-newcomer` tells its answer."""
 
 from swarmgrasp.capability import CapabilityJoined
-from swarmgrasp.cli.show.all_round import CLOCKWISE, bare, degrees, shown, step_note, surroundings
+from swarmgrasp.cli.show.all_round import (
+    bare,
+    clockwise_note,
+    degrees,
+    shown,
+    step_note,
+    surroundings,
+)
 from swarmgrasp.cli.show.capability import (
     calm_words,
     most,
@@ -22,7 +29,7 @@ def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
     report, tell = Report(), telling_of(terms, found.after.swarm, [])
     joined, after = found.placement.robot.name, found.after
     least = float(after.intact.min())
-    said = none_words(after.bearings, after.intact == 0.0)
+    said = none_words(after.bearings, after.intact == 0.0, tell)
     if least:
         said = f"{wind_text(after, least, tell)} from any bearing"
     report.headline(f"{name}: holds {said} with {joined}", "good" if least else "caution")
@@ -35,7 +42,7 @@ def show(name: str, found: CapabilityJoined, terms: Terms) -> None:
     report.blank()
     _show_bearings(report, found, tell)
     report.blank()
-    report.note(CLOCKWISE)
+    report.note(clockwise_note(tell))
     report.note(
         f"The largest winds held beside {calm_words(after)}, before {joined} joins and after; "
         f"loads are steady, and {sea_words(after)}."
@@ -53,14 +60,14 @@ def _show_bearings(report: Report, found: CapabilityJoined, tell: Telling) -> No
     ]  # fmt: skip
     rows = [
         [
-            bare(after.bearings[i]),
+            bare(after.bearings[i], tell),
             *(numbers(one, speeds[i], tell)[0] for one, speeds in (
                 (before, before.intact), (after, after.intact),
                 (before, before.after_loss), (after, after.after_loss),
             )),
         ]
         for i in shown(
-            after.bearings, before.worst, after.worst, before.worst_after_loss,
+            after.bearings, tell, before.worst, after.worst, before.worst_after_loss,
             after.worst_after_loss,
         )
     ]  # fmt: skip
@@ -94,5 +101,7 @@ def _least(found: CapabilityJoined, speeds: object, index: int, tell: Telling) -
     speed = float(speeds[index])  # type: ignore[index]
     if speed == 0.0:
         return "none"
-    from_ = degrees(found.after.bearings[index]) if speed < most(found.after) else "any bearing"
+    from_ = (
+        degrees(found.after.bearings[index], tell) if speed < most(found.after) else "any bearing"
+    )
     return f"{wind_text(found.after, speed, tell)} from {from_}"

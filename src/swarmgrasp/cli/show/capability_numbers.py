@@ -1,7 +1,15 @@
 """How `swarmgrasp capability --numbers` tells its answer."""
 
 from swarmgrasp.capability import ALLOWANCE, CapabilityNumbers
-from swarmgrasp.cli.show.all_round import CLOCKWISE, bare, decimals, degrees, drag, shown, step_note
+from swarmgrasp.cli.show.all_round import (
+    bare,
+    clockwise_note,
+    decimals,
+    degrees,
+    drag,
+    shown,
+    step_note,
+)
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.environment import KNOT, STEPS
@@ -33,15 +41,15 @@ def show(name: str, found: CapabilityNumbers, terms: Terms) -> None:
         Column(f"worst {found.less_by}", is_spare=True),
     ]  # fmt: skip
     rows = [
-        [bare(found.bearings[i]), *map(_number, (found.intact[i], found.after_loss[i])),
+        [bare(found.bearings[i], tell), *map(_number, (found.intact[i], found.after_loss[i])),
          found.lost_words(i)]
-        for i in shown(found.bearings, found.worst, found.worst_after_loss)
+        for i in shown(found.bearings, tell, found.worst, found.worst_after_loss)
     ]  # fmt: skip
     report.table(columns, rows, "bearings")
     step_note(report, found.bearings, len(rows))
     report.blank()
     for note in (
-        CLOCKWISE,
+        clockwise_note(tell),
         "Steps: those by which DNV-ST-0111 numbers capabilities, by Beaufort, with the sea of the "
         "wind and a current, all from one bearing; the largest held, all those before it held too.",
         NO_ASSESSMENT,
@@ -69,8 +77,8 @@ def step_words(number: int) -> str:
 def _facts(found: CapabilityNumbers, tell: Telling) -> list[tuple[str, str]]:
     """Tell where the least is held, after which loss, and with what allowance."""
     i, j = found.worst, found.worst_after_loss
-    facts = [("Intact", _least(found.bearings[i], int(found.intact[i])))]
-    least = _least(found.bearings[j], int(found.after_loss[j]))
+    facts = [("Intact", _least(found.bearings[i], int(found.intact[i]), tell))]
+    least = _least(found.bearings[j], int(found.after_loss[j]), tell)
     if found.failures:
         asked = Criterion(losing=found.losing, failures=found.failures)
         facts += [("After a failure", least), ("", asked.words(found.swarm, tell.terms.robot))]
@@ -86,9 +94,9 @@ def _facts(found: CapabilityNumbers, tell: Telling) -> list[tuple[str, str]]:
     return [*facts, ("Allowance", f"all loads times {factor:g}{beside}")]
 
 
-def _least(bearing: float, number: int) -> str:
+def _least(bearing: float, number: int, tell: Telling) -> str:
     """Tell the least step held and where from."""
-    return f"least from {degrees(bearing)}: {step_words(number)}"
+    return f"least from {degrees(bearing, tell)}: {step_words(number)}"
 
 
 def _number(number: int) -> str:

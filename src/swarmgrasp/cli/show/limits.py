@@ -5,10 +5,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from swarmgrasp.cli.show.all_round import bare, clockwise_note
+from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.simulation.limits import Limits
 from swarmgrasp.terms import Terms
-from swarmgrasp.units import LENGTHS, SPEEDS
+from swarmgrasp.units import SPEEDS
 
 ROWS = 24
 """Bearings that are told at most."""
@@ -16,13 +18,13 @@ ROWS = 24
 
 def show(name: str, found: Limits, terms: Terms) -> None:
     """Write the largest winds held for people."""
-    report = Report()
+    report, tell = Report(), telling_of(terms, found.simulation.problem.swarm, [])
     gusty, static = found.gusty.min(axis=0), found.static
     known = static > 0.0
     report.headline(f"{name}: {_headline(found, gusty, known)}", "good" if known.all() else "bad")
     report.blank()
     unit, scale = terms.speed, SPEEDS[terms.speed]
-    far = f"{found.within / LENGTHS[terms.length]:.3g} {terms.length}"
+    far = tell.length.short(found.within)
     columns = [
         Column("from [deg]", is_number=True),
         *(Column(f"{each} [{unit}]", is_number=True) for each in ("static", "steady", "gusty")),
@@ -35,8 +37,9 @@ def show(name: str, found: Limits, terms: Terms) -> None:
         speeds = [float(each[i]) for each in (static, found.steady, gusty)]
         shares = [f"{v / speeds[0]:.3f}" if speeds[0] else "" for v in speeds[1:]]
         factor = f"{(speeds[0] / speeds[2]) ** 2:.2f}" if speeds[2] else ""
-        bearing = f"{round(math.degrees(found.bearings[i]) % 360.0, 1):g}"
-        rows.append([bearing, *(f"{v / scale:.4g}" for v in speeds), *shares, factor])
+        rows.append(
+            [bare(found.bearings[i], tell), *(f"{v / scale:.4g}" for v in speeds), *shares, factor]
+        )
     report.table(columns, rows, "bearings")
     report.blank()
     duration = found.simulation.duration
@@ -48,7 +51,7 @@ def show(name: str, found: Limits, terms: Terms) -> None:
         "noisy sensors. Load factor: the load of the static limit over that of the gusty one.",
         f"Held: within {far} and {math.degrees(found.within_turn):.3g} deg for "
         f"{duration:g} s; short runs flatter. Limits are found to {100 * found.gap:.2g} %.",
-        "Bearings: degrees clockwise from the bow, where the wind comes from; 90 is starboard.",
+        clockwise_note(tell),
     ):
         report.note(note)
 

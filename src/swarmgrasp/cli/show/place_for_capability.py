@@ -3,7 +3,7 @@
 import math
 
 from swarmgrasp.capability import CapabilityPlacement
-from swarmgrasp.cli.show.all_round import CLOCKWISE, degrees, speed_text, surroundings
+from swarmgrasp.cli.show.all_round import clockwise_note, degrees, speed_text, surroundings
 from swarmgrasp.cli.show.change import spot, spot_columns, telling_of
 from swarmgrasp.cli.show.placement import place_facts
 from swarmgrasp.cli.show.report import Column, Report
@@ -44,7 +44,7 @@ def show(name: str, found: CapabilityPlacement, terms: Terms) -> None:
     report.blank()
     step = math.degrees(found.bearings[1] - found.bearings[0]) if len(found.bearings) > 1 else 0.0
     report.note(f"Wind from {len(found.bearings)} bearings, every {step:.4g} degrees.")
-    report.note(CLOCKWISE)
+    report.note(clockwise_note(tell))
     report.small_print(problem.swarm, tell, tell.along())
 
 
@@ -57,13 +57,13 @@ def _wind(speed: float, tell: Telling) -> str:
 
 def _change(found: CapabilityPlacement, tell: Telling) -> str:
     """Say how the least wind changes, and where it comes from."""
-    after = f"{_wind(found.after, tell)} from {degrees(found.bearing_after)}"
+    after = f"{_wind(found.after, tell)} from {degrees(found.bearing_after, tell)}"
     if found.after <= found.before * (1.0 + SAME):
         return f"stays {after if found.after else 'none'}"
     if found.before == 0.0:
         return f"none -> {after}"
     gain = percent(found.after / found.before - 1.0)
-    before = f"{speed_text(found.before, tell)} from {degrees(found.bearing_before)}"
+    before = f"{speed_text(found.before, tell)} from {degrees(found.bearing_before, tell)}"
     return f"{before} -> {after} (+{gain})"
 
 

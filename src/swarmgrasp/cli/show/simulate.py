@@ -3,6 +3,7 @@
 import math
 from dataclasses import replace
 
+from swarmgrasp.cli.show.all_round import clockwise_note
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Mood, Report, metric_note
 from swarmgrasp.simulation.run import Happening, Run
@@ -33,7 +34,7 @@ def show(name: str, run: Run, verdict: Verdict, terms: Terms) -> None:
         f"Margin: what the {terms.several} can exert in any direction beside the mean load; below "
         "0, how far that is out of reach.",
         f"Foretold: how long the missing part of the mean load takes to move the object {limits}.",
-        "Bearings: degrees clockwise from the bow at the start; 90 is starboard.",
+        clockwise_note(tell, " at the start"),
         f"The loads are those of the environment: this tries {terms.several} and control, no "
         "coefficients.",
         metric_note(swarm, tell),
@@ -132,22 +133,20 @@ def _wind_words(run: Run, tell: Telling) -> str:
     if asked.weather.series is None and wind.speed is not None:
         if not wind.speed:
             return "none at the start"
-        bearing = math.degrees(wind.bearing or 0.0) % 360.0
-        return f"{tell.speed(wind.speed)} from {round(bearing, 1):g} deg{gusts}"
+        return f"{tell.speed(wind.speed)} {tell.from_words(wind.bearing or 0.0)}{gusts}"
     x, y = run.streams[0, :, :2].astype(float).mean(axis=0).tolist()
-    return f"a series, at the mean {tell.speed(math.hypot(x, y))} from {_bearing(x, y)} deg{gusts}"
+    return f"a series, at the mean {_stream_words(x, y, tell)}{gusts}"
 
 
 def _current_words(run: Run, tell: Telling) -> str:
     """Tell the current that acts."""
     x, y = run.streams[0, :, 2:].astype(float).mean(axis=0).tolist()
-    speed = math.hypot(x, y)
-    return f"{tell.speed(speed)} from {_bearing(x, y)} deg" if speed else "none"
+    return _stream_words(x, y, tell) if x or y else "none"
 
 
-def _bearing(x: float, y: float) -> str:
-    """Return where a stream (x, y) comes from, in degrees clockwise from the bow."""
-    return f"{round(math.degrees(math.atan2(y, -x)) % 360.0, 1) % 360.0:g}"
+def _stream_words(x: float, y: float, tell: Telling) -> str:
+    """Tell a stream (x, y) [m/s] of air or water: how fast it is, and where it comes from."""
+    return f"{tell.speed(math.hypot(x, y))} {tell.from_words(math.atan2(y, -x))}"
 
 
 def _show_happenings(report: Report, run: Run, verdict: Verdict, tell: Telling) -> None:

@@ -12,7 +12,7 @@ from mpl_toolkits.mplot3d.art3d import (  # type: ignore[import-untyped]
 from mpl_toolkits.mplot3d.axes3d import Axes3D  # type: ignore[import-untyped]
 from numpy.typing import NDArray
 
-from swarmgrasp.plot import style
+from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm
@@ -56,7 +56,7 @@ def construction(steps: list[Swarm]) -> Figure:
             ax.view_init(*EYE)
             ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
             ax.set_box_aspect(tuple(high - low), zoom=ZOOM)
-            ax.set_title(f"{style.count(k + 1)}: quality {style.number(value)} N", pad=-2.0)
+            ax.set_title(f"{written.count(k + 1)}: quality {written.number(value)} N", pad=-2.0)
             _frame(ax)
         figure.subplots_adjust(0.0, 0.05, 0.95, 0.94, 0.03, 0.06)
         metric = f"Metric: {steps[-1].metric_sentence}."
