@@ -7,7 +7,7 @@ takes more is written and read without a word here.
 
 import math
 import types
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
 from functools import cache
 from inspect import signature
@@ -94,6 +94,8 @@ def plain(value: Any) -> Any:
         return value.tolist() if is_plain else plain(value.tolist())
     if isinstance(value, tuple | list):
         return [plain(item) for item in value]
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, StrEnum):
         return value.value
     if isinstance(value, float):

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import TermsInvalid, refuse
+from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import angles, is_flag, name_faults, shown
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 from swarmgrasp.words import plural
@@ -22,7 +23,7 @@ UNITS: Final = {"length": LENGTHS, "force": FORCES, "angle": ANGLES, "speed": SP
 
 
 @dataclass(frozen=True)
-class Frame:
+class Frame(Plain):
     """The frame of a file: how its coordinates and directions lie in ours, and in the world.
 
     Ours has x forward, y to port and angles counter-clockwise. Both have the same point (0, 0).
@@ -131,7 +132,7 @@ OURS: Final = Frame()
 
 
 @dataclass(frozen=True)
-class Terms:
+class Terms(Plain):
     """The terms in which a file is written and its answers are told.
 
     Attributes

@@ -30,6 +30,10 @@ PART: Final = 1e-4
 """Share of a whole below which a part of it is told as 0."""
 
 
+HOUR: Final = 3600.0
+DAY: Final = 24.0 * HOUR
+
+
 def wrench_words(direction: ArrayLike) -> str:
     """Say how a wrench would move the object, the strongest part first.
 
@@ -235,6 +239,39 @@ def digits(value: float, size: float, figures: int = 5) -> str:
     decimals = max(0, figures - 1 - power)
     rounded = round(value, decimals)
     return f"{rounded:.{decimals}f}" if rounded else "0"
+
+
+def plain_seconds(seconds: float) -> str:
+    """Write a time [s] to a tenth, or to a whole second where it is longer than an hour.
+
+    Examples
+    --------
+    >>> [plain_seconds(time) for time in (0.0, 0.05, 40.94, 256.6, 600.0, 86400.4)]
+    ['0', '0.05', '40.9', '256.6', '600', '86400']
+    """
+    if seconds and abs(seconds) < 1.0:
+        return f"{seconds:.2g}"
+    return f"{round(seconds, 0 if abs(seconds) >= HOUR else 1):.15g}"
+
+
+def span(seconds: float) -> str:
+    """Say how long something lasts, in a unit that suits it.
+
+    Examples
+    --------
+    >>> [span(time) for time in (0.4, 600.0, 7200.0, 1e5, 1e6)]
+    ['0.4 s', '600 s', '2 h', '27.8 h', '11.6 days']
+    """
+    size, name = time_unit(seconds)
+    if size == 1.0:
+        return f"{plain_seconds(seconds)} s"
+    return f"{float(digits(seconds / size, seconds / size, 3)):g} {name}"
+
+
+def time_unit(seconds: float) -> tuple[float, str]:
+    """Return the size [s] and the name of the unit in which so long a time is told."""
+    units = (DAY, "days"), (HOUR, "h")
+    return next((unit for unit in units if seconds >= 2.0 * unit[0]), (1.0, "s"))
 
 
 def percent(share: float) -> str:

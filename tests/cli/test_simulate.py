@@ -1,6 +1,8 @@
 """`swarmgrasp simulate`: words, files, exit status and faults."""
 
+import json
 import math
+import re
 from importlib import import_module
 
 import numpy as np
@@ -132,6 +134,55 @@ def test_options_change_what_the_file_says(run, pond, tmp_path):
         tables.append(parquet.read_table(tmp_path / "a.parquet"))
     assert tables[0]["x"][-1] != tables[1]["x"][-1]
     assert tables[0]["seed"][0].as_py() == 4
+
+
+STORY = """
+name: Pontoon
+units: {length: ft, force: kgf, angle: deg, speed: kn}
+words: launch
+frame: NED
+heading: 30
+outline: {vertices: [[-6, 3], [-6, -3], [6, -3], [6, 3]], edges: [stern, port, bow, starboard]}
+robots:
+  - {name: A, edge: starboard, along: 1.5, direction: inward, limit: 20}
+  - {name: B, edge: starboard, along: 10.5, direction: inward, limit: 20}
+  - {name: C, edge: port, along: 1.5, direction: inward, limit: 20}
+  - {name: D, edge: port, along: 10.5, direction: inward, limit: 20}
+newcomer: {name: G, limit: 20, attachment: push}
+zones: [{edge: bow}]
+environment:
+  wind: {vessel: tender, frontal_area: 20, lateral_area: 40, speed: 10, from: E}
+  current: {frontal_area: 10, lateral_area: 20}
+simulation:
+  duration: 4
+  robots: {lag: 1, slew: 1}
+  events:
+    - {at: 1, send: newcomer, away: 30, speed: 10, make_fast: 60}
+    - {at: 2, move: [1, 2, 10]}
+    - {at: 3, wind: {speed: 12, from: SE}}
+"""
+
+
+def test_a_run_is_told_as_its_file_speaks(run, tmp_path):
+    """In its units, its frame, true bearings and its word; in SI units if that is asked for."""
+    path = tmp_path / "story.yaml"
+    path.write_text(STORY)
+    status, said, _ = run("simulate", path)
+    assert status == 0
+    assert re.search(r"held within [0-9.]+ ft and [0-9.]+ deg for 4 s", said)
+    assert "Wind     10 kn from 90 deg true, no gusts" in said
+    assert re.search(r"G is sent to \(6\.\d, -?\d\.\d\) ft, [0-9.]+ ft to go; it joins at", said)
+    assert "the object is to move to (1, 2) ft, heading 40 deg true" in said
+    assert "the weather changes: wind 12 kn from 135 deg true" in said
+    assert "margin [kgf]  off by [ft]" in said
+    assert "what the launches can exert" in said
+    assert "Bearings: true, where it comes from; the bow is at 30 deg at the start." in said
+    said = run("simulate", path, "--units", "si")[1]
+    assert "the object is to move to (0.3048, 0.6096) m, heading 40 deg true" in said
+    assert "wind 6.17 m/s from 135 deg true" in said
+    plain = json.loads(run("simulate", path, "--json", "-")[1])["happenings"][2]
+    assert plain["words"] == "the object is to move to (0.3048, -0.6096) m, heading -10 deg"
+    assert plain["numbers"]["heading"] == pytest.approx(math.radians(-10))
 
 
 FAULTS = {

@@ -44,6 +44,18 @@ def test_a_study_is_done_told_and_told_again(run, pontoon, tmp_path):
     assert [row.split(",")[0] for row in said.splitlines()[1:]] == ["4", "5"]
 
 
+def test_a_study_is_told_as_its_file_speaks(run, pontoon, tmp_path):
+    """By its folder alone, too; in SI units if that is asked for, and the rows are."""
+    pontoon.write_text("units: {force: kgf}\nwords: tug\n" + pontoon.read_text())
+    said = run("study", pontoon, tmp_path / "a", "--runs", "50", "--robots", "5")[1]
+    assert "swarms of up to 5 tugs have force closure" in said
+    assert "\ntugs  runs  with force closure [%]  quality of 10 % [kgf]  median [kgf]" in said
+    assert "of    5 to 5 random tugs like E of 1500.0 kgf, anywhere" in said
+    assert run("study", tmp_path / "a", "--report")[1] == said
+    said = run("study", tmp_path / "a", "--report", "--units", "si")[1]
+    assert "of    5 to 5 random tugs like E of 14.710 kN, anywhere" in said
+
+
 @pytest.mark.parametrize("kind", ["losses", "together"])
 def test_other_kinds(run, pontoon, tmp_path, kind, monkeypatch):
     """Each is told and drawn."""

@@ -1,5 +1,7 @@
 """The pictures of a run show where it went, within which circles, and what happened when."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -50,6 +52,23 @@ def test_the_track_is_the_way_of_the_origin(run, verdict):
     for circle, way in zip(circles, ways, strict=True):
         off = np.hypot(*(way[1:] - np.array(circle.center)).T)
         assert off.max() <= circle.radius * (1 + 1e-5)
+
+
+def test_a_long_history_is_in_days_and_its_names_are_apart(run, verdict):
+    """Ticks at even numbers of days; who has no room above is marked by a line alone."""
+    long = replace(run, times=4000.0 * run.times, happenings=tuple(
+        replace(at, time=4000.0 * time)
+        for at, time in zip(run.happenings, (0.0, 60.0, 65.0, 62.0, 64.0), strict=True)
+    ))  # fmt: skip
+    figure = history(long, verdict)
+    last = figure.axes[-1]
+    assert last.get_xlabel() == "time [days]"
+    days = last.xaxis.get_major_locator()() / 86400.0
+    assert np.allclose(2.0 * days, np.round(2.0 * days))
+    figure.draw_without_rendering()
+    boxes = [text.get_window_extent() for text in figure.axes[0].texts]
+    assert [text.get_text() for text in figure.axes[0].texts] == ["Castor lost", "Fortuna sent"]
+    assert not boxes[0].overlaps(boxes[1])
 
 
 def test_the_history_marks_what_happened(run, verdict):

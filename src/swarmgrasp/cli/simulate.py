@@ -366,7 +366,7 @@ def _write(
     if gif is not None:
         from swarmgrasp.simulation.export.gif import write_gif
 
-        written.append(write_gif(run, gif))
+        written.append(write_gif(run, gif, terms=look["terms"]))
     if mcap is not None:
         from swarmgrasp.simulation.export.mcap import write_mcap
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
@@ -21,7 +21,7 @@ from swarmgrasp.cli.inputs import (
     whole_faults,
 )
 from swarmgrasp.cli.progress import shown_pace
-from swarmgrasp.cli.wording import csv_faults
+from swarmgrasp.cli.wording import Phrasing, csv_faults
 from swarmgrasp.errors import SwarmGraspError
 
 if TYPE_CHECKING:
@@ -49,6 +49,7 @@ def study(
     csv: Dashed | None = None,
     drawing: Drawing = USUAL,
     json: Dashed | None = None,
+    units: Literal["file", "si"] = "file",
 ) -> None:
     """Do many runs that are alike but for their seeds, and sum them up.
 
@@ -94,7 +95,11 @@ def study(
     csv
         Also write the table to this .csv file; "-" prints it and nothing else.
     json
-        Also write what was found to this .json file; "-" prints it and nothing else.
+        Also write what was found to this .json file; "-" prints it and nothing else. SI units and
+        radians.
+    units
+        Units of the answer: the file's, or si for metres, newtons and metres per second. The rows
+        are in SI units.
     """
     given = {"of": of, "runs": runs, "robots": robots, "newcomers": newcomers, "seed": seed}
     faults = json_faults(json) + csv_faults(csv, json) + drawing.faults(plot)
@@ -107,17 +112,19 @@ def study(
     from swarmgrasp.simulation.study import gather
 
     found = gather(where)
+    terms = Phrasing(units).of(found.plan.terms)
+    if terms != found.plan.terms:
+        found = gather(where, terms)
 
     def draw() -> list[Path]:
         """Draw what was found if it is wanted."""
         if plot is None:
             return []
         from swarmgrasp.plot import save, study_picture
-        from swarmgrasp.terms import SI
 
-        return [save(study_picture(found, **drawing.look(found.plan.name, SI)), plot)]
+        return [save(study_picture(found, **drawing.look(found.plan.name, terms)), plot)]
 
-    deliver(json, found.to_data(), lambda: show(where, found), draw, csv=csv)
+    deliver(json, found.to_data(), lambda: show(where, found, terms), draw, csv=csv)
 
 
 def _plan(
@@ -150,7 +157,7 @@ def _plan(
     with blaming(file):
         asked = _study(KINDS[kind], scenario, given)
     many = int(runs) if runs else read_plan(folder).runs
-    plan = Plan.of(scenario.name, asked, many, int(given["seed"] or "1"))
+    plan = Plan.of(scenario.name, asked, many, int(given["seed"] or "1"), scenario.terms)
     check_folder(folder, plan)
     return folder, plan
 

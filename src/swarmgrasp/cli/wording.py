@@ -34,9 +34,13 @@ class Phrasing:
 
     def terms(self, scenario: "Scenario") -> "Terms":
         """Return the terms in which to tell an answer to the question of a file."""
+        return self.of(scenario.terms)
+
+    def of(self, terms: "Terms") -> "Terms":
+        """Return the terms in which to tell what a file says in its own."""
         from swarmgrasp.terms import SI
 
-        terms = replace(scenario.terms, bearings=self.bearings or scenario.terms.bearings)
+        terms = replace(terms, bearings=self.bearings or terms.bearings)
         if self.units == "file":
             return terms
         return replace(terms, length=SI.length, force=SI.force, speed=SI.speed, angle=SI.angle)

@@ -9,11 +9,13 @@ from matplotlib.figure import Figure
 
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import style, written
+from swarmgrasp.plot.coordinates import Scale
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import Verdict
 from swarmgrasp.terms import SI, Terms
 from swarmgrasp.units import LENGTHS
+from swarmgrasp.words import time_unit
 
 PANELS: Final = ("position", "heading", "shares", "shortfall", "wind")
 SHORT: Final = {"lost": "lost", "left": "leaves", "sent": "sent", "joined": "joins"}
@@ -24,6 +26,10 @@ LEFT: Final = 0.8
 """Of the panels [in]: numbers, and names beside them."""
 HEIGHT: Final = 0.78
 """Of a panel [in]."""
+ROWS: Final = 2
+"""Of names above the panels."""
+LETTER: Final = 0.65
+"""Width of a letter over its size, with room."""
 MOST_NAMED: Final = 10
 """Robots whose shares are told apart."""
 LINES: Final = (
@@ -148,24 +154,33 @@ def _finish(ax: Axes, run: Run, *, is_last: bool) -> None:
     ax.tick_params(length=3.0, labelsize=style.text(7.0), labelbottom=is_last)
     ax.yaxis.label.set_fontsize(style.text(7.5))
     ax.yaxis.set_label_coords(-0.42 / (ax.bbox.width / ax.get_figure(root=True).dpi), 0.5)  # type: ignore[union-attr]
+    size, unit = time_unit(float(run.times[-1]))
+    Scale(size).put_on(ax.xaxis, max(3, round(style.width() / 0.75)))
     if is_last:
-        ax.set_xlabel("time [s]", labelpad=2.0)
+        ax.set_xlabel(f"time [{unit}]", labelpad=2.0)
 
 
 def _mark(axes: list[Axes], run: Run) -> None:
-    """Mark what happened by a line through all panels, named above."""
+    """Mark what happened by a line through all panels, named above where there is room."""
     span = max(float(run.times[-1]), 1e-9)
-    row, last = 0, -math.inf
+    point = span / (axes[0].bbox.width * 72.0 / axes[0].get_figure(root=True).dpi)  # type: ignore[union-attr]
+    size = style.text(7.0)
+    taken = [-math.inf] * ROWS
     for at in run.happenings:
         if at.kind not in MARKED:
             continue
         for ax in axes:
             ax.axvline(at.time, color=style.GREY, linewidth=0.6, linestyle=(0, (1, 2)))
         name = f"{at.robot} {SHORT[at.kind]}" if at.kind in SHORT else f"new {at.kind}"
-        row = 1 - row if (at.time - last) / span < 0.2 else 0
-        last = at.time
+        is_late = at.time > 0.85 * span
+        long = LETTER * size * len(name) * point
+        start = at.time - long if is_late else at.time
+        row = next((k for k, end in enumerate(taken) if end <= start), None)
+        if row is None:
+            continue  # its line is there, and the table has its name
+        taken[row] = start + long
         axes[0].annotate(
             name, (at.time, 1.0), xycoords=("data", "axes fraction"),
-            xytext=(0.0, 2.0 + 9.0 * row), textcoords="offset points", fontsize=style.text(7.0),
-            ha="left" if at.time < 0.85 * span else "right", va="bottom", color=style.GREY,
+            xytext=(0.0, 2.0 + 9.0 * row), textcoords="offset points", fontsize=size,
+            ha="right" if is_late else "left", va="bottom", color=style.GREY,
         )  # fmt: skip

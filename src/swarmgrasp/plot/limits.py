@@ -12,6 +12,7 @@ from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import polar, style, written
 from swarmgrasp.simulation.limits import Limits
 from swarmgrasp.terms import SI, Terms
+from swarmgrasp.words import span
 
 Vector = NDArray[np.float64]
 
@@ -98,7 +99,7 @@ def _write_caption(figure: Figure, found: Limits, curves: dict[str, Vector], tit
         polar.write(figure, _least(found, speeds), 2.6, y, size=8.0)
         y -= 0.17
     held = f"{written.length(found.within)} and {math.degrees(found.within_turn):.3g}°"
-    said = f"Held within {held} for {found.simulation.duration:g} s; no waves."
+    said = f"Held within {held} for {span(found.simulation.duration)}; no waves."
     polar.write(figure, said, 0.12, y - 0.02, size=7.0, color=style.GREY)
 
 

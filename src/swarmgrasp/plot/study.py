@@ -47,7 +47,7 @@ def study_picture(
         if handles:
             figure.legend(handles, labels, loc="outside lower left", ncols=len(handles))
         figure.suptitle(
-            f"{title or found.plan.name}, {found.runs} runs: {found.plan.study.words}",
+            f"{title or found.plan.name}, {found.runs} runs: {found.plan.study.words(terms)}",
             x=0.01, ha="left", fontsize=style.text(8.0), wrap=True, gid="title",
         )  # fmt: skip
     return figure
@@ -74,7 +74,7 @@ def _draw_sizes(axes: Any, findings: Findings) -> None:
     left, right = axes
     robots = _column(findings, 0)
     left.plot(robots, _column(findings, 2), color=style.BLUE, **LINE)
-    left.set(xlabel="robots")
+    left.set(xlabel=style.terms().several)
     _shares(left, "with force closure")
     low, median, high = (_column(findings, index) for index in (3, 4, 5))
     unit = written.unit_of(*high)
@@ -82,7 +82,7 @@ def _draw_sizes(axes: Any, findings: Findings) -> None:
     right.fill_between(robots, low, high, color=style.SKY, alpha=0.3, linewidth=0.0,
                        label="10 to 90 %")  # fmt: skip
     right.plot(robots, median, color=style.BLUE, label="median", **LINE)
-    right.set(xlabel="robots", ylabel=f"quality [{unit.name}]", ylim=(0.0, None))
+    right.set(xlabel=style.terms().several, ylabel=f"quality [{unit.name}]", ylim=(0.0, None))
     right.legend(loc="upper left")
 
 
@@ -93,10 +93,10 @@ def _draw_losses(axes: Any, findings: Findings) -> None:
     left.plot(robots, _column(findings, 2), color=style.BLUE, label="as they are", **LINE)
     left.plot(robots, _column(findings, 3), color=style.VERMILION, label="after any one loss",
               **LINE)  # fmt: skip
-    left.set(xlabel="robots")
+    left.set(xlabel=style.terms().several)
     _shares(left, "with force closure")
     right.plot(robots, _column(findings, 5), color=style.VERMILION, **LINE)
-    right.set(xlabel="robots")
+    right.set(xlabel=style.terms().several)
     _shares(right, "left of the quality, median")
 
 
@@ -108,10 +108,12 @@ def _draw_together(axes: Any, findings: Findings) -> None:
               **LINE)  # fmt: skip
     left.plot(robots, _column(findings, 5), color=style.ORANGE,
               label="force closure only together", **LINE)  # fmt: skip
-    left.set(xlabel="robots before")
+    left.set(xlabel=f"{style.terms().several} before")
     _shares(left, "of swarms")
     right.plot(robots, _column(findings, 3), color=style.GREEN, **LINE)
-    right.set(xlabel="robots before", ylabel="then better by, median", ylim=(0.0, None))
+    right.set(
+        xlabel=f"{style.terms().several} before", ylabel="then better by, median", ylim=(0.0, None)
+    )
     right.yaxis.set_major_formatter(PercentFormatter(1.0))
 
 

@@ -99,7 +99,7 @@ class Reference:
         return float(self._pose[2])
 
     @property
-    def goal(self) -> str:
-        """Where it is to go, in words."""
-        (x, y), turn = self._target.corners[-1].tolist(), math.degrees(self._target.heading)
-        return f"({x:g}, {y:g}) m, heading {turn:g} degrees"
+    def goal(self) -> dict[str, float]:
+        """Where it is to go in the end: `x` and `y` [m], and `heading` [rad]."""
+        x, y = self._target.corners[-1].tolist()
+        return {"x": x, "y": y, "heading": self._target.heading}

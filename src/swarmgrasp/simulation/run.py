@@ -1,6 +1,7 @@
 """The answer of a simulation: where the object went, and what the robots did."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -8,8 +9,10 @@ from numpy.typing import NDArray
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
+from swarmgrasp.simulation.sentences import sentence
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.telling import Telling
 from swarmgrasp.visible import Visible
 
 Array = NDArray[np.float64]
@@ -55,6 +58,10 @@ class Happening(Frozen, Told):
         The same beside the mean load; 0 if they do not hold it.
     shortfall : float [N]
         How far the mean load is out of their reach; 0 if they hold it.
+    numbers : mapping of str to float
+        What the sentence tells in numbers, in SI units. Of who is "sent" the place on the outline,
+        `x` and `y`, the way there, `away`, and when it `joins`; of an "aim" `x`, `y`, `heading`,
+        and of a path its `speed`; of the "weather" what changes, such as `wind_speed`.
     """
 
     time: float
@@ -66,6 +73,13 @@ class Happening(Frozen, Told):
     quality: float
     margin: float
     shortfall: float
+    numbers: Mapping[str, float] = field(default_factory=dict)
+
+    def told(self, tell: Telling) -> str:
+        """Return the sentence in the terms of its readers."""
+        if not self.numbers:
+            return self.words
+        return sentence(self.kind, self.robot, self.numbers, tell)
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,8 +16,11 @@ from swarmgrasp.simulation.motion import BODY
 from swarmgrasp.simulation.plant import Plant
 from swarmgrasp.simulation.reference import Reference
 from swarmgrasp.simulation.run import Happening, Stint
+from swarmgrasp.simulation.sentences import sentence
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.simulation.weather import Streams
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI
 from swarmgrasp.words import list_words
 
 Array = NDArray[np.float64]
@@ -87,16 +90,20 @@ class Schedule:
         heappush(self._due, (time, is_event, self._count, act))
         self._count += 1
 
-    def _note(self, time: float, kind: str, robot: str, words: str) -> None:
-        """Keep what has happened, and what the robots are worth after it."""
+    def _note(self, time: float, kind: str, robot: str, said: str | dict[str, float]) -> None:
+        """Keep what has happened, in words or in numbers, and what the robots are then worth."""
         swarm, load = self._crew.there.swarm, self.load_at(time)[0]
         x, y, turn = load.tolist()
+        words, numbers = (said, {}) if isinstance(said, str) else ("", said)
+        if numbers:
+            words = sentence(kind, robot, numbers, Telling.of(SI, swarm.outline.extent, []))
         self.happenings.append(
             Happening(
                 time, kind, robot, words, swarm, load,
                 quality(swarm).value,
                 max(0.0, quality(swarm, load=(x, y, turn)).value),
                 forces(swarm, np.zeros(3), load=load).shortfall,
+                numbers,
             )
         )  # fmt: skip
 
@@ -110,13 +117,13 @@ class Schedule:
             self._send(event, next(self._names), time)
         elif isinstance(event, Change):
             self._streams.change(event.said)
-            self._note(time, "weather", "", f"the weather changes: {_change_words(event)}")
+            self._note(time, "weather", "", event.said)
         elif isinstance(event, Follow):
             self._reference.follow(event.path, event.speed, time)
-            self._note(time, "aim", "", f"a path is to be followed to {self._reference.goal}")
+            self._note(time, "aim", "", {**self._reference.goal, "speed": event.speed})
         else:
             self._reference.move((event.x, event.y), event.heading)
-            self._note(time, "aim", "", f"the object is to move to {self._reference.goal}")
+            self._note(time, "aim", "", self._reference.goal)
 
     def _lose(self, event: Lose, time: float) -> None:
         """Lose a robot, now or on its way, or those of a group that are there."""
@@ -171,8 +178,8 @@ class Schedule:
         far = way_to(self._simulation, event, robot.contact)
         comes = event.at + far / event.speed + event.make_fast
         x, y = robot.contact
-        where = f"({x:.1f}, {y:.1f}) m, {far:.0f} m to go"
-        self._note(time, "sent", name, f"{name} is sent to {where}; it joins at {comes:.0f} s")
+        told = {"x": float(x), "y": float(y), "away": far, "joins": comes}
+        self._note(time, "sent", name, told)
         self._add(comes, partial(self._join, name))
 
     def _join(self, name: str, time: float) -> None:
@@ -197,14 +204,3 @@ def resting(plant: Plant, streams: Array, heading: float) -> Array:
     flows[:, :2] = -streams[:, 2:]
     found[:, 3:BODY] = Headings(found[:, 2]).to_object(flows)
     return found
-
-
-def _change_words(event: Change) -> str:
-    """Say what changes of the weather."""
-    parts = [
-        f"{name.replace('_', ' ')} {value:.3g} m/s"
-        if name.endswith("speed")
-        else f"{name.replace('_', ' ')} {np.degrees(value):.3g} degrees"
-        for name, value in event.said.items()
-    ]
-    return ", ".join(parts)

@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageDraw
 
 from made_runs import JOINED, LOST, made_run
 from swarmgrasp.plot import style
 from swarmgrasp.simulation.export import colours
 from swarmgrasp.simulation.export.gif import FADES, LAST, write_gif
 from swarmgrasp.simulation.export.scene import Film, placed
+from swarmgrasp.terms import Terms
 
 
 @pytest.fixture(scope="module")
@@ -30,6 +31,20 @@ def test_a_gif_is_small_and_rests_at_its_end(gif):
     assert gif.stat().st_size < 150_000
     assert frames[-1][1] == LAST
     assert {frame.shape[1] for frame, _ in frames} == {480}
+
+
+def test_words_are_in_the_terms_of_the_file(tmp_path, monkeypatch):
+    """Off by so many feet, a wind in knots, a scale of feet, and what happened."""
+    said = set()
+    write = ImageDraw.ImageDraw.text
+    monkeypatch.setattr(
+        ImageDraw.ImageDraw, "text", lambda *a, **more: [said.add(a[2]), write(*a, **more)]
+    )
+    write_gif(made_run(), tmp_path / "run.gif", frames=4, terms=Terms("ft", "tf", speed="kn"))
+    assert {"50 ft", "Fortuna joins.", "5:00"} <= said
+    assert any(text.startswith("off by ") and " ft, " in text for text in said)
+    assert any(text.startswith("wind ") and text.endswith(" kn") for text in said)
+    assert any(text.startswith("out of reach by ") and text.endswith(" tf") for text in said)
 
 
 def test_the_object_moves_as_the_run_says(gif):

@@ -11,6 +11,7 @@ from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.simulation.limits import Limits
 from swarmgrasp.terms import Terms
 from swarmgrasp.units import SPEEDS
+from swarmgrasp.words import span
 
 ROWS = 24
 """Bearings that are told at most."""
@@ -50,7 +51,7 @@ def show(name: str, found: Limits, terms: Terms) -> None:
         f"Gusty: the mean wind held in {'gusts' if weather != 'none' else 'a steady wind'} with "
         "noisy sensors. Load factor: the load of the static limit over that of the gusty one.",
         f"Held: within {far} and {math.degrees(found.within_turn):.3g} deg for "
-        f"{duration:g} s; short runs flatter. Limits are found to {100 * found.gap:.2g} %.",
+        f"{span(duration)}; short runs flatter. Limits are found to {100 * found.gap:.2g} %.",
         clockwise_note(tell),
     ):
         report.note(note)

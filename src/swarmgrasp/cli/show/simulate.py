@@ -7,10 +7,11 @@ from swarmgrasp.cli.show.all_round import clockwise_note
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Mood, Report, metric_note
 from swarmgrasp.simulation.run import Happening, Run
+from swarmgrasp.simulation.sentences import from_text
 from swarmgrasp.simulation.verdict import Circle, Verdict
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import digits, percent
+from swarmgrasp.words import digits, percent, plain_seconds, span
 
 AFTER = ("lost", "left", "weather", "start")
 """Kinds of happenings after which the load may be out of reach."""
@@ -59,29 +60,25 @@ def _mood(run: Run, verdict: Verdict) -> Mood:
 
 def _headline(run: Run, verdict: Verdict, tell: Telling) -> str:
     """Say whether the object was held, and within what."""
-    end = float(run.times[-1])
+    end, whole = span(float(run.times[-1])), span(run.simulation.duration)
     far = max(float(c.distance[0]) for c in verdict.circles)
     turned = max(float(c.turn[0]) for c in verdict.circles)
     within = f"{_far(far, tell)} and {_degrees(turned)}"
-    whole = (
-        f"for {end:g} s"
-        if run.is_whole
-        else (f"until it was stopped at {end:g} of {run.simulation.duration:g} s")
-    )
     if verdict.held.all():
-        return f"held within {within} {whole}"
+        when = f"for {end}" if run.is_whole else f"until it was stopped at {end} of {whole}"
+        return f"held within {within} {when}"
     at = float(verdict.left_at[0])
     cause = [h for h in run.happenings if h.time <= at and h.kind in AFTER][-1]
-    since = f", {at - cause.time:.3g} s after {_cause(cause)}" if cause.kind != "start" else ""
+    since = f", {span(at - cause.time)} after {_cause(cause)}" if cause.kind != "start" else ""
     if cause.shortfall:
         since += f", {tell.force.text(cause.shortfall)} out of reach"
     off = run.poses[0, -1].astype(float) - run.references[-1]
     now = (
         f"{_far(math.hypot(off[0], off[1]), tell)} and {_degrees(math.remainder(off[2], math.tau))}"
     )
-    later = f"; off by {within} at most, {now} at {end:g} s"
-    stopped = "" if run.is_whole else f"; stopped at {end:g} of {run.simulation.duration:g} s"
-    return f"not held from {at:.4g} s on{since}{later}{stopped}"
+    later = f"; off by {within} at most, {now} at {end}"
+    stopped = "" if run.is_whole else f"; stopped at {end} of {whole}"
+    return f"not held from {span(at)} on{since}{later}{stopped}"
 
 
 def _cause(at: Happening) -> str:
@@ -135,18 +132,14 @@ def _wind_words(run: Run, tell: Telling) -> str:
             return "none at the start"
         return f"{tell.speed(wind.speed)} {tell.from_words(wind.bearing or 0.0)}{gusts}"
     x, y = run.streams[0, :, :2].astype(float).mean(axis=0).tolist()
-    return f"a series, at the mean {_stream_words(x, y, tell)}{gusts}"
+    return f"a series, at the mean {tell.speed(math.hypot(x, y))} {from_text(x, y, tell)}{gusts}"
 
 
 def _current_words(run: Run, tell: Telling) -> str:
     """Tell the current that acts."""
     x, y = run.streams[0, :, 2:].astype(float).mean(axis=0).tolist()
-    return _stream_words(x, y, tell) if x or y else "none"
-
-
-def _stream_words(x: float, y: float, tell: Telling) -> str:
-    """Tell a stream (x, y) [m/s] of air or water: how fast it is, and where it comes from."""
-    return f"{tell.speed(math.hypot(x, y))} {tell.from_words(math.atan2(y, -x))}"
+    speed = math.hypot(x, y)
+    return f"{tell.speed(speed)} {from_text(x, y, tell)}" if speed else "none"
 
 
 def _show_happenings(report: Report, run: Run, verdict: Verdict, tell: Telling) -> None:
@@ -167,8 +160,8 @@ def _show_happenings(report: Report, run: Run, verdict: Verdict, tell: Telling) 
     for i, (at, circle) in enumerate(zip(run.happenings, verdict.circles, strict=True)):
         rows.append(
             [
-                f"{at.time:.4g}",
-                at.words,
+                plain_seconds(at.time),
+                at.told(tell),
                 unit.number(at.margin - at.shortfall),
                 *_circle(circle, tell),
                 *_leaving(run, verdict, i),
@@ -198,17 +191,17 @@ def _leaving(run: Run, verdict: Verdict, i: int) -> list[str]:
         return ["", ""]
     left, later = float(verdict.left_at[0]), [h for h in run.happenings[i + 1 :] if h.kind in AFTER]
     until = later[0].time if later else math.inf
-    gone = f"{left - at.time:.3g}" if at.time <= left < until else ""
-    return [gone, f"{foretold:.3g}" if math.isfinite(foretold) else "never"]
+    gone = plain_seconds(left - at.time) if at.time <= left < until else ""
+    return [gone, plain_seconds(foretold) if math.isfinite(foretold) else "never"]
 
 
 def _far(distance: float, tell: Telling) -> str:
     """Return a distance [m] to two digits."""
     value = distance / tell.length.metres
-    return f"{digits(value, max(value, 1e-3), 2)} {tell.length.name}"
+    return f"{digits(value, value, 2)} {tell.length.name}"
 
 
 def _degrees(turn: float) -> str:
     """Return a turn [rad] in degrees, to two digits."""
     value = abs(math.degrees(turn))
-    return f"{digits(value, max(value, 1e-2), 2)} deg"
+    return f"{digits(value, value, 2)} deg"

@@ -6,18 +6,19 @@ colours that all of them share: frames that differ little then take little room.
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from swarmgrasp.environment import KNOT
 from swarmgrasp.files import scratch_for
 from swarmgrasp.simulation.export import colours
 from swarmgrasp.simulation.export.scene import Film, Pusher, Scene, Vector, placed
 from swarmgrasp.simulation.run import Run
-from swarmgrasp.words import Unit
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
 
 FRAMES: Final = 120
 """Pictures of an animation, at most."""
@@ -43,7 +44,13 @@ FILLS: Final = ("#FFFFFF", colours.WATER, colours.OBJECT, colours.WAY)
 
 
 def write_gif(
-    run: Run, path: str | Path, *, index: int = 0, width: int = 480, frames: int = FRAMES
+    run: Run,
+    path: str | Path,
+    *,
+    index: int = 0,
+    width: int = 480,
+    frames: int = FRAMES,
+    terms: Terms = SI,
 ) -> Path:
     """Write one of the runs as an animated GIF, whole or not at all.
 
@@ -56,13 +63,15 @@ def write_gif(
     width : int [px]
     frames : int
         Pictures, at most.
+    terms : Terms
+        The units and the frame of what is written on them.
 
     Returns
     -------
     Path
     """
     film, target = Film(run, index), Path(path)
-    view = View(film, width)
+    view = View(film, width, terms)
     instants = list(film.picked(frames))
     pictures = [view.picture(film.at(i), i) for i in instants]
     palette = _palette()
@@ -95,12 +104,14 @@ class View:
     film : Film
     width : int [px]
         Of a picture.
+    terms : Terms
     """
 
-    def __init__(self, film: Film, width: int) -> None:
+    def __init__(self, film: Film, width: int, terms: Terms) -> None:
         swarm = film.run.simulation.problem.swarm
         self._film = film
-        self._unit = Unit.for_size(swarm.limits.max(initial=0.0), figures=3)
+        tell = Telling.of(terms, swarm.outline.extent, [swarm.limits.max(initial=0.0)])
+        self._tell = replace(tell, force=replace(tell.force, figures=3))
         self._vertices = swarm.outline.vertices - film.origin
         extent = swarm.outline.extent
         low, high = film.box()
@@ -111,7 +122,7 @@ class View:
         height = min(float(high[1] - low[1]), TALLEST * float(high[0] - low[0]))
         self._floor = int(self._scale * height) + LARGER * HEADER
         self._size = LARGER * width, self._floor + LARGER * FOOTER
-        self._decimals = max(0, 3 - math.floor(math.log10(extent)))
+        self._decimals = max(0, tell.length.decimals - 1)
         limits = [robot.limit for robot in film.robots.values()]
         self._longest = ARROW * extent / max(limits, default=1.0)
         self._fonts = [ImageFont.load_default(LARGER * size) for size in (13, 11)]
@@ -205,39 +216,56 @@ class View:
 
     def _scale_bar(self, draw: ImageDraw.ImageDraw) -> None:
         """Draw how long a length is."""
-        wanted = 0.3 * self._extent
+        unit = self._tell.length
+        wanted = 0.3 * self._extent / unit.metres
         power = 10.0 ** math.floor(math.log10(wanted))
         length = max(m * power for m in (1.0, 2.0, 5.0) if m * power <= wanted)
         draw.rectangle((0, self._floor, *self._size), fill="white")
         x, y = 12.0 * LARGER, self._size[1] - 0.5 * FOOTER * LARGER
-        end = x + length * self._scale
+        end = x + length * unit.metres * self._scale
         draw.line([(x, y), (end, y)], fill=colours.GREY, width=LARGER)
-        draw.text((end + 4 * LARGER, y), f"{length:g} m", colours.GREY, self._fonts[1], "lm")
+        draw.text(
+            (end + 4 * LARGER, y), f"{length:g} {unit.name}", colours.GREY, self._fonts[1], "lm"
+        )
 
     def _header(self, draw: ImageDraw.ImageDraw, scene: Scene) -> None:
         """Write the time, what happened last, where the object is, and the wind."""
         large, small = self._fonts
         left, right = 12 * LARGER, self._size[0] - 12 * LARGER
         draw.rectangle((0, 0, self._size[0], HEADER * LARGER), fill="white")
-        minutes, seconds = divmod(int(scene.time), 60)
-        clock = f"{minutes}:{seconds:02d}"
+        tell, clock = self._tell, clock_text(scene.time)
         draw.text((left, 13 * LARGER), clock, colours.INK, large, "lm")
-        draw.text(
-            (left + 42 * LARGER, 13 * LARGER), scene.happening.words, colours.INK, large, "lm"
-        )
-        turned = abs(math.degrees(scene.turn))
-        said = f"off by {scene.error:.{self._decimals}f} m, {turned:.1f}°"
+        after = left + max(42.0 * LARGER, large.getlength(clock) + 8.0 * LARGER)
+        draw.text((after, 13 * LARGER), scene.happening.told(tell), colours.INK, large, "lm")
+        turned, off = abs(math.degrees(scene.turn)), scene.error / tell.length.metres
+        said = f"off by {off:.{self._decimals}f} {tell.length.name}, {turned:.1f}°"
         draw.text((left, 31 * LARGER), said, colours.GREY, small, "lm")
         if scene.shortfall > 0.0:
-            missing = f"out of reach by {self._unit.text(scene.shortfall)}"
+            missing = f"out of reach by {tell.force.text(scene.shortfall)}"
             draw.text((self._size[0] // 2, 31 * LARGER), missing, colours.VERMILION, small, "mm")
         speed = float(np.hypot(*scene.wind))
         if speed > 0.0:
-            text = f"wind {speed / KNOT:.0f} kn" if speed > 2.0 else f"wind {speed:.2g} m/s"
+            text = f"wind {tell.speed(speed)}"
             draw.text((right - 24 * LARGER, 31 * LARGER), text, colours.GREY, small, "rm")
             way = 9.0 * LARGER * scene.wind / speed * np.array([1.0, -1.0])
             middle = np.array([right - 9.0 * LARGER, 31.0 * LARGER])
             self._arrow(draw, _pair(middle - way), _pair(middle + way), colours.GREY)
+
+
+def clock_text(seconds: float) -> str:
+    """Write a time [s] as a clock does: minutes and seconds, and hours and days if need be.
+
+    Examples
+    --------
+    >>> [clock_text(time) for time in (75.4, 3600.0, 1e5)]
+    ['1:15', '1:00:00', '1 d 3:46:40']
+    """
+    minutes, second = divmod(int(seconds), 60)
+    hours, minute = divmod(minutes, 60)
+    days, hour = divmod(hours, 24)
+    if not hours:
+        return f"{minute}:{second:02d}"
+    return (f"{days} d " if days else "") + f"{hour}:{minute:02d}:{second:02d}"
 
 
 def _pair(point: Iterable[float]) -> tuple[float, float]:

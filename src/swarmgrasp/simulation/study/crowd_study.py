@@ -10,6 +10,7 @@ from swarmgrasp.errors import StudyInvalid, refuse
 from swarmgrasp.placement import Problem
 from swarmgrasp.simulation.study.crowds import crowd_faults, crowds_of, like_words, question_of
 from swarmgrasp.simulation.study.study import Seeds, Study, draws_of
+from swarmgrasp.terms import SI, Terms
 
 Array = NDArray[np.float64]
 
@@ -47,10 +48,9 @@ class CrowdStudy(Study):
         """Return what is wrong with the values."""
         return crowd_faults(self.problem, self.fewest_robots, self.most_robots)
 
-    @property
-    def words(self) -> str:
-        """Of what swarms it is."""
-        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem)}"
+    def words(self, terms: Terms = SI) -> str:
+        """Say of what swarms it is."""
+        return f"{self.fewest_robots} to {self.most_robots} {like_words(self.problem, terms)}"
 
     def swarms(self, seeds: Seeds) -> Iterator[tuple[NDArray[np.bool_], Array]]:
         """Draw a swarm for each seed; yield those of n robots at a time, fewest first.

@@ -10,7 +10,8 @@ from swarmgrasp.placement import Problem
 from swarmgrasp.placement.problem import check_ray_problem
 from swarmgrasp.ranges import is_whole, kind_faults, shown
 from swarmgrasp.swarm import Swarm, wrenches
-from swarmgrasp.words import Unit
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
 
 Array = NDArray[np.float64]
 MOST_ROBOTS = 1000
@@ -103,7 +104,7 @@ def crowd_faults(problem: object, fewest: object, most: object) -> list[str]:
     return faults
 
 
-def like_words(problem: Problem) -> str:
+def like_words(problem: Problem, terms: Terms = SI) -> str:
     """Return what random robots are like, as the rest of a sentence that begins with their number.
 
     Examples
@@ -116,5 +117,6 @@ def like_words(problem: Problem) -> str:
     newcomer, zones = problem.newcomer, problem.zones
     like = f" like {newcomer.name}" if newcomer.name else ""
     where = "along the outline" if zones is None else f"in {len(zones)} zones"
-    limit = Unit.for_size(newcomer.limit).text(newcomer.limit)
-    return f"random robots{like} of {limit}, anywhere {where}"
+    tell = Telling.of(terms, problem.swarm.outline.extent, [newcomer.limit])
+    limit = tell.force.text(newcomer.limit)
+    return f"random {terms.several}{like} of {limit}, anywhere {where}"

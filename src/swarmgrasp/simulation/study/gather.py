@@ -13,6 +13,7 @@ from swarmgrasp.packages import check_installed
 from swarmgrasp.plain import Told
 from swarmgrasp.simulation.study.plan import Plan, read_plan
 from swarmgrasp.simulation.study.study import Ask, Findings
+from swarmgrasp.terms import Terms
 
 
 @dataclass(frozen=True)
@@ -49,8 +50,14 @@ class Gathered(Told):
 SHOWN_FAULTS = 3
 
 
-def gather(folder: str | os.PathLike[str]) -> Gathered:
+def gather(folder: str | os.PathLike[str], terms: Terms | None = None) -> Gathered:
     """Sum up what is done of a study, all of it or a part.
+
+    Parameters
+    ----------
+    folder : path
+    terms : Terms, optional
+        Of the headline; those of the study's own file when left out.
 
     Raises
     ------
@@ -67,7 +74,8 @@ def gather(folder: str | os.PathLike[str]) -> Gathered:
             f"GROUP BY fault ORDER BY count(*) DESC, fault LIMIT {SHOWN_FAULTS}"
         )
         faults = tuple(f"{count} x {fault}" for fault, count in said)
-        return Gathered(plan, runs, failed, faults, digest(folder), plan.study.find(ask))
+        found = plan.study.find(ask, terms or plan.terms)
+        return Gathered(plan, runs, failed, faults, digest(folder), found)
 
 
 @contextmanager

@@ -28,6 +28,9 @@ from swarmgrasp.simulation.study.study import (
 )
 from swarmgrasp.simulation.verdict import usual_within, verdict_of
 from swarmgrasp.simulation.weather import CALM, Mean, Weather, mean_of
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.words import span
 
 Array = NDArray[np.float64]
 SELDOM = 100_000
@@ -95,13 +98,13 @@ class Gusts(Study):
         )  # fmt: skip
         crowds_of(self.simulation.problem)
 
-    @property
-    def words(self) -> str:
-        """Of what swarms it is."""
-        speed = self.simulation.environment.wind.speed
+    def words(self, terms: Terms = SI) -> str:
+        """Say of what swarms it is, and in which wind."""
+        problem, speed = self.simulation.problem, self.simulation.environment.wind.speed or 0.0
+        wind = Telling.of(terms, problem.swarm.outline.extent, []).speed(speed)
         return (
-            f"{self.fewest_robots} to {self.most_robots} {like_words(self.simulation.problem)}, "
-            f"{self.simulation.duration:g} s in gusts about {speed:.1f} m/s from anywhere"
+            f"{self.fewest_robots} to {self.most_robots} {like_words(problem, terms)}, "
+            f"{span(self.simulation.duration)} in gusts about {wind} from anywhere"
         )
 
     def drawn(self, seeds: Seeds) -> tuple[Simulation, Array]:
@@ -132,7 +135,7 @@ class Gusts(Study):
             "turn": run.turns.max(axis=1).astype(float),
         }
 
-    def find(self, ask: Ask) -> Findings:
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:  # noqa: ARG002 (it names no robots)
         """Sum up the runs of each class, and how well numbers tell success from failure."""
         over = "margin / nullif(spread, 0)"
         classes = " + ".join(f"({over} >= {edge})::INT" for edge in EDGES)

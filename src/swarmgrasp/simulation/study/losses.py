@@ -9,7 +9,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.quality import qualities
 from swarmgrasp.simulation.study.crowd_study import CrowdStudy
-from swarmgrasp.simulation.study.study import Ask, Column, ColumnHead, Findings, Seeds, told_rows
+from swarmgrasp.simulation.study.study import (
+    Ask,
+    Column,
+    ColumnHead,
+    Findings,
+    Seeds,
+    in_words,
+    told_rows,
+)
+from swarmgrasp.terms import SI, Terms
 
 
 @dataclass(frozen=True)
@@ -58,7 +67,7 @@ class Losses(CrowdStudy):
             after[alike], vital[alike] = left.min(axis=1), (left == 0.0).sum(axis=1)
         return {"robots": robots, "quality": quality, "after": after, "vital": vital}
 
-    def find(self, ask: Ask) -> Findings:
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:
         """Sum up the swarms of each size."""
         rows = ask(
             "SELECT robots, count(*), avg((quality > 0)::INT), avg((after > 0)::INT), "
@@ -68,21 +77,21 @@ class Losses(CrowdStudy):
         )
         kept = next((row[0] for row in rows if row[3] >= 0.5), None)
         said = (
-            f"At least half of the random swarms bear the loss of any one robot from {kept} robots "
-            "on"
+            f"At least half of the random swarms bear the loss of any one {terms.robot} from "
+            f"{kept} {terms.several} on"
             if kept is not None
-            else f"Less than half of the random swarms of up to {self.most_robots} robots bear the "
-            "loss of any one"
+            else f"Less than half of the random swarms of up to {terms.robots(self.most_robots)} "
+            "bear the loss of any one"
         )
-        return Findings(said, HEADINGS, told_rows(rows))
+        return Findings(said, in_words(HEADINGS, terms), told_rows(rows))
 
 
 HEADINGS = (
-    ColumnHead("robots"),
+    ColumnHead("{robots}"),
     ColumnHead("runs"),
     ColumnHead("with force closure", "%"),
     ColumnHead("and after any loss", "%"),
-    ColumnHead("vital robots, mean"),
+    ColumnHead("vital {robots}, mean"),
     ColumnHead("left of the quality, median", "%"),
 )
 

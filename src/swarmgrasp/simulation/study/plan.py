@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 
 from swarmgrasp import kernels
-from swarmgrasp.errors import DataInvalid, StudyInvalid
+from swarmgrasp.errors import DataInvalid, StudyInvalid, TermsInvalid
 from swarmgrasp.files import folder_faults, read_fault, write_whole
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.ranges import MOST_SEED, is_whole, kind_faults, name_faults, shown
 from swarmgrasp.simulation.study.kinds import KINDS
 from swarmgrasp.simulation.study.study import Seeds, Study
+from swarmgrasp.terms import SI, Terms
 
 FORMAT = "swarmgrasp study 1"
 PLAN = "study.json"
@@ -50,6 +51,8 @@ class Plan(Told):
         Runs in a shard; the last one may have fewer.
     release, kernels : str
         Of this package, and the digest of its kernels: with others, rows may differ in their bytes.
+    terms : Terms
+        Those of the file it is of, in which it is told.
 
     Raises
     ------
@@ -64,10 +67,12 @@ class Plan(Told):
     size: int
     release: str
     kernels: str
+    terms: Terms = SI
 
     def __post_init__(self) -> None:
         """Check the values."""
         faults = name_faults(self.name) + kind_faults(self.study, Study)
+        faults += kind_faults(self.terms, Terms)
         for called, value, low, high in (
             ("number of runs", self.runs, 1, MOST_RUNS),
             ("seed", self.seed, 0, MOST_SEED),
@@ -80,9 +85,10 @@ class Plan(Told):
             raise StudyInvalid(faults)
 
     @classmethod
-    def of(cls, name: str, study: Study, runs: int, seed: int = 1) -> "Plan":
+    def of(cls, name: str, study: Study, runs: int, seed: int = 1, terms: Terms = SI) -> "Plan":
         """Return the plan of a study with the package as it is installed here."""
-        return cls(name, study, runs, seed, study.size, version("swarmgrasp"), kernels_digest())
+        release = version("swarmgrasp")
+        return cls(name, study, runs, seed, study.size, release, kernels_digest(), terms)
 
     def to_data(self) -> dict[str, Any]:
         """Return the plan as plain data."""
@@ -90,6 +96,7 @@ class Plan(Told):
         return {
             "format": FORMAT,
             **picked(self, *_KEYS),
+            "terms": self.terms.to_data(),
             "study": named,
         }
 
@@ -147,13 +154,14 @@ def plan_of(text: str, called: str = PLAN) -> Plan:
     kind = study.pop("kind", None) if isinstance(study, dict) else None
     if kind not in KINDS:
         raise StudyInvalid(f"{called}: study.kind: is {shown(kind)}; known: {', '.join(KINDS)}")
-    wanted = {"format", *_KEYS, "study"}
+    wanted = {"format", *_KEYS, "terms", "study"}
     if data.keys() != wanted:
         raise StudyInvalid(f"{called}: should have the keys {', '.join(sorted(wanted))}")
     try:
         made = KINDS[kind].from_data(study)
-        return Plan(study=made, **{key: data[key] for key in _KEYS})
-    except (DataInvalid, StudyInvalid) as error:
+        terms = Terms.from_data(data["terms"])
+        return Plan(study=made, terms=terms, **{key: data[key] for key in _KEYS})
+    except (DataInvalid, StudyInvalid, TermsInvalid) as error:
         raise StudyInvalid(f"{called}: {fault}" for fault in error.faults) from None
 
 

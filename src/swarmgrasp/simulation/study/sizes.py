@@ -9,7 +9,16 @@ from numpy.typing import ArrayLike
 
 from swarmgrasp.quality import qualities
 from swarmgrasp.simulation.study.crowd_study import CrowdStudy
-from swarmgrasp.simulation.study.study import Ask, Column, ColumnHead, Findings, Seeds, told_rows
+from swarmgrasp.simulation.study.study import (
+    Ask,
+    Column,
+    ColumnHead,
+    Findings,
+    Seeds,
+    in_words,
+    told_rows,
+)
+from swarmgrasp.terms import SI, Terms
 
 
 @dataclass(frozen=True)
@@ -53,7 +62,7 @@ class Sizes(CrowdStudy):
             robots[alike], quality[alike] = rows.shape[1], qualities(rows)
         return {"robots": robots, "quality": quality}
 
-    def find(self, ask: Ask) -> Findings:
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:
         """Sum up the swarms of each size."""
         rows = ask(
             "SELECT robots, count(*), avg((quality > 0)::INT), quantile_cont(quality, 0.1), "
@@ -62,16 +71,17 @@ class Sizes(CrowdStudy):
         )
         closed = next((row[0] for row in rows if row[2] >= 0.5), None)
         said = (
-            f"At least half of the random swarms have force closure from {closed} robots on"
+            f"At least half of the random swarms have force closure from "
+            f"{closed} {terms.several} on"
             if closed is not None
-            else f"Less than half of the random swarms of up to {self.most_robots} robots have "
-            "force closure"
+            else f"Less than half of the random swarms of up to {terms.robots(self.most_robots)} "
+            "have force closure"
         )
-        return Findings(said, HEADINGS, told_rows(rows))
+        return Findings(said, in_words(HEADINGS, terms), told_rows(rows))
 
 
 HEADINGS = (
-    ColumnHead("robots"),
+    ColumnHead("{robots}"),
     ColumnHead("runs"),
     ColumnHead("with force closure", "%"),
     ColumnHead("quality of 10 %", "N"),

@@ -22,6 +22,9 @@ from swarmgrasp.simulation.study.study import (
     told_rows,
 )
 from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within, verdict_of
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.words import percent, span
 
 PARTS = (0.1, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0)
 """Of the runs, that stay within what is told."""
@@ -74,14 +77,15 @@ class Story(Study):
         """How far [m] the object may be, and be held."""
         return usual_within(self.simulation.problem.swarm.outline)
 
-    @property
-    def words(self) -> str:
-        """What its runs are."""
+    def words(self, terms: Terms = SI) -> str:
+        """Say what its runs are."""
         wind = self.simulation.environment.wind
         count = len(self.simulation.events)
         events = f"{count} event{'' if count == 1 else 's'}" if count else "no events"
-        speed = f" in a mean wind of {wind.speed:.1f} m/s" if wind.speed is not None else ""
-        return f"{self.simulation.duration:g} s{speed}, {events}"
+        outline = self.simulation.problem.swarm.outline
+        tell = Telling.of(terms, outline.extent, [])
+        speed = f" in a mean wind of {tell.speed(wind.speed)}" if wind.speed is not None else ""
+        return f"{span(self.simulation.duration)}{speed}, {events}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Simulate a run for each seed, all in step."""
@@ -100,7 +104,7 @@ class Story(Study):
             "travel": told.travel,
         }  # fmt: skip
 
-    def find(self, ask: Ask) -> Findings:
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:
         """Sum up the runs: within what how many of them stay."""
         parts = ", ".join(map(str, PARTS))
         names = "distance", "turn", "use"
@@ -109,8 +113,9 @@ class Story(Study):
         if not runs:
             return Findings("No run was without a fault", HEADINGS, ())
         rows = list(zip(PARTS, *columns, strict=True))
-        limits = f"{self.within:.3g} m and {math.degrees(USUAL_TURN):.3g} degrees"
-        said = f"Within {limits} all the time in {held:.1%} of {runs} runs"
+        tell = Telling.of(terms, self.simulation.problem.swarm.outline.extent, [])
+        limits = f"{tell.length.short(self.within)} and {math.degrees(USUAL_TURN):.3g} degrees"
+        said = f"Within {limits} all the time in {percent(held)} of {runs} runs"
         return Findings(said, HEADINGS, told_rows(rows))
 
 

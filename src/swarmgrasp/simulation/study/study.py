@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.plain import Plain, Told
+from swarmgrasp.terms import SI, Terms
 
 Seeds = NDArray[np.int64]
 Ask = Callable[[str], list[tuple[Any, ...]]]
@@ -59,7 +60,7 @@ class Findings(Told):
     Attributes
     ----------
     headline : str
-        The answer in a sentence.
+        The answer in a sentence, in the terms that were asked for.
     headings : tuple of ColumnHead
         Of the columns.
     rows : tuple of tuple of float
@@ -95,10 +96,9 @@ class Study(Plain, ABC):
     size: ClassVar[int]
     columns: ClassVar[Mapping[str, Column]]
 
-    @property
     @abstractmethod
-    def words(self) -> str:
-        """What its runs are, in a few words."""
+    def words(self, terms: Terms = SI) -> str:
+        """Say what its runs are, in a few words."""
 
     @abstractmethod
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
@@ -116,13 +116,18 @@ class Study(Plain, ABC):
         """
 
     @abstractmethod
-    def find(self, ask: Ask) -> Findings:
-        """Sum up the runs."""
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:
+        """Sum up the runs: in SI units, but for the headline."""
 
 
 def told_rows(rows: Sequence[tuple[float | None, ...]]) -> tuple[tuple[float, ...], ...]:
     """Return rows of an answer in SQL as numbers, null as nan."""
     return tuple(tuple(math.nan if value is None else value for value in row) for row in rows)
+
+
+def in_words(headings: Sequence[ColumnHead], terms: Terms) -> tuple[ColumnHead, ...]:
+    """Return headings with what robots are called for `{robots}`."""
+    return tuple(head._replace(words=head.words.format(robots=terms.several)) for head in headings)
 
 
 def draws_of(seeds: Seeds) -> np.random.Generator:

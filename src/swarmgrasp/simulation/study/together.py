@@ -18,8 +18,11 @@ from swarmgrasp.simulation.study.study import (
     Findings,
     Seeds,
     draws_of,
+    in_words,
     told_rows,
 )
+from swarmgrasp.terms import SI, Terms
+from swarmgrasp.words import percent
 
 MOST_NEWCOMERS = 12
 GAP = 1e-2
@@ -85,10 +88,9 @@ class PlacedTogether(CrowdStudy):
             )
         return faults
 
-    @property
-    def words(self) -> str:
-        """Of what swarms it is."""
-        return f"{self.newcomers} newcomers beside {super().words}"
+    def words(self, terms: Terms = SI) -> str:
+        """Say of what swarms it is."""
+        return f"{self.newcomers} newcomers beside {super().words(terms)}"
 
     def measure(self, seeds: Seeds) -> Mapping[str, ArrayLike]:
         """Draw a swarm, and place newcomers beside it both ways."""
@@ -105,7 +107,7 @@ class PlacedTogether(CrowdStudy):
             "bound": [found.upper_bound],
         }
 
-    def find(self, ask: Ask) -> Findings:
+    def find(self, ask: Ask, terms: Terms = SI) -> Findings:
         """Sum up the swarms of each size."""
         better = f"together > sequential * {1.0 + GAP} AND together > 0"
         gains = f"together / sequential - 1) FILTER ({better} AND sequential > 0"
@@ -118,13 +120,13 @@ class PlacedTogether(CrowdStudy):
         ((runs, share, *_),) = ask(f"SELECT {what} FROM runs")
         said = (
             f"Placed together, {self.newcomers} newcomers are better by more than 1 % in "
-            f"{share or 0.0:.0%} of {runs} random swarms"
+            f"{percent(share or 0.0)} of {runs} random swarms"
         )
-        return Findings(said, HEADINGS, told_rows(rows))
+        return Findings(said, in_words(HEADINGS, terms), told_rows(rows))
 
 
 HEADINGS = (
-    ColumnHead("robots before"),
+    ColumnHead("{robots} before"),
     ColumnHead("runs"),
     ColumnHead("better together", "%"),
     ColumnHead("then better by, median", "%"),
