@@ -47,8 +47,8 @@ lint: $(VENV)/developing
 	$(BIN)/lint-imports
 
 docs: $(VENV)/documenting
-	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build
-	$(BIN)/python tools/check_site.py docs/_build
+	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build/html
+	$(BIN)/python tools/check_site.py docs/_build/html
 
 bench: $(VENV)/benchmarking
 	$(BIN)/python benchmarks/run.py

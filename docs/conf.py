@@ -8,9 +8,10 @@ sys.path.insert(0, str(Path(__file__).parent / "extensions"))
 
 project = "swarmgrasp"
 author = "The swarmgrasp authors"
+project_copyright = author
 release = version_of("swarmgrasp")
 extensions = [
-    "myst_parser",
+    "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
     "generated",
@@ -19,6 +20,10 @@ extensions = [
 ]
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath"]
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_ipywidgets_js = {}  # nothing from a network: sliders move in running notebooks
 napoleon_google_docstring = False
 napoleon_use_ivar = True
 autodoc_member_order = "bysource"

@@ -20,10 +20,11 @@ ALLOWANCE = 1.25
 class CapabilityNumbers(AllRound):
     """The largest steps of weather that a swarm holds, intact and after its worst loss.
 
+    What was asked, and the worst losses, are as for `AllRound`; speeds and bearings of the
+    environment play no part, its sea neither.
+
     Attributes
     ----------
-    swarm, environment, bearings, losing, worst_case, failures, worst_losses
-        As for `AllRound`; speeds and bearings of the environment play no part, its sea neither.
     intact, after_loss : (m,) of int
         Numbers of the largest of `STEPS`, all those before it held too, that all robots, and those
         left after the worst failure and loss, hold: wind, waves and current from one bearing.

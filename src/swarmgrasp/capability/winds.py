@@ -26,10 +26,10 @@ MOST_TRIED = 200
 class Capability(AllRound):
     """The largest winds that a swarm holds, intact and after its worst loss.
 
+    What was asked, and the worst losses, are as for `AllRound`.
+
     Attributes
     ----------
-    swarm, environment, bearings, losing, worst_case, failures, worst_losses
-        As for `AllRound`.
     intact, after_loss : (m,) [m/s]
         Largest wind speeds that all robots, and those left after the worst failure and loss, hold
         beside current and waves; 0 where they hold none, or not even what comes without wind.
