@@ -97,6 +97,15 @@ def browser():
         found.close()
 
 
+# Of what a page has kept only its key is left, each time that it is loaded.
+FORGETTING = """{
+  const key = localStorage.getItem("swarmgrasp key");
+  localStorage.clear();
+  if (key !== null) localStorage.setItem("swarmgrasp key", key);
+}"""
+WIDE = {"viewport": {"width": 1440, "height": 900}, "reduced_motion": "reduce"}
+
+
 class Window:
     """One window of the studio, as somebody has it before them.
 
@@ -215,8 +224,7 @@ def window(browser, link):
 
     def one(prepare=None, beside=None, at=link, **settings):
         if beside is None:
-            shape = {"viewport": {"width": 1440, "height": 900}, "reduced_motion": "reduce"}
-            contexts.append(browser.new_context(**shape | settings))
+            contexts.append(browser.new_context(**WIDE | settings))
         page = (beside.context if beside else contexts[-1]).new_page()
         if prepare is not None:
             prepare(page)
@@ -227,3 +235,29 @@ def window(browser, link):
     for context in contexts:
         context.close()
     assert [complaint for found in windows for complaint in found.complaints] == []
+
+
+@pytest.fixture(scope="session")
+def lent():
+    """Keep the window that tests have one after the other, while it is there."""
+    return []
+
+
+@pytest.fixture
+def one(browser, link, lent, request):
+    """Give a window as if it had just been opened; it may not complain in its console."""
+    if lent:
+        lent[0].page.mouse.up()
+        lent[0].page.mouse.move(0, 0)
+        lent[0].page.reload()
+        lent[0].rest()
+    else:
+        page = browser.new_context(**WIDE).new_page()
+        page.add_init_script(FORGETTING)
+        lent.append(Window(page, link))
+    failed = request.session.testsfailed
+    yield lent[0]
+    complaints = lent[0].complaints
+    if complaints or request.session.testsfailed > failed:
+        lent.pop().context.close()
+    assert complaints == []

@@ -3,9 +3,8 @@
 ORIGINS = "escort-ring"
 
 
-def test_a_dragged_robot_stays_on_the_outline_and_is_one_step(window):
+def test_a_dragged_robot_stays_on_the_outline_and_is_one_step(one):
     """A tug dragged away from the hull slides along it; undo and redo take the whole gesture."""
-    one = window()
     before = one.robot("Carina")
     one.drag("[data-robot=Carina] .foot", -120, 40)
     moved = one.robot("Carina")
@@ -21,9 +20,8 @@ def test_a_dragged_robot_stays_on_the_outline_and_is_one_step(window):
     assert one.robot("Carina") == moved
 
 
-def test_the_round_handle_turns_and_with_alt_changes_the_limit(window):
+def test_the_round_handle_turns_and_with_alt_changes_the_limit(one):
     """The handle turns in fives with Shift; with Alt it pulls the limit by whole units."""
-    one = window()
     one.focus("[data-robot=Dufa]")
     one.drag(".knob-turn .grab", 30, 10, keys=["Shift"])
     turned = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"][3]
@@ -35,11 +33,10 @@ def test_the_round_handle_turns_and_with_alt_changes_the_limit(window):
     assert abs(limit - round(limit)) < 1e-9
 
 
-def test_keys_alone_do_all_that_hands_do(window):
+def test_keys_alone_do_all_that_hands_do(one):
     """From the address bar: walk, move, turn, strengthen, flip, add, remove, and undo it all."""
-    one = window()
     for _ in range(30):
-        one.press("Tab")
+        one.page.keyboard.press("Tab")
         if one.page.evaluate("document.activeElement.closest('.robot') !== null"):
             break
     assert one.page.evaluate("document.activeElement.dataset.robot") == "Aegir"
@@ -50,14 +47,12 @@ def test_keys_alone_do_all_that_hands_do(window):
     assert [robot["name"] for robot in kept][-2:] == ["Tug 9", "Tug 10"]
     assert abs(kept[2]["contact"][0] - 81.0) < 0.5
     assert abs(kept[2]["limit"] / 9806.65 - 66.0) < 1e-9
-    for _ in range(10):
-        one.press("Control+z")
+    one.press(*10 * ["Control+z"])
     assert one.kept(ORIGINS) is None
 
 
-def test_escape_leaves_a_gesture_as_if_it_had_not_been(window):
+def test_escape_leaves_a_gesture_as_if_it_had_not_been(one):
     """Escape while the hand still holds a tug puts it back."""
-    one = window()
     before = one.robot("Carina")
     x, y = one.middle("[data-robot=Carina] .foot")
     one.page.mouse.move(x, y)
@@ -70,9 +65,8 @@ def test_escape_leaves_a_gesture_as_if_it_had_not_been(window):
     assert one.kept(ORIGINS) is None
 
 
-def test_what_if_is_asked_by_numbers_that_are_typed_stepped_and_dragged(window):
+def test_what_if_is_asked_by_numbers_that_are_typed_stepped_and_dragged(one):
     """Losses by a key, wind by typing, its bearing by arrows, a limit by dragging."""
-    one = window()
     one.press("0")
     one.spin("Speed of the wind", 20)
     one.focus("[aria-label='Where the wind comes from']")
@@ -91,9 +85,8 @@ def test_what_if_is_asked_by_numbers_that_are_typed_stepped_and_dragged(window):
     assert not one.kept(ORIGINS)["doc"]["in_weather"]
 
 
-def test_the_newcomer_is_kept_and_the_next_is_asked(window):
+def test_the_newcomer_is_kept_and_the_next_is_asked(one):
     """N takes the newcomer, Enter makes it a robot where it was best, and another one comes."""
-    one = window()
     one.press("n", "Enter")
     problem = one.kept(ORIGINS)["doc"]["problem"]
     assert problem["swarm"]["robots"][-1]["name"] == "Idunn"
@@ -101,9 +94,9 @@ def test_the_newcomer_is_kept_and_the_next_is_asked(window):
     assert problem["newcomer"]["name"] == "Idunn 2"
 
 
-def test_zones_and_corners_are_moved_and_robots_go_with_their_side(window):
+def test_zones_and_corners_are_moved_and_robots_go_with_their_side(one):
     """An end of a pad is dragged, and a corner of the hull moved by keys."""
-    one = window().open("Deck barge")
+    one.open("Deck barge")
     one.press("z")
     one.drag("[aria-label='End of port aft pads'] .grab", 60, 0)
     end = one.kept("deck-barge")["doc"]["problem"]["zones"][3]["stretch"]["end"]
@@ -118,9 +111,8 @@ def test_zones_and_corners_are_moved_and_robots_go_with_their_side(window):
     assert one.kept("deck-barge") is None
 
 
-def test_what_the_library_refuses_is_said_and_the_last_answer_stays(window):
+def test_what_the_library_refuses_is_said_and_the_last_answer_stays(one):
     """A limit below the least that its tolerance allows is refused in words, until it is undone."""
-    one = window()
     before = one.text(".answer h1")
     one.focus("[data-robot=Carina]")
     one.spin("Limit", 10)
@@ -131,9 +123,8 @@ def test_what_the_library_refuses_is_said_and_the_last_answer_stays(window):
     assert one.page.locator("#studio.is-refused").count() == 0
 
 
-def test_a_wanted_wrench_is_dragged_and_shared_out(window):
+def test_a_wanted_wrench_is_dragged_and_shared_out(one):
     """The arrow in the middle is pulled out; who gives how much stands beside each name."""
-    one = window()
     one.press("h")
     assert one.page.locator(".push-words").is_visible()
     assert one.page.locator(".label .below:text-matches('% of')").count() > 0
@@ -144,9 +135,9 @@ def test_a_wanted_wrench_is_dragged_and_shared_out(window):
     assert one.page.locator(".push-words:not([hidden])").count() == 0
 
 
-def test_several_newcomers_are_placed_one_by_one_and_together(window):
+def test_several_newcomers_are_placed_one_by_one_and_together(one):
     """How many more come is asked in the bar; they stand in the plan."""
-    one = window().open("Rectangle, 5 robots")
+    one.open("Rectangle, 5 robots")
     one.click("[aria-label='How many more come after it']")
     one.click("[aria-label='How many more come after it']")
     assert one.page.locator(".newcomer.later").count() == 2

@@ -11,9 +11,8 @@ def plain(problem):
     return re.sub(r"-?\d+\.\d+(e-?\d+)?", lambda found: f"{float(found[0]):.9g}", repr(problem))
 
 
-def test_a_saved_file_is_the_document_on_the_page(window):
+def test_a_saved_file_is_the_document_on_the_page(one):
     """What is saved, read by the library, is what was moved; the file's comments stay."""
-    one = window()
     one.drag("[data-robot=Carina] .foot", -120, 0)
     text = one.download("Save as YAML").decode()
     kept = one.kept("escort-ring")["doc"]["problem"]
@@ -21,9 +20,8 @@ def test_a_saved_file_is_the_document_on_the_page(window):
     assert "# Loaded tanker of 240 m" in text
 
 
-def test_what_is_typed_is_drawn_and_faults_stand_at_their_line(window):
+def test_what_is_typed_is_drawn_and_faults_stand_at_their_line(one):
     """A typed limit moves the plan; a fault keeps the last answer and says line and column."""
-    one = window()
     one.press("t")
     source = one.page.locator(".text-source")
     assert source.input_value() == example_text("escort-ring")
@@ -47,7 +45,7 @@ def test_what_is_typed_is_drawn_and_faults_stand_at_their_line(window):
 
 
 def test_a_link_carries_the_scenario_and_no_key(window):
-    """A copied link opens the same document in a window that knows the key."""
+    """A copied link opens the same document in a window that knows the key, and is then its own."""
     one = window(permissions=["clipboard-read", "clipboard-write"])
     one.drag("[data-robot=Carina] .foot", -120, 0)
     moved = one.robot("Carina")
@@ -60,6 +58,9 @@ def test_a_link_carries_the_scenario_and_no_key(window):
     two = window(beside=one, at=link)
     assert two.robot("Carina") == moved
     assert "#" not in two.page.url
+    two.drag("[data-robot=Carina] .foot", 60, 0)
+    assert two.robot("Carina") != moved
+    assert one.robot("Carina") == moved
 
 
 def test_a_broken_link_says_so_and_opens_the_usual_scene(window, link):
@@ -77,6 +78,7 @@ def test_a_reload_brings_changes_back_though_an_idle_window_is_open(window):
     idle = window(beside=one)
     idle.click(".toast button")
     assert idle.robot("Carina") != moved
+    one.page.bring_to_front()
     one.drag("[data-robot=Dufa] .foot", -60, 0)
     idle.page.close()
     one.page.reload()
@@ -86,15 +88,6 @@ def test_a_reload_brings_changes_back_though_an_idle_window_is_open(window):
     assert one.robot("Carina") != moved
     one.press("Control+z")
     assert one.robot("Carina") == moved
-
-
-def test_two_windows_are_two_documents(window):
-    """What one window moves stays where it was in the other."""
-    one, two = window(), window()
-    before = two.robot("Carina")
-    one.drag("[data-robot=Carina] .foot", -120, 0)
-    assert one.robot("Carina") != before
-    assert two.robot("Carina") == before
 
 
 def test_a_server_that_comes_back_finds_everything_still_there(window, comes_and_goes):
@@ -114,9 +107,8 @@ def test_a_server_that_comes_back_finds_everything_still_there(window, comes_and
     assert "with all nine working" in one.text(".answer")
 
 
-def test_pictures_and_the_report_stand_by_themselves(window):
+def test_pictures_and_the_report_stand_by_themselves(one):
     """The SVG needs no page around it, the PNG is twice as large, the report is a sheet."""
-    one = window()
     drawing = one.download("Picture, SVG").decode()
     assert drawing.startswith("<svg")
     assert "Idunn" in drawing

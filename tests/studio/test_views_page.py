@@ -49,9 +49,8 @@ def test_figures_are_those_of_the_library(window):
     assert wind(one) == f"35 kn from 060°; held from there up to {held / KNOT:.0f} kn"
 
 
-def test_a_row_points_at_its_robot_everywhere(window):
+def test_a_row_points_at_its_robot_everywhere(one):
     """In the plan, among the facts and on the body; a click chooses it, and another lets it go."""
-    one = window()
     before = picture(one, "body")
     row = ".bar-row[data-name='Brimir']"
     one.hover(row)
@@ -67,9 +66,8 @@ def test_a_row_points_at_its_robot_everywhere(window):
     assert one.page.locator(row).get_attribute("aria-pressed") == "false"
 
 
-def test_a_place_of_the_map_stands_in_the_plan(window):
+def test_a_place_of_the_map_stands_in_the_plan(one):
     """By hand, by keys with a sentence, and from the next best; Escape lets it go."""
-    one = window()
     spoken = one.page.locator(".spoken")
     expect(spoken).to_contain_text("Held in ")  # the answer is spoken once, after a while
     ghost = one.page.locator(".ghost")
@@ -87,9 +85,8 @@ def test_a_place_of_the_map_stands_in_the_plan(window):
     assert not ghost.is_visible()
 
 
-def test_the_wind_is_a_handle(window):
+def test_the_wind_is_a_handle(one):
     """Dragged past what is held it turns the verdict; one undo brings all of the drag back."""
-    one = window()
     first = one.text(".first")
     one.drag(".rose-wind", 42, -20)
     assert one.text(".tile-wrench .tile-aside") == "not held"
@@ -103,9 +100,8 @@ def test_the_wind_is_a_handle(window):
     assert wind(one).startswith("36 kn from 070°; ")
 
 
-def test_the_body_turns_under_hand_and_keys(window):
+def test_the_body_turns_under_hand_and_keys(one):
     """And Home brings the first look back."""
-    one = window()
     before = picture(one, "body")
     one.focus(".body")
     one.press("ArrowLeft")
@@ -129,7 +125,15 @@ def test_a_phone_draws_the_answer_up(window):
     assert one.page.evaluate("document.documentElement.scrollWidth - innerWidth") == 0
 
 
-@pytest.mark.parametrize(("viewport", "theme"), [(WIDE, "light"), (PHONE, "dark")])
+LOOKS = [
+    (WIDE, "dark"),
+    pytest.param(WIDE, "light", marks=pytest.mark.long),
+    pytest.param(PHONE, "dark", marks=pytest.mark.long),
+    pytest.param(PHONE, "light", marks=pytest.mark.long),
+]
+
+
+@pytest.mark.parametrize(("viewport", "theme"), LOOKS)
 def test_nothing_keeps_people_out(window, viewport, theme):
     """On a wide screen and on a phone, in either theme: contrast, names, roles, targets."""
     one = window(viewport=viewport, color_scheme=theme, bypass_csp=True)

@@ -14,7 +14,7 @@ from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.studio.asking import Found, ask
 from swarmgrasp.studio.errands import Errand
 from swarmgrasp.studio.messages import Ask, Control, Watch
-from swarmgrasp.studio.parts import MOVING, NAMED, PARTS, Sheet, tell
+from swarmgrasp.studio.parts import FINER, MOVING, NAMED, PARTS, Sheet, tell
 from swarmgrasp.studio.reading import question_of
 from swarmgrasp.studio.replies import Done, Error, Refused
 from swarmgrasp.studio.scenes import faults_in
@@ -54,7 +54,7 @@ class Desk:
     def __init__(self, errands: dict[type, Errand], live: "Live | None" = None) -> None:
         self.live = live
         self._watching: dict[int, bool] = {}
-        self.turns = Turns(WORKERS)
+        self.turns = Turns(WORKERS, FINER)
         self.errands = errands
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="studio")
         self._sends: dict[int, Send] = {}

@@ -321,6 +321,8 @@ def proof(sheet: Sheet, ms: Callable[[], float]) -> bytes:
 FINELY, FINE_LANDSCAPE = "capability, fine", "landscape, fine"
 NAMED: Mapping[str, Any] = {FINELY: "capability", FINE_LANDSCAPE: "landscape"}
 """What parts are called in the page, where it is another name."""
+FINER: Mapping[str, str] = {coarse: fine for fine, coarse in NAMED.items()}
+"""Parts that have a finer one of their name."""
 PARTS: Mapping[str, Callable[[Sheet, Callable[[], float]], bytes]] = {
     "mesh": mesh,
     "capability": coarse_capability,

@@ -4,8 +4,9 @@ A pure function of what happened: messages and finished jobs with their costs co
 out. It has no clock, no thread and no socket.
 """
 
+import math
 from collections import OrderedDict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -67,10 +68,14 @@ class Turns:
     ----------
     workers : int
         Jobs at once, at least 2: one of them is kept for answers.
+    finer : mapping of str to str, optional
+        Parts that say the same more finely: at rest the coarse one is left out where the finer one
+        was cheap.
     """
 
-    def __init__(self, workers: int = 2) -> None:
+    def __init__(self, workers: int = 2, finer: Mapping[str, str] | None = None) -> None:
         self.workers = workers
+        self.finer = finer or {}
         self.running = 0
         self.parts_running = 0
         self._windows: OrderedDict[int, _Window] = OrderedDict()
@@ -191,11 +196,20 @@ class Turns:
                 part = current.parts.pop(0)
                 if current.is_moving and not _is_cheap(holder, part, now):
                     continue
+                if not current.is_moving and self._is_needless(holder, part):
+                    continue
                 holder.is_busy = True
                 current.passed_by = 0
                 self._windows.move_to_end(number)
                 return Job(number, part, current.work)
         return None
+
+
+    def _is_needless(self, holder: _Window, part: str) -> bool:
+        """Tell whether the finer part comes anyway, and soon."""
+        finer = self.finer.get(part)
+        assert holder.current is not None
+        return finer in holder.current.parts and holder.costs.get(finer, math.inf) <= CHEAP
 
 
 def _is_cheap(holder: _Window, part: str, now: float) -> bool:

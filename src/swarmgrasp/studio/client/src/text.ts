@@ -5,14 +5,20 @@ import { el, put, show, write } from "./dom";
 import type { Doc, Fault, Scene } from "./messages";
 
 const PAUSE = 150;
+/** Height of a line [px]. */
+const LINE = 18;
 
 export class TextPane implements View {
   readonly #where = el("span", { class: "text-where" });
   readonly #list = el("div", { class: "text-faults", role: "status" });
-  readonly #gutter = el("div", { class: "text-gutter", "aria-hidden": "true" });
-  readonly #paint = el("pre", { class: "text-paint", "aria-hidden": "true" });
+  readonly #numbers = el("div");
+  readonly #gutter = el("div", { class: "text-gutter", "aria-hidden": "true" }, this.#numbers);
+  readonly #painted = el("div");
+  readonly #paint = el("pre", { class: "text-paint", "aria-hidden": "true" }, this.#painted);
   readonly source = el("textarea", { class: "text-source", spellcheck: "false", wrap: "off", "aria-label": "Scenario as YAML", autocapitalize: "off" });
   #faults: readonly Fault[] = [];
+  #lines: readonly string[] = [];
+  #frame = 0;
   #shown: { doc: Doc; scene: Scene } | null = null;
   #timer = 0;
   #asked = 0;
@@ -24,7 +30,8 @@ export class TextPane implements View {
       el("div", { class: "text-box" }, this.#gutter, el("div", { class: "text-area" }, this.#paint, this.source)),
     );
     this.source.addEventListener("input", () => this.#typed());
-    this.source.addEventListener("scroll", () => this.#follow());
+    this.source.addEventListener("scroll", () => this.#draw());
+    new ResizeObserver(() => this.#draw()).observe(this.source);
     this.source.addEventListener("keydown", (event) => this.#key(event));
     this.source.addEventListener("blur", () => context.store.settle());
   }
@@ -82,7 +89,7 @@ export class TextPane implements View {
   }
 
   #typed(): void {
-    this.#colour();
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#colour());
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => void this.#send(), PAUSE);
   }
@@ -128,7 +135,7 @@ export class TextPane implements View {
     const at = before + Math.max(0, (fault.column ?? 1) - 1);
     this.source.focus();
     this.source.setSelectionRange(at, at);
-    this.source.scrollTop = Math.max(0, (fault.line - 5) * 18);
+    this.source.scrollTop = Math.max(0, (fault.line - 5) * LINE);
   }
 
   #key(event: KeyboardEvent): void {
@@ -143,20 +150,26 @@ export class TextPane implements View {
     event.stopPropagation();
   }
 
-  /** Keys in the colour of robots, comments grey; lines with faults underlined. */
   #colour(): void {
-    const bad = new Set(this.#faults.map(({ line }) => line));
-    const lines = this.source.value.split("\n");
-    this.#paint.replaceChildren(...lines.map((line, i) => painted(line, bad.has(i + 1))));
-    this.#gutter.replaceChildren(...lines.map((_, i) => el("div", { class: bad.has(i + 1) ? "bad" : null }, String(i + 1))));
-    this.#follow();
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lines = this.source.value.split("\n");
+    this.#gutter.style.minWidth = `calc(${String(this.#lines.length).length}ch + 12px)`;
+    this.#draw();
   }
 
-  #follow(): void {
-    const { scrollTop, scrollLeft } = this.source;
-    this.#paint.scrollTop = scrollTop;
-    this.#paint.scrollLeft = scrollLeft;
-    this.#gutter.scrollTop = scrollTop;
+  /** The lines in view: keys in the colour of robots, comments grey, those with faults underlined. */
+  #draw(): void {
+    const { scrollTop, scrollLeft, clientHeight } = this.source;
+    const first = Math.floor(scrollTop / LINE);
+    const bad = new Set(this.#faults.map(({ line }) => line));
+    const lines = this.#lines.slice(first, first + Math.ceil(clientHeight / LINE) + 1);
+    const isBad = (i: number): boolean => bad.has(first + i + 1);
+    this.#painted.replaceChildren(...lines.map((line, i) => painted(line, isBad(i))));
+    this.#numbers.replaceChildren(...lines.map((_, i) => el("div", { class: isBad(i) ? "bad" : null }, String(first + i + 1))));
+    const down = first * LINE - scrollTop;
+    this.#painted.style.transform = `translate(${-scrollLeft}px, ${down}px)`;
+    this.#numbers.style.transform = `translateY(${down}px)`;
   }
 }
 

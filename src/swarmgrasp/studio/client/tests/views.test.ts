@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import type { LandscapePiece, SlopesPart } from "../src/messages";
 import { Shape } from "../src/plan/shape";
-import { axisOf, columnsOf, edgeOf, namesOf, offOf, shortName, valueAt, type Column } from "../src/views/columns";
+import { axisOf, columnsOf, edgeOf, namesOf, offOf, pixelsOf, shortName, valueAt, type Column } from "../src/views/columns";
 import { ramp } from "../src/views/paint";
 import { calmRim, curve, freeBearing, percentile, polar, rimOf, ringsTo, speedAt } from "../src/views/polar";
 import { arrowsOf } from "../src/views/slopes";
@@ -155,6 +155,21 @@ test("values are interpolated between cells, and nothing is told where nothing i
   assert.ok(near(valueAt(column, values, 0.25, 0.25)!, 65));
   assert.equal(valueAt(column, values, 1, 0.5), null);
   assert.equal(valueAt(column, values, 0.5, 0.6), null);
+});
+
+test("the pixels of a column are its values at their middles", () => {
+  const values = Uint16Array.from([1, 11, 21, 101, 111, 121, 201, 211, 0, 7]);
+  for (const column of [one(piece({})), one(piece({ columns: [10], first: 3, rows: [0.1] }))]) {
+    for (const wide of [0, 1, 7]) {
+      const found = pixelsOf(column, values, wide, 9, 0.6);
+      assert.equal(found.length, 9 * wide);
+      found.forEach((value, i) => {
+        const [x, y] = [i % wide, Math.floor(i / wide)];
+        const told = valueAt(column, values, wide < 2 ? 0 : x / (wide - 1), 0.6 * (1 - (2 * (y + 0.5)) / 9));
+        assert.ok(Math.abs(value - (told ?? -1)) < 1e-4, `${x} ${y}: ${value} ${told}`);
+      });
+    }
+  }
 });
 
 test("a place at a corner is on the edge that it names", () => {

@@ -113,6 +113,41 @@ export function valueAt(column: Column, values: ArrayLike<number>, along: number
   return low + v * (high - low) - 1;
 }
 
+/**
+ * `valueAt` for every pixel of a column, one row of pixels after the other from above; -1 where
+ * nothing is allowed. `range` is how far off square its upper rim is [rad].
+ */
+export function pixelsOf(column: Column, values: ArrayLike<number>, wide: number, high: number, range: number): Float32Array {
+  const { piece: { columns: { length }, first }, off: rows } = column;
+  const found = new Float32Array(wide * high).fill(-1);
+  const at = Float64Array.from({ length: wide }, (_, x) => (wide < 2 ? 0 : (x / (wide - 1)) * (length - 1)));
+  let pixel = 0;
+  for (let y = 0; y < high; y++) {
+    const row = position(rows, range * (1 - (2 * (y + 0.5)) / high));
+    if (row === null) {
+      pixel += wide;
+      continue;
+    }
+    const below = Math.floor(row);
+    const above = Math.min(below + 1, rows.length - 1);
+    const v = row - below;
+    for (let x = 0; x < wide; x++) {
+      const left = Math.floor(at[x]!);
+      const u = at[x]! - left;
+      const from = first + left * rows.length;
+      const to = left + 1 < length ? from + rows.length : from;
+      const a = values[from + below]!;
+      const b = values[to + below]!;
+      const c = values[from + above]!;
+      const d = values[to + above]!;
+      const low = a + u * (b - a);
+      const nearest = u < 0.5 ? (v < 0.5 ? a : c) : v < 0.5 ? b : d;
+      found[pixel++] = (a * b * c * d === 0 ? nearest : low + v * (c + u * (d - c) - low)) - 1;
+    }
+  }
+  return found;
+}
+
 /** Half the height of a row that stands alone [rad]. */
 const ALONE = 2 * DEGREE;
 
