@@ -59,7 +59,7 @@ paper: $(VENV)/developing
 	$(BIN)/swarmgrasp paper demo/paper
 
 # The page of the studio from its sources: with Node, which users of the package need not have.
-CLIENT := src/swarmgrasp/studio/client
+CLIENT := src/swarmgrasp/gui/client
 page: page-tools
 	cd $(CLIENT) && npm run --silent check && npm run --silent build
 

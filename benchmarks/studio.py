@@ -24,12 +24,12 @@ import numpy as np
 import websockets
 
 from swarmgrasp.environment import Environment
+from swarmgrasp.gui.frames import packed
+from swarmgrasp.gui.messages import PROTOCOL
+from swarmgrasp.gui.scenes import doc_of, speech_of
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
 from swarmgrasp.scenario import example_text, parse_scenario, scenario_text
-from swarmgrasp.studio.frames import packed
-from swarmgrasp.studio.messages import PROTOCOL
-from swarmgrasp.studio.scenes import doc_of, speech_of
 
 MOVES = 120
 WINDOWS = 20

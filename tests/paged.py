@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from websockets.sync.client import ClientConnection, connect
 
-from swarmgrasp.studio.messages import PROTOCOL
-from swarmgrasp.studio.scenes import built_in
-from swarmgrasp.studio.server import Opened, Settings, opened
+from swarmgrasp.gui.messages import PROTOCOL
+from swarmgrasp.gui.scenes import built_in
+from swarmgrasp.gui.server import Opened, Settings, opened
 
 ANSWERED_WITHIN = 60.0
 """Seconds after which an answer that does not come is a failure."""

@@ -23,6 +23,7 @@ from swarmgrasp.environment import (
 )
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.forces import Forces, ForcesAlong, forces, forces_along
+from swarmgrasp.gui import studio
 from swarmgrasp.outline import Contact, Outline, Stretch
 from swarmgrasp.placement import (
     HowMany,
@@ -53,7 +54,6 @@ from swarmgrasp.quality import (
     quality,
     sensitivities,
 )
-from swarmgrasp.studio import studio
 from swarmgrasp.summary import Summary
 from swarmgrasp.swarm import Body, Newcomer, Robot, Swarm, Tolerance, Zone, wrenches
 from swarmgrasp.verify import Verdict, verify_document

@@ -21,8 +21,8 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.lasting import INTERRUPTED, end_on_signals, say
 
 if TYPE_CHECKING:
-    from swarmgrasp.studio.live import Live
-    from swarmgrasp.studio.scenes import Source
+    from swarmgrasp.gui.live import Live
+    from swarmgrasp.gui.scenes import Source
 
 DEFAULT = "escort-ring"
 """The scene opened unless told otherwise."""
@@ -87,14 +87,14 @@ def studio(
     )
     faults = whole_faults("--port", port, 0, 65535) + _door_faults(host, certificate, key)
     from swarmgrasp.cli.report import html_of
-    from swarmgrasp.studio.scenes import built_in
-    from swarmgrasp.studio.server import Settings, opened
+    from swarmgrasp.gui.scenes import built_in
+    from swarmgrasp.gui.server import Settings, opened
 
     scenes, played = built_in(), None
     with noting(faults):
         name, scenes[name] = _scene(file, scenes)
     if run is not None:
-        from swarmgrasp.studio.runs import read_run
+        from swarmgrasp.gui.runs import read_run
 
         with noting(faults):
             played = read_run(run)
@@ -142,8 +142,8 @@ def _live(
     from swarmgrasp.agents.network import NetworkSettings
     from swarmgrasp.agents.protocol import ProblemPlanner
     from swarmgrasp.cli.app import main
-    from swarmgrasp.studio.live import Live
-    from swarmgrasp.studio.live import demonstration as staged
+    from swarmgrasp.gui.live import Live
+    from swarmgrasp.gui.live import demonstration as staged
 
     with noting(faults):
         scenario = read_scenario(file)
@@ -179,8 +179,8 @@ def _door_faults(host: str, certificate: Path | None, key: Path | None) -> list[
 def _scene(file: str, known: "dict[str, Source]") -> "tuple[str, Source]":
     """Return the scene of a command line: its name and its text."""
     from swarmgrasp.answer_file import LARGEST_FILE
+    from swarmgrasp.gui.scenes import Source
     from swarmgrasp.scenario import parse_scenario, scenario_text
-    from swarmgrasp.studio.scenes import Source
 
     if file in known and not is_written(file):
         return file, known[file]

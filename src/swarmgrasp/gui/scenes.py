@@ -1,0 +1,139 @@
+"""Scenarios as a page has them: text, document, and how their people speak."""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from swarmgrasp.errors import FileFault, ScenarioInvalid
+from swarmgrasp.gui.figures import LABELS
+from swarmgrasp.gui.messages import Doc, Fault, Measure, Speech
+from swarmgrasp.gui.replies import Scene, SceneTitle
+from swarmgrasp.plain import plain
+from swarmgrasp.scenario import Scenario, example_names, example_text, parse_scenario
+from swarmgrasp.terms import Frame, Terms
+from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
+
+SAME = 1e-9
+"""Relative difference of two loads that is none."""
+_TITLE = re.compile(r"^name:\s*(.+?)\s*$", re.MULTILINE)
+_KEY = re.compile(r"([\w.-]+): ")
+
+
+@dataclass(frozen=True)
+class Source:
+    """A scene's text, and the folder that paths in it are relative to."""
+
+    text: str
+    folder: Path | None = None
+
+
+def built_in() -> dict[str, Source]:
+    """Return the built-in scenes by name."""
+    return {name: Source(example_text(name)) for name in example_names()}
+
+
+def titles(sources: Mapping[str, Source]) -> tuple[SceneTitle, ...]:
+    """Return the scenes to choose from, by their titles as they stand in the texts."""
+    found = ((name, _TITLE.search(source.text)) for name, source in sources.items())
+    return tuple(
+        SceneTitle(name, match[1].strip("\"'") if match else name) for name, match in found
+    )
+
+
+def scene_of(n: int, name: str, source: Source) -> Scene:
+    """Read a scene.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If its text has faults.
+    """
+    scenario = parse_scenario(source.text, f"{name}.yaml", source.folder)
+    warnings = tuple(map(_fault, scenario.slips))
+    return Scene(n, name, source.text, doc_of(scenario), speech_of(scenario), warnings)
+
+
+def faults_of(error: ScenarioInvalid) -> tuple[Fault, ...]:
+    """Return the faults of a scene's text."""
+    return tuple(map(_fault, error.records))
+
+
+def _fault(told: FileFault) -> Fault:
+    """Return a fault as a page is told it."""
+    return Fault(told.line, told.column, told.path, told.sentence)
+
+
+def faults_in(told: Iterable[str]) -> tuple[Fault, ...]:
+    """Return the faults of a document, each with the path of its key."""
+    parts = ((_KEY.match(sentence), sentence) for sentence in told)
+    return tuple(
+        Fault(None, None, key[1] if key else "", sentence[key.end() :] if key else sentence)
+        for key, sentence in parts
+    )
+
+
+def doc_of(scenario: Scenario) -> Doc:
+    """Return the document of a scenario."""
+    environment, criterion = scenario.environment, scenario.criterion
+    in_weather = False
+    if environment is not None and environment.is_steady and criterion.has_load:
+        load = environment.load(scenario.swarm.outline)
+        in_weather = bool(np.allclose(load, criterion.load, rtol=SAME, atol=0.0))
+    return Doc(
+        name=scenario.name,
+        description=scenario.description,
+        problem=scenario.problem().to_data(),
+        environment=plain(environment),
+        in_weather=in_weather,
+        newcomer=scenario.newcomer is not None,
+    )
+
+
+def speech_of(scenario: Scenario) -> Speech:
+    """Return how a scenario's people speak; its forces in the prefix that suits its limits."""
+    terms = scenario.terms
+    force = terms.force
+    if force == "N":
+        limits = scenario.swarm.limits
+        largest = max(
+            float(limits.max(initial=0.0)), scenario.newcomer.limit if scenario.newcomer else 0.0
+        )
+        force = "MN" if largest >= 1e7 else "kN" if largest >= 1e3 else "N"
+    return Speech(
+        length=_measure(terms.length, LENGTHS),
+        force=_measure(force, FORCES),
+        angle=_measure("deg", ANGLES),
+        speed=_measure(terms.speed, SPEEDS),
+        torque_unit=f"{LABELS.get(force, force)}\u00a0{terms.length}",
+        robot=terms.robot,
+        bow=terms.frame.bow,
+        mirrored=terms.frame.mirrored,
+        heading=terms.frame.heading,
+        bearings=terms.bearings,
+    )
+
+
+def terms_of(speech: Speech) -> Terms:
+    """Return the terms that a page speaks in.
+
+    Raises
+    ------
+    TermsInvalid
+        If it names no unit that is known.
+    """
+    return Terms(
+        length=speech.length.unit,
+        force=speech.force.unit,
+        speed=speech.speed.unit,
+        frame=Frame(speech.bow, speech.mirrored, speech.heading),
+        robot=speech.robot,
+        bearings=speech.bearings,
+    )
+
+
+def _measure(unit: str, sizes: Mapping[str, float]) -> Measure:
+    """Return a unit with its size."""
+    return Measure(unit, sizes[unit], LABELS.get(unit, unit))
