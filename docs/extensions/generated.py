@@ -23,7 +23,7 @@ EXAMPLES = {
     "move": "move escort-ring",
     "count": "count harbour-tugs --quality 400kN",
     "quality": "quality harbour-tugs --losing 1",
-    "forces": "forces drillship-azimuths --wrench 1e6 0 0",
+    "forces": "forces drillship-azimuths --wrench 1 0 0",
     "capability": "capability escort-ring --every 30",
     "simulate": "simulate tugs-and-barge --for 60",
     "study": "study model-ship runs --of gusts --runs 4",

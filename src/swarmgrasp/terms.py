@@ -189,6 +189,27 @@ kgf, tf, lbf, kip
         """What several robots are called."""
         return plural(self.robot)
 
+    def unit_of(self, measured: str) -> str:
+        """Return the unit in which something is told that is measured; "" where it is SI's.
+
+        Numbers are asked for in the same units.
+
+        Examples
+        --------
+        >>> barge = Terms(length="ft", force="tf", speed="kn")
+        >>> [barge.unit_of(each) for each in ("force", "torque", "area", "angle", "mass")]
+        ['tf', 'tf ft', 'ft^2', 'deg', '']
+        """
+        units = {
+            "length": self.length,
+            "force": self.force,
+            "angle": "deg",
+            "speed": self.speed,
+            "torque": f"{self.force} {self.length}",
+            "area": f"{self.length}^2",
+        }
+        return units.get(measured, "")
+
     def robots(self, count: int) -> str:
         """Return a number of robots in the file's word."""
         return f"{count} {self.robot if count == 1 else self.several}"

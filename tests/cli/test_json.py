@@ -16,7 +16,7 @@ ASKED = {
     "move": ["deck-barge"],
     "count": ["deck-barge", "--quality", "600e3"],
     "quality": ["rectangle-5"],
-    "forces": ["deck-barge", "--wrench", "300e3", "0", "0"],
+    "forces": ["deck-barge", "--wrench", "300kN", "0", "0"],
     "capability": ["supply-vessel", "--step", "30"],
     "simulate": ["escort-ring", "--for", "1"],
     "judge": ["model-ship"],

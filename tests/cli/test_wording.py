@@ -1,8 +1,10 @@
 """Answers come in the terms of the file, or in SI units; directions as bearings on request."""
 
 import csv
+import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from swarmgrasp.cli.show import placement
@@ -14,9 +16,9 @@ COMMANDS = [
     ["place", "deck-barge"],
     ["place", "deck-barge", "--robots", "2", "--together", "--effort", "20"],
     ["quality", "deck-barge", "--losing", "1", "--sensitivities"],
-    ["forces", "deck-barge", "--wrench", "300e3", "0", "0"],
+    ["forces", "deck-barge", "--wrench", "300kN", "0", "0"],
     ["move", "deck-barge"],
-    ["count", "deck-barge", "--quality", "300e3"],
+    ["count", "deck-barge", "--quality", "300kN"],
 ]
 
 
@@ -33,6 +35,32 @@ def test_units_are_those_of_the_file_or_si(run, command):
     assert "kN" in said
     assert "Units: SI with degrees. Frame" in said
     assert not any(unit in said for unit in (" ft", "[ft", " tf", "[tf"))
+
+
+def test_numbers_without_a_unit_are_in_those_of_the_answer(run, tmp_path):
+    """Options and tables alike: tonnes and feet of a file, or newtons and metres on request."""
+    table = tmp_path / "wrenches.csv"
+    table.write_text("fx,fy,tz\n20,-1,30\n")
+    told = tmp_path / "told.csv"
+    told.write_text("fx [tf],fy [kip],tz [tf ft]\n20,-2.204622622,30\n")
+    si = {"20": 196133.0, "-1": -9806.65, "30": 89672.0076}
+    asked = [
+        (["--wrench", "20", "-1", "30"], "file"),
+        (["--wrench", "20tf", "-1 t", "30 tf ft"], "si"),
+        (["--wrench", *map(str, si.values())], "si"),
+        (["--wrenches", table], "file"),
+        (["--wrenches", told], "si"),
+    ]
+    found = []
+    for options, units in asked:
+        _, said, complaints = run("forces", "deck-barge", *options, "--units", units, "--json", "-")
+        assert complaints == ""
+        found.append(np.ravel(json.loads(said)["wanted"]))
+    for wanted in found:
+        np.testing.assert_allclose(wanted, list(si.values()), rtol=1e-8)
+    for units, wind, factor in (("file", "20", 1852 / 3600), ("si", "20", 1.0)):
+        said = run("capability", "deck-barge", "--use", wind, "--units", units, "--json", "-")[1]
+        assert json.loads(said)["speed"] == pytest.approx(20 * factor)
 
 
 def test_directions_as_bearings(run):

@@ -59,7 +59,8 @@ anybody can check again.
 FILE is a scenario in YAML, an answer in JSON whose question is asked again, "-" for standard
 input, or the name of a built-in example when there is no such file. Answers come in the units and
 the frame of the file, with angles in degrees; `--units si` tells metres and newtons, `--bearings`
-directions clockwise from the bow. JSON is in SI units and radians.
+directions clockwise from the bow. So are numbers that options give; those with a unit, such as 60t,
+25kn or 90deg, are in that. JSON is in SI units and radians.
 """
 
 STATUS = """

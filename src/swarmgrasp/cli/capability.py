@@ -1,13 +1,14 @@
 """`swarmgrasp capability`: the weather the robots hold, at every bearing."""
 
-import math
 import re
 from collections.abc import Callable
+from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.criteria import criterion_of
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
@@ -15,11 +16,10 @@ from swarmgrasp.cli.drawing import USUAL, Drawing
 from swarmgrasp.cli.inputs import (
     blaming,
     json_faults,
-    noting,
     read_scenario,
 )
 from swarmgrasp.cli.question import asked_before, check_newcomer
-from swarmgrasp.cli.weather import STILL, Water, speed_of
+from swarmgrasp.cli.weather import STILL, Water, speed_given
 from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def capability(
     numbers: Annotated[bool, Parameter(negative="")] = False,
     use: Annotated[str | None, Parameter(metavar="SPEED")] = None,
     with_newcomer: Annotated[bool, Parameter(negative="")] = False,
-    step: float | None = None,
+    step: Annotated[str | None, Parameter(metavar="ANGLE")] = None,
     plot: Path | None = None,
     drawing: Drawing = USUAL,
     json: Dashed | None = None,
@@ -89,7 +89,7 @@ def capability(
     with_newcomer
         Also with the newcomer, in the place that `swarmgrasp place` finds: before and after.
     step
-        Degrees between the bearings, 1 to 90; 5 unless given.
+        Between the bearings, 1 to 90 degrees; 5 unless given.
     plot
         Draw the answer to this .png, .svg or .pdf file: a polar diagram with the bow up, or
         the robots' shares over the bearings.
@@ -106,7 +106,8 @@ def capability(
     scenario = read_scenario(file, faults + drawing.faults(plot))
     before = asked_before(scenario, WINDS, NUMBERS, USE, JOINED)
     what = _form(scenario, use, numbers=numbers, with_newcomer=with_newcomer)
-    environment = water.environment(scenario, file, "`swarmgrasp capability`")
+    terms = wording.terms(scenario)
+    environment = water.environment(scenario, file, terms, "`swarmgrasp capability`")
     if what == JOINED:
         check_newcomer(scenario, file, "capability --with-newcomer")
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
@@ -114,13 +115,19 @@ def capability(
 
     bearings = before.get("bearings") if step is None else None
     if bearings is None:
-        bearings = bearings_apart(step or STEP, scenario.terms.frame.heading)
-    speed = before.get("speed", 0.0) if use is None else speed_of(use, scenario.terms.speed)
-    look = drawing.look(scenario.name, wording.terms(scenario))
+        apart = STEP if step is None else degrees(_step(step).value(terms))
+        bearings = bearings_apart(apart, scenario.terms.frame.heading)
+    speed = before.get("speed", 0.0) if use is None else speed_given("--use", use).value(terms)
+    look = drawing.look(scenario.name, terms)
     asked = _Asked(scenario, file, environment, criterion, np.array(bearings), look)
     with blaming(file):
         found = _use(asked, speed) if what == USE else ASK[what](asked)
     _deliver(asked, found, plot, json, wording)
+
+
+def _step(text: str) -> Amount:
+    """Return the angle between bearings."""
+    return Amount("--step", text, "angle", radians(1.0 - 1e-9), radians(90.0 + 1e-9))
 
 
 def bearings_apart(step: float = STEP, heading: float | None = None) -> "NDArray[np.float64]":
@@ -135,7 +142,7 @@ def bearings_apart(step: float = STEP, heading: float | None = None) -> "NDArray
     """
     import numpy as np
 
-    off = math.degrees(heading or 0.0)
+    off = degrees(heading or 0.0)
     return np.asarray(np.radians((np.arange(0.0, 360.0 - 1e-9, step) - off) % 360.0))
 
 
@@ -270,22 +277,16 @@ def _form(scenario: "Scenario", use: str | None, *, numbers: bool, with_newcomer
 
 
 def _option_faults(
-    losing: str | None, step: float | None, use: str | None, *, numbers: bool, with_newcomer: bool
+    losing: str | None, step: str | None, use: str | None, *, numbers: bool, with_newcomer: bool
 ) -> list[str]:
     """Return what is wrong with the options."""
     faults = []
     # int() would also take 1_0, and cyclopts 1.5 and 0x2
     if losing is not None and not re.fullmatch(r"0*[1-9][0-9]{0,5}", losing):
         faults.append(f"--losing is {losing}; it should be a whole number, at least 1")
-    if step is not None and not 1.0 <= step <= 90.0:
-        faults.append(f"--step is {step:g}; it should be from 1 to 90 degrees")
+    faults += [] if step is None else _step(step).faults()
     forms = {"--numbers": numbers, "--use": use is not None, "--with-newcomer": with_newcomer}
     given = [option for option, is_given in forms.items() if is_given]
     if len(given) > 1:
         faults.append(f"{' and '.join(given)} each ask something else; keep one")
-    if use is not None:
-        said: list[str] = []
-        with noting(said):
-            speed_of(use, "m/s")
-        faults += (f"--use is {use}: {fault}" for fault in said)
-    return faults
+    return faults + ([] if use is None else speed_given("--use", use).faults())

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
@@ -13,14 +14,13 @@ from swarmgrasp.cli.inputs import (
     UsageFault,
     blaming,
     json_faults,
-    noting,
     read_scenario,
     whole_faults,
 )
 from swarmgrasp.cli.question import asked_before, check_newcomer
 from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
-from swarmgrasp.ranges import MOST_PLACED, STRONGEST
+from swarmgrasp.ranges import MOST_PLACED, STRONGEST, WEAKEST
 
 if TYPE_CHECKING:
     from swarmgrasp.placement import HowMany, Problem
@@ -52,7 +52,7 @@ def count(
     They are placed together. Prints where they go, and whether fewer are proven not to be
     enough. Ctrl-C ends the search with what is known so far.
 
-    Example: swarmgrasp count deck-barge --quality 600e3
+    Example: swarmgrasp count deck-barge --quality 600kN
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def count(
         Scenario in YAML, "-" for standard input, or a built-in example such as deck-barge; or an
         answer of this command, whose options hold unless given anew.
     quality
-        The quality required, in newtons or with a unit, such as 600kN; with a task, a factor.
+        The quality required, such as 600kN; with a task, a factor.
     most
         The most robots to try, 1 to 1000; 20 unless given.
     effort
@@ -89,18 +89,18 @@ def count(
         + weather.faults()
         + drawing.faults(plot)
     )
-    scenario = weather.on(read_scenario(file, faults), file)
+    scenario = weather.on(read_scenario(file, faults), file, wording)
     check_newcomer(scenario, file, "count")
     before = asked_before(scenario, "count")
     if quality is None and not before:
-        raise UsageFault("--quality is missing; give the quality required, such as 600e3")
+        raise UsageFault("--quality is missing; give the quality required, such as 600kN")
     tried = before.get("most", MOST) if most is None else int(most)
     criterion = criterion_of(scenario, file, losing, worst_case, failures, tried)
     from swarmgrasp.placement.together.effort import EFFORT
 
-    required = before["required"] if quality is None else _required(quality, criterion)
-    steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     terms = wording.terms(scenario)
+    required = before["required"] if quality is None else _required(quality, criterion, terms)
+    steps = before.get("asked_effort", EFFORT) if effort is None else int(effort)
     look = drawing.look(scenario.name, terms)
     with blaming(file):
         found, stopped = _counted(scenario.problem(criterion), required, tried, steps, terms)
@@ -139,7 +139,7 @@ def _counted(
         return found, is_stopped() and not found.is_proven
 
 
-def _required(text: str, criterion: "Criterion") -> float:
+def _required(text: str, criterion: "Criterion", terms: "Terms") -> float:
     """Return the quality required [N], or a factor of the task.
 
     Raises
@@ -147,29 +147,28 @@ def _required(text: str, criterion: "Criterion") -> float:
     UsageFault
         If it has a unit and the criterion has a task.
     """
-    from swarmgrasp.units import is_quantity, quantity
+    from swarmgrasp.terms import SI
+    from swarmgrasp.units import is_quantity
 
-    if criterion.task is not None and is_quantity(text):
+    if criterion.task is None:
+        return _quality(text).value(terms)
+    if is_quantity(text):
         raise UsageFault(
             f"--quality is {text}; the criterion has a task, and quality is how many times the "
             "task is left: give a number without a unit"
         )
-    return quantity(text, "force")
+    return _quality(text).value(SI)
+
+
+def _quality(text: str) -> Amount:
+    """Return the quality that an option gives."""
+    return Amount("--quality", text, "force", WEAKEST, STRONGEST)
 
 
 def _number_faults(quality: str | None, most: str | None, effort: str | None) -> list[str]:
     """Return what is wrong with the numbers given as options."""
-    from swarmgrasp.units import quantity
-
-    faults = []
-    wrong: list[str] = []
-    with noting(wrong):
-        required = 1.0 if quality is None else quantity(quality, "force")
-        if not 0.0 < required <= STRONGEST:
-            faults.append(f"--quality is {quality}; it should be 0 < quality <= {STRONGEST:g} [N]")
-    faults += [f"--quality: {fault}" for fault in wrong]
     return [
-        *faults,
+        *([] if quality is None else _quality(quality).faults()),
         *whole_faults("--most", most, 1, MOST_PLACED),
         *whole_faults("--effort", effort),
     ]

@@ -20,7 +20,7 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.question import asked_before, tell_omitted
 from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
-from swarmgrasp.cli.wrenches import COLUMNS, Triple, parse_wrench, read_wrenches
+from swarmgrasp.cli.wrenches import COLUMNS, Triple, Wrench, Wrenches, read_wrenches
 
 if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
@@ -54,7 +54,7 @@ def forces(
     part of its limit; then the sum of the shares' squares. If the wrench is out of reach,
     the nearest one is made, and the report says by how much it falls short.
 
-    Example: swarmgrasp forces deck-barge --wrench 300e3 0 0
+    Example: swarmgrasp forces deck-barge --wrench 300kN 0 0
 
     Parameters
     ----------
@@ -63,16 +63,15 @@ def forces(
         deck-barge. Its newcomer is left out. Or an answer of this command, whose wrenches hold
         unless given anew.
     wrench
-        What the object is to receive: force along x and along y [N], and torque [N m] about
-        the outline's origin, in the file's frame; with units, such as 300kN, if you like. A part
-        that does not matter is "any": --wrench 0 any 3.6. Left out where there is a load: to
-        hold it.
+        What the object is to receive: force along x and along y, and torque about the outline's
+        origin, in the file's frame, such as 300kN 0 "50 kN m". A part that does not matter is
+        "any": --wrench 0 any 3.6. Left out where there is a load: to hold it.
     wrenches
-        Instead of one wrench those of a .csv file, one per line, in the frame of answer files. Its
-        first line names the columns, among them fx, fy and tz.
+        Instead of one wrench those of a .csv file, one per line, in the file's frame. Its first
+        line names the columns, among them fx, fy and tz, perhaps with units: fx [kN].
     load
         The wrench that the environment exerts on the object, such as wind and current, in the
-        same units and frame; the robots exert the rest. By default the scenario's load.
+        same frame; the robots exert the rest. By default the scenario's load.
     keep_direction
         If the wrench is out of reach, make the largest multiple of it that is not, instead of the
         nearest one.
@@ -88,33 +87,37 @@ def forces(
     faults += json_faults(json) + wording.faults(json) + drawing.faults(plot)
     if load is not None and weather.given:
         faults.append(f"--load and {next(iter(weather.given))} each say the load; keep one")
-    asked, free, wrong = parse_wrench("--wrench", wrench or ("0", "0", "0"))
-    held, loose, more = parse_wrench("--load", load or ("0", "0", "0"))
-    faults += wrong + more
-    faults += ["--load has a part that is any; a load is what it is"] * bool(loose)
-    table: tuple[Sequence[int], Sequence[Triple]] | None = None
+    wanted = Wrench("--wrench", wrench or ("0", "0", "0"))
+    held = Wrench("--load", load or ("0", "0", "0"))
+    faults += wanted.faults() + held.faults()
+    faults += ["--load has a part that is any; a load is what it is"] * bool(held.free)
+    table: Wrenches | None = None
     if wrenches is not None:
         with noting(faults):
             table = read_wrenches(wrenches)
-    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
+    scenario = weather.on(read_scenario(file, faults + weather.faults()), file, wording)
+    terms = wording.terms(scenario)
     if losing:
         scenario = _without(scenario, losing)
     told = wrench is not None
-    if not told and table is None:
+    asked = _ours(scenario, wanted.value(terms))
+    lines: Sequence[int] = ()
+    rows: Sequence[Triple] = ()
+    if table is not None:
+        lines, rows = table.lines, [_ours(scenario, each) for each in table.values(terms)]
+    elif not told:
         before = asked_before(scenario, "forces").get("wanted")
         told, asked = before is not None, asked if before is None else before
-        rows = asked_before(scenario, "forces along").get("wanted")
-        table = None if rows is None else (range(2, 2 + len(rows)), rows)
-    elif told:
-        asked = _ours(scenario, asked)
+        rows = asked_before(scenario, "forces along").get("wanted", ())
+        lines = range(2, 2 + len(rows))
     tell_omitted(scenario, file, "forces", load=load or weather.given)
-    beside = scenario.criterion.load if load is None else _ours(scenario, held)
-    if table is not None:
-        _tell_many(scenario, *table, beside, json, wording)
+    beside = scenario.criterion.load if load is None else _ours(scenario, held.value(terms))
+    if len(rows):
+        _tell_many(scenario, lines, rows, beside, json, wording)
         return
     if not told and not any(beside):
-        raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300e3 0 0")
-    _tell_one(scenario, _Asked(asked, beside, _free(scenario, free), keep_direction),
+        raise UsageFault("--wrench is missing; give three numbers, such as --wrench 300kN 0 0")
+    _tell_one(scenario, _Asked(asked, beside, _free(scenario, wanted.free), keep_direction),
               plot, drawing, json, wording)  # fmt: skip
 
 
@@ -215,20 +218,21 @@ def _tell_many(
     from swarmgrasp.forces import forces_along
 
     found, csv = forces_along(scenario.swarm, rows, load=load), wording.csv
+    terms = wording.terms(scenario)
 
     def write() -> list[str]:
         """Write the table if it goes to a file."""
         if csv in (None, DASH):
             return []
-        write_whole(str(csv), table_text(found).encode())
+        write_whole(str(csv), table_text(found, terms).encode())
         return [str(csv)]
 
     def tell() -> None:
         """Tell the forces, or print all of them."""
         if csv == DASH:
-            print_json(table_text(found))
+            print_json(table_text(found, terms))
         else:
-            show(scenario.name, found, lines, wording.terms(scenario))
+            show(scenario.name, found, lines, terms)
 
     deliver(json, document_of(found, scenario.name), tell, write)
 

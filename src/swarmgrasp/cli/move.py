@@ -58,7 +58,7 @@ def move(
     """
     faults = losing_faults(losing) + json_faults(json) + wording.faults(json) + weather.faults()
     faults += drawing.faults(plot)
-    scenario = weather.on(read_scenario(file, faults), file)
+    scenario = weather.on(read_scenario(file, faults), file, wording)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     tell_omitted(
         scenario, file, "move",

@@ -123,12 +123,13 @@ def place(
     if aim == "capability":
         criterion = criterion_of(scenario, file, losing, worst_case, failures, 1)
         share = SHARE if runners_up is None else runners_up
-        around = Water.environment(weather, scenario, file, "`swarmgrasp place --for capability`")
+        needed_by, terms = "`swarmgrasp place --for capability`", wording.terms(scenario)
+        around = Water.environment(weather, scenario, file, terms, needed_by)
         return tell_for_capability(
             ForCapability(scenario, file, around, criterion, gap or FINE, share),
             _beside(plot) if plot else None, drawing, json, wording,
         )  # fmt: skip
-    scenario = weather.on(scenario, file)
+    scenario = weather.on(scenario, file, wording)
     before = asked_before(scenario, "placements", "together")
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))

@@ -37,7 +37,7 @@ def plot(
         contact and direction of the newcomer.
     """
     faults = drawing.faults(picture) + weather.faults()
-    scenario = weather.on(read_scenario(file, faults), file)
+    scenario = weather.on(read_scenario(file, faults), file, phrasing)
     if what == "landscape":
         check_newcomer(scenario, file, "plot --what landscape")
     tell_omitted(

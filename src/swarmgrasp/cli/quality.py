@@ -72,7 +72,7 @@ def quality(
     faults += drawing.faults(plot)
     if worst_case and sensitivities:
         faults.append("--sensitivities are of known poses: leave out --worst-case")
-    scenario = weather.on(read_scenario(file, faults + weather.faults()), file)
+    scenario = weather.on(read_scenario(file, faults + weather.faults()), file, wording)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
     sensitivities |= asked_before(scenario, "quality").get("sensitivities") is not None
     if sensitivities and criterion.worst_case:

@@ -71,7 +71,7 @@ def report(
     scenario = read_scenario(file, faults)
     if scenario.answer is not None:
         _check_answer(scenario.answer, file, date, weather)
-    job = _solved(weather.on(scenario, file), file, _source_of(file), date)
+    job = _solved(weather.on(scenario, file, phrasing), file, _source_of(file), date)
     if job.verdict is not None and not job.verdict:
         complain(f"{job.source}: {fault}" for fault in job.verdict.faults)
         complain([f"{job.source}: the answer is refused, and {page} is not written"])

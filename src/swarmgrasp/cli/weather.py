@@ -5,9 +5,12 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.inputs import UsageFault, blaming, noting, source_of
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain
+from swarmgrasp.cli.wording import Phrasing
+from swarmgrasp.terms import SI
 from swarmgrasp.units import bearing, quantity
 
 if TYPE_CHECKING:
@@ -34,7 +37,7 @@ class Water:
     """
 
     current: Speed = None
-    """Speed of the current, such as 1.5kn; in the file's unit without one."""
+    """Speed of the current, such as 1.5kn."""
     current_from: Bearing = None
     """Where the current comes from, such as 90deg; from where the wind comes unless given."""
     waves: Annotated[str | None, Parameter(metavar="SEA")] = None
@@ -60,14 +63,16 @@ class Water:
             with noting(said):
                 if option.endswith("from"):
                     bearing(text, "deg", 0.0)
-                elif option != "--waves":
-                    speed_of(text, "m/s")
-                elif text != WITH_WIND:
-                    _sea(text, "m")
-            faults += (f"{option} is {text}: {fault}" for fault in said)
+                elif option == "--waves" and text != WITH_WIND:
+                    _sea(text, SI)
+            faults += [f"{option} is {text}: {fault}" for fault in said]
+            if option in ("--wind", "--current"):
+                faults += speed_given(option, text).faults()
         return faults
 
-    def environment(self, scenario: "Scenario", file: str, needed_by: str) -> "Environment":
+    def environment(
+        self, scenario: "Scenario", file: str, terms: "Terms", needed_by: str
+    ) -> "Environment":
         """Return the surroundings to compute with.
 
         Parameters
@@ -75,6 +80,8 @@ class Water:
         scenario : Scenario
         file : str
             What messages call it.
+        terms : Terms
+            In whose units numbers without one are.
         needed_by : str
             The command or option that cannot do without.
 
@@ -95,22 +102,27 @@ class Water:
         faults: list[str] = []
         wind, current, waves = around.wind, around.current, around.waves
         with noting(faults):
-            wind = self._wind(scenario, wind)
+            wind = self._wind(scenario, terms, wind)
         with noting(faults):
-            current = self._current(scenario, file, current)
+            current = self._current(scenario, file, terms, current)
         with noting(faults):
-            waves = self._waves(scenario, waves)
+            waves = self._waves(scenario, terms, waves)
         if faults:
             raise UsageFault(faults)
         with blaming("--waves" if self.waves else source_of(file)):
             return replace(around, wind=wind, current=current, waves=waves)
 
-    def _wind(self, scenario: "Scenario", wind: "Wind | WindTable") -> "Wind | WindTable":  # noqa: ARG002
+    def _wind(
+        self,
+        scenario: "Scenario",  # noqa: ARG002
+        terms: "Terms",  # noqa: ARG002
+        wind: "Wind | WindTable",
+    ) -> "Wind | WindTable":
         """Return what the object shows to the wind; its own speed and bearing play no part."""
         return replace(wind, speed=None, bearing=None)
 
     def _current(
-        self, scenario: "Scenario", file: str, current: "Current | None"
+        self, scenario: "Scenario", file: str, terms: "Terms", current: "Current | None"
     ) -> "Current | None":
         """Return the current to compute with."""
         if self.current is None and self.current_from is None:
@@ -123,19 +135,19 @@ class Water:
             )
             raise missing(scenario, file, "current", option, advice)
         if self.current is not None:
-            current = replace(current, speed=speed_of(self.current, scenario.terms.speed))
+            current = replace(current, speed=speed_given("--current", self.current).value(terms))
         if self.current_from is None:
             return current
         return replace(current, bearing=_bearing("--current-from", self.current_from, scenario))
 
-    def _waves(self, scenario: "Scenario", waves: "Waves | None") -> "Waves | None":
+    def _waves(self, scenario: "Scenario", terms: "Terms", waves: "Waves | None") -> "Waves | None":
         """Return the sea to compute with."""
         from swarmgrasp.environment import Waves
 
         if self.waves is not None:
             height, period = None, None
             if self.waves != WITH_WIND:
-                height, period = _sea(self.waves, scenario.terms.length)
+                height, period = _sea(self.waves, terms)
             waves = replace(waves or Waves(), height=height, period=period)
         if self.waves_from is None:
             return waves
@@ -149,7 +161,7 @@ class _Wind:
     """The wind, named before the water."""
 
     wind: Speed = None
-    """Speed of the wind, such as 25kn or 6Bft; in the file's unit without one."""
+    """Speed of the wind, such as 25kn or 6Bft."""
     wind_from: Annotated[str | None, Parameter(name="--from", metavar="BEARING")] = None
     """Where the wind comes from, such as 60deg or NE."""
 
@@ -164,7 +176,9 @@ class Weather(Water, _Wind):
     heading.
     """
 
-    def environment(self, scenario: "Scenario", file: str, needed_by: str) -> "Environment":
+    def environment(
+        self, scenario: "Scenario", file: str, terms: "Terms", needed_by: str
+    ) -> "Environment":
         """Return the surroundings to compute with, a steady wind among them.
 
         Raises
@@ -172,14 +186,16 @@ class Weather(Water, _Wind):
         UsageFault
             As for `Water`, or if nothing says where the wind comes from, or how fast it is.
         """
-        around = super().environment(scenario, file, needed_by)
+        around = super().environment(scenario, file, terms, needed_by)
         return around if around.is_steady else _without_wind(around)
 
-    def _wind(self, scenario: "Scenario", wind: "Wind | WindTable") -> "Wind | WindTable":
+    def _wind(
+        self, scenario: "Scenario", terms: "Terms", wind: "Wind | WindTable"
+    ) -> "Wind | WindTable":
         """Return the wind to compute with."""
         speed, from_ = wind.speed, wind.bearing
         if self.wind is not None:
-            speed = speed_of(self.wind, scenario.terms.speed)
+            speed = speed_given("--wind", self.wind).value(terms)
         if self.wind_from is not None:
             from_ = _bearing("--from", self.wind_from, scenario)
         if from_ is None and speed is not None:
@@ -188,7 +204,7 @@ class Weather(Water, _Wind):
             raise UsageFault("--wind is missing: how fast the wind is, such as --wind 25kn")
         return replace(wind, speed=speed, bearing=from_)
 
-    def on(self, scenario: "Scenario", file: str) -> "Scenario":
+    def on(self, scenario: "Scenario", file: str, phrasing: Phrasing) -> "Scenario":
         """Return a scenario whose criterion is to hold the object in this weather, if it is given.
 
         Raises
@@ -198,7 +214,7 @@ class Weather(Water, _Wind):
         """
         if not self.given:
             return scenario
-        around = self.environment(scenario, file, next(iter(self.given)))
+        around = self.environment(scenario, file, phrasing.terms(scenario), next(iter(self.given)))
         outline, criterion = scenario.swarm.outline, scenario.criterion
         before = scenario.environment
         is_weather = before is not None and before.is_steady and criterion.has_load
@@ -228,12 +244,9 @@ CALM = Weather()
 """As the file has it."""
 
 
-def speed_of(text: str, unit: str) -> float:
-    """Return a speed [m/s]."""
-    found = quantity(text, "speed", unit)
-    if not 0.0 <= found <= FASTEST:
-        raise UsageFault(f"a speed should be from 0 to {FASTEST:g} m/s")
-    return found
+def speed_given(option: str, text: str) -> Amount:
+    """Return the speed of wind or water that an option gives."""
+    return Amount(option, text, "speed", 0.0, FASTEST)
 
 
 def _bearing(option: str, text: str, scenario: "Scenario") -> float:
@@ -244,7 +257,7 @@ def _bearing(option: str, text: str, scenario: "Scenario") -> float:
         return radians(bearing(text, "deg", scenario.terms.frame.heading))
 
 
-def _sea(text: str, unit: str) -> tuple[float, float]:
+def _sea(text: str, terms: "Terms") -> tuple[float, float]:
     """Return the significant height [m] and the peak period [s] of a sea."""
     parts = text.split(",")
     if len(parts) != 2:
@@ -252,7 +265,7 @@ def _sea(text: str, unit: str) -> tuple[float, float]:
             "it should be wind, for the sea that goes with the wind, or a significant height and a "
             "peak period, such as 2.1m,7.5s"
         )
-    return quantity(parts[0], "length", unit), quantity(parts[1], "time")
+    return quantity(parts[0], "length", terms.unit_of("length")), quantity(parts[1], "time")
 
 
 def _without_wind(around: "Environment") -> "Environment":

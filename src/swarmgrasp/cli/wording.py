@@ -27,7 +27,8 @@ class Phrasing:
     """The terms in which an answer is told."""
 
     units: Literal["file", "si"] = "file"
-    """Units of the answer: the file's, or si for metres, newtons and metres per second."""
+    """Units of the answer, and of numbers that options give without one: the file's, or si for
+    metres, newtons and metres per second; angles are in degrees."""
     bearings: Annotated[bool, Parameter(negative="")] = False
     """Tell directions as bearings, degrees clockwise from the bow, or from north where the file
     gives the heading."""

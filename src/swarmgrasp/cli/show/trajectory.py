@@ -17,22 +17,29 @@ MOST_TOLD = 20
 """Wrenches of a table that are listed."""
 
 
-def table_text(found: ForcesAlong) -> str:
+def table_text(found: ForcesAlong, terms: Terms) -> str:
     """Return the forces as a table: what was wanted, how well it is made, and who does what.
 
-    Directions follow where robots can push more than one way.
+    Directions follow where robots can push more than one way. It can be asked for again.
     """
     out = io.StringIO(newline="")
     writer = tables.writer(out, lineterminator="\n")
-    robots = [f"{name} [N]" for name in found.swarm.names]
-    told = found.forces
+    tell = Telling.of(terms, found.swarm.outline.extent, found.forces.max(axis=0).tolist())
+    unit = tell.force
+    robots = [f"{name} [{unit.name}]" for name in found.swarm.names]
+    told = found.forces / unit.newtons
     if not found.swarm.has_rays_only:
+        ways = [[float(tell.degrees(way)) for way in row] for row in found.directions.tolist()]
         robots += [f"{name} [deg]" for name in found.swarm.names]
-        told = np.hstack([told, np.degrees(found.directions)])
-    writer.writerow(["fx", "fy", "tz", "largest_share", "needed", "shortfall", *robots])
+        told = np.hstack([told, ways])
+    wanted = terms.frame.wrench_to_file(found.wanted) / unit.newtons / [1.0, 1.0, unit.metres]
+    writer.writerow([
+        f"fx [{unit.name}]", f"fy [{unit.name}]", f"tz [{unit.torque}]", "largest_share",
+        "needed", f"shortfall [{unit.name}]", *robots,
+    ])  # fmt: skip
     columns = zip(
-        found.wanted.tolist(), found.largest_shares.tolist(), found.needed.tolist(),
-        found.shortfalls.tolist(), told.tolist(), strict=True,
+        wanted.tolist(), found.largest_shares.tolist(), found.needed.tolist(),
+        (found.shortfalls / unit.newtons).tolist(), told.tolist(), strict=True,
     )  # fmt: skip
     for wanted, largest, needed, shortfall, forces in columns:
         writer.writerow([*wanted, largest, needed, shortfall, *forces])

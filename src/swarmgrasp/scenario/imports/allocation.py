@@ -21,6 +21,7 @@ from swarmgrasp.scenario.imports.cells import (
     check_units,
     heading_of,
     read_cells,
+    wrench_names,
 )
 from swarmgrasp.scenario.imports.source import Source
 from swarmgrasp.units import quantity, size
@@ -28,8 +29,8 @@ from swarmgrasp.units import quantity, size
 AXES = ("fx", "fy", "mz")
 """What the rows of a matrix are called."""
 _CALLED = {
-    "fx": "fx", "x": "fx", "surge": "fx", "fy": "fy", "y": "fy", "sway": "fy", "mz": "mz",
-    "n": "mz", "yaw": "mz", "tz": "mz", "nz": "mz", "limit": "limit", "limits": "limit",
+    **wrench_names("fx", "fy", "mz"), "x": "fx", "y": "fy", "n": "mz", "limit": "limit",
+    "limits": "limit",
     "max": "limit", "least": "least", "min": "least", "name": "name", "thruster": "name",
 }  # fmt: skip
 """What else people call them, and the limits and names beside them."""

@@ -12,6 +12,8 @@ from swarmgrasp.ranges import nearest_name, shown
 from swarmgrasp.scenario.imports.source import MOST_ROWS, Source
 from swarmgrasp.units import quantity
 
+_WRENCH = (("fx", "surge"), ("fy", "sway"), ("tz", "mz", "nz", "yaw"))
+"""What people call the parts of a wrench."""
 _NUMBER = re.compile(r"[-+\u2212]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?")
 _COMMA = re.compile(r"[-+\u2212]?\d*,\d+([eE][-+]?\d+)?(\s*[^\d\s,;][^,;]*)?")
 """A number with a decimal comma, perhaps with its unit."""
@@ -72,7 +74,7 @@ class Cells:
         return cell.replace(",", ".") if self.has_decimal_comma and _COMMA.fullmatch(cell) else cell
 
 
-def read_cells(source: Source, *, width: int = 2) -> Cells | None:
+def read_cells(source: Source, *, width: int = 2, most: int = MOST_ROWS) -> Cells | None:
     """Read the table in a file; None after a fault.
 
     The separator is a semicolon, a tab, a comma, or blanks, the first of these that there is; a
@@ -84,6 +86,8 @@ def read_cells(source: Source, *, width: int = 2) -> Cells | None:
     source : Source
     width : int
         Cells that a line has at least.
+    most : int
+        Rows that are read.
     """
     text = source.text()
     if text is None:
@@ -100,8 +104,8 @@ def read_cells(source: Source, *, width: int = 2) -> Cells | None:
     except csv.Error as error:
         source.fault(f"is no table: {error}", number)
         return None
-    if len(rows) > MOST_ROWS:
-        source.fault(f"has {len(rows)} rows; at most {MOST_ROWS} are read", rows[MOST_ROWS].line)
+    if len(rows) > most:
+        source.fault(f"has {len(rows)} rows; at most {most} are read", rows[most].line)
         return None
     found = Cells((), rows, has_comma)
     if not any(_NUMBER.fullmatch(cell) for cell in rows[0].cells):
@@ -110,6 +114,18 @@ def read_cells(source: Source, *, width: int = 2) -> Cells | None:
             source.fault("has a header and no rows", rows[0].line)
             return None
     return found if _is_even(found, width, source, separator) else None
+
+
+def wrench_names(*parts: str) -> dict[str, str]:
+    """Return which of three parts is meant, for every name of a part of a wrench.
+
+    Examples
+    --------
+    >>> names = wrench_names("fx", "fy", "mz")
+    >>> names["surge"], names["yaw"]
+    ('fx', 'mz')
+    """
+    return {name: part for part, names in zip(parts, _WRENCH, strict=True) for name in names}
 
 
 def heading_of(cell: str) -> Heading:

@@ -4,14 +4,13 @@ import math
 from typing import Any
 
 from swarmgrasp.ranges import shown
-from swarmgrasp.scenario.imports.cells import check_headings, check_units, read_cells
+from swarmgrasp.scenario.imports.cells import check_headings, check_units, read_cells, wrench_names
 from swarmgrasp.scenario.imports.source import Source
 
 _CALLED = {
     "speed": "speed", "wind speed": "speed", "v": "speed", "wind": "speed", "bearing": "bearing",
-    "from": "bearing", "angle": "bearing", "wind angle": "bearing", "fx": "fx", "x": "fx",
-    "surge": "fx", "fy": "fy", "y": "fy", "sway": "fy", "mz": "mz", "n": "mz", "yaw": "mz",
-    "tz": "mz",
+    "from": "bearing", "angle": "bearing", "wind angle": "bearing",
+    **wrench_names("fx", "fy", "mz"), "x": "fx", "y": "fy", "n": "mz",
 }  # fmt: skip
 """What people call the columns."""
 _KINDS = {"speed": "speed", "bearing": "angle", "fx": "force", "fy": "force", "mz": "torque"}

@@ -32,11 +32,14 @@ class Source:
         Receives what is wrong with it.
     keys : tuple
         What of a scenario it stands for, for messages.
+    largest : int
+        Bytes that are read.
     """
 
     path: Path
     faults: Faults
     keys: Keys = ()
+    largest: int = LARGEST_FILE
 
     def fault(self, sentence: str, line: int = 0, keys: Keys = ()) -> None:
         """Note a fault of the file, or of one of its lines, counted from 1."""
@@ -49,13 +52,13 @@ class Source:
                 self.fault("is no ordinary file")  # a pipe may never end
                 return None
             with self.path.open("rb") as file:
-                found = file.read(LARGEST_FILE + 1)
+                found = file.read(self.largest + 1)
         except (OSError, ValueError) as error:  # a path may hold a zero
             error = error if isinstance(error, OSError) else OSError(0, "no path of a file")
             self.fault(read_fault(self.path, error).removeprefix(f"{self.path}: "))
             return None
-        if len(found) > LARGEST_FILE:
-            self.fault(f"is too large; at most {LARGEST_FILE} bytes are read")
+        if len(found) > self.largest:
+            self.fault(f"is too large; at most {self.largest} bytes are read")
         elif not found.strip():
             self.fault("is empty")
         else:
