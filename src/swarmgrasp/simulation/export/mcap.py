@@ -1,7 +1,9 @@
-"""A run as an MCAP file for Foxglove: the object and its target once, frames and arrows in time.
+"""A run as an MCAP file for Foxglove: where everything is, and how hard the robots push.
 
-The topics are `/tf` (where the object is and should be, in the earth's frame), `/scene` (outlines,
-names, forces) and `/state` (the numbers, as JSON). The clock starts at 0.
+The topics are `/tf` (where the object is and should be, in the earth's frame), in these frames the
+scenes `/outlines` (once), `/names` (as they change) and `/forces`, and `/state` (numbers, as JSON).
+Whoever goes to another time is shown the last message of each topic, which is therefore whole. The
+clock starts at 0.
 """
 
 import math
@@ -20,18 +22,27 @@ if TYPE_CHECKING:
 
 EARTH, OBJECT, TARGET = "earth", "object", "target"
 """The frames."""
+MOST = 20_000
+"""Instants that are written, at most."""
 LONGEST = 0.25
 """Length of the arrow of the largest limit, relative to the object's extent."""
 STATE = {
     "title": "swarmgrasp.State",
     "type": "object",
     "properties": {
+        "x": {"type": "number", "description": "m"},
+        "y": {"type": "number", "description": "m"},
+        "heading": {"type": "number", "description": "rad"},
         "error": {"type": "number", "description": "m"},
         "turn": {"type": "number", "description": "rad"},
         "shortfall": {"type": "number", "description": "N"},
         "wind": {"type": "array", "items": {"type": "number"}, "description": "m/s"},
         "water": {"type": "array", "items": {"type": "number"}, "description": "m/s"},
-        "shares": {"type": "object", "description": "of each robot's limit"},
+        "shares": {
+            "type": "object",
+            "description": "of each robot's limit",
+            "additionalProperties": {"type": "number"},
+        },
         "happened": {"type": "string"},
     },
 }
@@ -59,29 +70,30 @@ def write_mcap(run: Run, path: str | Path, *, index: int = 0) -> Path:
     """
     check_installed("foxglove", extra="logs", purpose="An MCAP file")
     import foxglove
-    from foxglove.channels import FrameTransformChannel, SceneUpdateChannel
-    from foxglove.messages import SceneUpdate
+    from foxglove.channels import FrameTransformsChannel, SceneUpdateChannel
+    from foxglove.messages import FrameTransforms, SceneUpdate
 
     target, film = Path(path), Film(run, index)
     context = foxglove.Context()
     with scratch_for(target) as scratch, foxglove.open_mcap(scratch, context=context):
-        frames = FrameTransformChannel("/tf", context=context)
-        scenes = SceneUpdateChannel("/scene", context=context)
+        frames = FrameTransformsChannel("/tf", context=context)
+        outlines, names, forces = (
+            SceneUpdateChannel(topic, context=context)
+            for topic in ("/outlines", "/names", "/forces")
+        )
         state = foxglove.Channel("/state", schema=STATE, context=context)
-        names: tuple[str, ...] = ()
-        for i in range(len(run.times)):
+        there: tuple[str, ...] | None = None
+        for i in film.picked(MOST):
             scene = film.at(i)
             at = round(1e9 * scene.time)
-            for transform in _transforms(scene):
-                frames.log(transform, log_time=at)
-            entities = [_forces(film, scene)]
+            frames.log(FrameTransforms(transforms=list(_transforms(scene))), log_time=at)
             if i == 0:
-                entities += _outlines(film, scene)
-            there = tuple(pusher.robot.name for pusher in scene.pushers)
-            if there != names or i == 0:
-                entities.append(_names(film, scene))
-                names = there
-            scenes.log(SceneUpdate(entities=entities), log_time=at)
+                outlines.log(SceneUpdate(entities=_outlines(film, scene)), log_time=at)
+            now = tuple(pusher.robot.name for pusher in scene.pushers)
+            if now != there:
+                there = now
+                names.log(SceneUpdate(entities=[_names(film, scene)]), log_time=at)
+            forces.log(SceneUpdate(entities=[_forces(film, scene)]), log_time=at)
             state.log(_numbers(run, scene, index, i), log_time=at)
     return target
 
@@ -89,7 +101,11 @@ def write_mcap(run: Run, path: str | Path, *, index: int = 0) -> Path:
 def _numbers(run: Run, scene: Scene, index: int, i: int) -> dict[str, Any]:
     """Return the numbers of an instant."""
     shares = run.shares[index, i].tolist()
+    x, y, heading = scene.pose.tolist()
     return {
+        "x": x,
+        "y": y,
+        "heading": heading,
         "error": scene.error,
         "turn": scene.turn,
         "shortfall": scene.shortfall,
@@ -186,7 +202,9 @@ def _forces(film: Film, scene: Scene) -> "SceneEntity":
         id="robots",
         frame_locked=True,
         arrows=[
-            _arrow(film, pusher, LONGEST * extent / strongest, size) for pusher in scene.pushers
+            _arrow(film, pusher, LONGEST * extent / strongest, size)
+            for pusher in scene.pushers
+            if pusher.force.any()
         ],
         spheres=coming,
     )
