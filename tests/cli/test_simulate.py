@@ -3,6 +3,7 @@
 import json
 import math
 import re
+import signal
 from importlib import import_module
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from pyarrow import parquet
 
 from swarmgrasp.cli.show.simulate import show
+from swarmgrasp.simulation.record import read_log
 from swarmgrasp.simulation.run import Run
 from swarmgrasp.simulation.verdict import verdict_of
 from swarmgrasp.terms import SI
@@ -249,26 +251,30 @@ def test_the_largest_winds(run, pond, tmp_path):
     assert (status, complaints) == (2, "--gif is of a run, and --capability makes none\n")
 
 
-def test_a_run_that_is_stopped_is_told_as_far_as_it_went(monkeypatch, run, pond):
+def test_a_run_that_is_stopped_is_told_as_far_as_it_went(monkeypatch, run, pond, tmp_path):
     """Ctrl-C keeps what was run: its files are written, and the status is 130."""
     room = import_module("swarmgrasp.simulation.simulate")
     whole = room.simulate
 
-    def stopped(simulation, **options):
-        def stop(part):
-            if part > 0.4:
-                raise KeyboardInterrupt
+    def interrupted(simulation, *, sink, progress):
+        def tell(part):
+            if 0.4 < part < 0.6:
+                signal.raise_signal(signal.SIGINT)
+            progress(part)
 
-        assert not options
-        return whole(simulation, progress=stop)
+        return whole(simulation, sink=sink, progress=tell)
 
-    monkeypatch.setattr(room, "simulate", stopped)
-    status, said, _ = run("simulate", pond(SIMULATION.replace("12", "60")))
+    monkeypatch.setattr(room, "simulate", interrupted)
+    path = tmp_path / "a.parquet"
+    status, said, _ = run("simulate", pond(SIMULATION.replace("12", "60")), "--log", path)
     assert status == 130
     first = said.splitlines()[0]
     assert first.startswith("Pontoon: held within ")
     assert " deg until it was stopped at " in first
     assert first.endswith(" of 60 s")
+    kept = read_log(path)
+    assert not kept.is_whole
+    assert f" at {kept.times[-1]:g} s of " in first
 
 
 def test_a_full_turn_is_told_as_one_and_ends_where_it_should(capsys):

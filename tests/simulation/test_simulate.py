@@ -56,6 +56,26 @@ def test_a_batch_has_the_same_bytes_as_each_run_alone() -> None:
     assert not np.array_equal(batch.poses[0], batch.poses[1])
 
 
+def test_a_sink_gets_all_that_is_kept_and_the_answer_holds_some() -> None:
+    """Piece after piece, each a run up to its end; the largest errors are in the answer, too."""
+    gale = moored("deck-barge", 60.0, 60.0, weather=GUSTS, events=(Lose(20, "Ajax"),), duration=60)
+    pieces: list[Run] = []
+    seeds = range(16)
+    held = simulate(gale, seeds, every=5, most=10, sink=pieces.append)
+    whole = simulate(gale, seeds, every=5)
+    assert len(pieces) > 3
+    for name in ARRAYS[:-1]:
+        axis = 0 if name == "references" else 1
+        told = np.concatenate([getattr(piece, name) for piece in pieces], axis)
+        assert told.tobytes() == getattr(whole, name).tobytes(), name
+    assert [piece.is_whole for piece in pieces] == [False] * (len(pieces) - 1) + [True]
+    assert [len(piece.happenings) for piece in pieces][:: len(pieces) - 1] == [1, 2]
+    assert len(held.times) <= 10
+    assert held.times[-1] == whole.times[-1]
+    assert np.isin(held.times, whole.times).all()
+    assert np.array_equal(held.distances.max(axis=1), whole.distances.max(axis=1))
+
+
 def test_runs_without_events_are_those_of_one_whose_events_are_still_to_come() -> None:
     """What will happen changes nothing before."""
     calm = moored("deck-barge", 50.0, 200.0, weather=GUSTS, duration=30.0)

@@ -4,7 +4,7 @@ import math
 import re
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
@@ -21,6 +21,7 @@ from swarmgrasp.cli.inputs import (
 from swarmgrasp.cli.lasting import INTERRUPTED
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
+from swarmgrasp.cli.running import STEPS, run_of, write_files
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_SEED
@@ -30,9 +31,7 @@ if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
     from swarmgrasp.simulation.actuator import Actuator
     from swarmgrasp.simulation.events import Event
-    from swarmgrasp.simulation.run import Run
     from swarmgrasp.simulation.simulation import Simulation
-    from swarmgrasp.simulation.verdict import Verdict
     from swarmgrasp.terms import Terms
 
     Named = tuple[str, Actuator]
@@ -41,8 +40,6 @@ NOT_HELD = 1
 """Exit status when the object leaves the circle it is to be kept in."""
 FASTEST = 300.0
 """Fastest wind [kn] that may be asked for."""
-STEPS = 1000
-"""Of the bar that shows how much is done."""
 _WIND = re.compile(r"([0-9]+(?:\.[0-9]+)?)@(-?[0-9]+(?:\.[0-9]+)?)")
 _LOSS = re.compile(r"(.+)@([0-9]+(?:\.[0-9]+)?)")
 
@@ -147,7 +144,7 @@ def simulate(
             wording.terms(scenario),
             wording.csv,
         )
-    run = _run(asked)
+    run = run_of(asked, log)
     from swarmgrasp.answer_file import sealed
     from swarmgrasp.cli.show.simulate import show
 
@@ -157,7 +154,7 @@ def simulate(
         json,
         sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name),
         lambda: show(name, run, verdict, terms),
-        lambda: _write(run, verdict, log, plot, look, gif, mcap, player),
+        lambda: write_files(run, verdict, log, plot, look, gif, mcap, player),
         csv=wording.csv,
     )
     if not run.is_whole:
@@ -333,46 +330,3 @@ def _capability(
     document = sealed("winds", found.to_data(), name)
     deliver(json, document, lambda: show(name, found, terms), draw, csv=csv)
     return 0
-
-
-# -- the run ------------------------------------------------------------------------------
-
-
-def _run(asked: "Simulation") -> "Run":
-    """Run a simulation, with a bar on a terminal; Ctrl-C keeps what was run."""
-    from swarmgrasp.simulation.simulate import simulate as run
-
-    with shown_progress(STEPS, "simulating") as told:
-        if told is None:
-            return run(asked)
-        return run(asked, progress=lambda part: told(round(STEPS * part)))
-
-
-def _write(
-    run: "Run", verdict: "Verdict", log: Path | None, plot: Path | None,
-    look: dict[str, Any], gif: Path | None, mcap: Path | None, player: Path | None,
-) -> list[Path]:  # fmt: skip
-    """Write the files that are wanted; return their paths."""
-    written: list[Path] = []
-    if log is not None:
-        from swarmgrasp.simulation.record import write_log
-
-        written.append(write_log(run, log))
-    if plot is not None:
-        from swarmgrasp.plot import save
-        from swarmgrasp.plot.sheet_of_run import run_sheet
-
-        written.append(save(run_sheet(run, verdict, **look), plot))
-    if gif is not None:
-        from swarmgrasp.simulation.export.gif import write_gif
-
-        written.append(write_gif(run, gif, terms=look["terms"]))
-    if mcap is not None:
-        from swarmgrasp.simulation.export.mcap import write_mcap
-
-        written.append(write_mcap(run, mcap))
-    if player is not None:
-        from swarmgrasp.simulation.export.player import write_player
-
-        written.append(write_player(run, player))
-    return written

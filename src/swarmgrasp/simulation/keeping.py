@@ -30,10 +30,15 @@ class Keeper:
     robots : int
     every : int
         Of so many instants one is kept, beside the last.
+    room : int, optional
+        Instants after which it is full; all of them when left out.
     """
 
-    def __init__(self, runs: int, last: int, robots: int, every: int) -> None:
+    def __init__(
+        self, runs: int, last: int, robots: int, every: int, room: int | None = None
+    ) -> None:
         instants = math.ceil(last / every) + 1
+        instants = instants if room is None else min(instants, room)
         self._last, self._every, self._count = last, every, 0
         self._numbers: list[int] = []
         self._references: Kept = np.zeros((instants, 3), dtype=np.float32)
@@ -69,6 +74,11 @@ class Keeper:
         self._numbers.append(number)
         self._distances[:] = self._turns[:] = 0.0
         self._count += 1
+
+    @property
+    def is_full(self) -> bool:
+        """Whether there is no room for another instant."""
+        return self._count == len(self._references)
 
     @property
     def numbers(self) -> NDArray[np.intp]:

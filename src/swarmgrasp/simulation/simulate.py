@@ -22,10 +22,15 @@ from swarmgrasp.simulation.weather import SENSORS, Mean, Streams, generator_of, 
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], object] | None
+Sink = Callable[[Run], object] | None
 
 BLOCK = 64
 """Instants for which weather and noise are drawn at once."""
 MOST_AT_ONCE = 100_000
+MOST_INSTANTS = 100_001
+"""In one answer: a day of tugs, one each second; a sink gets more."""
+PIECE, LEAST_PIECE = 256, 16
+"""Instants of a piece that a sink gets, over the number of runs, and its least."""
 MOST_TOLD = 10
 """Seeds at fault that a message tells."""
 SAME = 1e-9
@@ -38,6 +43,8 @@ def simulate(
     controller: Controller | None = None,
     *,
     every: int = 10,
+    most: int = MOST_INSTANTS,
+    sink: Sink = None,
     progress: Progress = None,
 ) -> Run:
     """Run a simulation, once for each of some seeds.
@@ -57,6 +64,11 @@ def simulate(
         `StationKeeping` when left out.
     every : int
         Of so many periods of control one is kept, beside the last.
+    most : int
+        Instants that the answer holds: if more are kept, every second of them, or third, and so on.
+    sink : callable, optional
+        Called as the run goes on with all that is kept, piece after piece, each a `Run` of its
+        own; `record.Log` writes them to a file.
     progress : callable, optional
         Called with the part that is done, within [0, 1], now and then.
 
@@ -76,13 +88,19 @@ def simulate(
     faults += [fault for seed in given or () for fault in seed_faults(seed)][:MOST_TOLD]
     if not is_whole(every) or every < 1:
         faults.append(f"every is {shown(every)}; it should be a whole number >= 1")
-    faults += call_faults(progress)
+    if not is_whole(most) or most < 2:
+        faults.append(f"most is {shown(most)}; it should be a whole number >= 2")
+    faults += call_faults(progress) + call_faults(sink)
     if faults:
         raise SimulationInvalid(faults)
     chosen = tuple(map(int, given or (simulation.seed,)))
+    kept = simulation.duration / simulation.tuning.period / every
     course = Course(
-        simulation, chosen, mean_of(simulation.environment), controller or StationKeeping(), every
-    )
+        simulation, chosen, mean_of(simulation.environment), controller or StationKeeping(),
+        every * max(1, math.ceil(kept / (most - 1) - SAME)),
+    )  # fmt: skip
+    if sink is not None:
+        course.pour(sink, every)
     return course.run(progress)
 
 
@@ -125,7 +143,16 @@ class Course:
         self._bare = plant_of(simulation, nobody)
         self._schedule = Schedule(simulation, self._crew, self._reference, self._streams)
         self._keeper = Keeper(len(seeds), self._last, len(self._columns), every)
+        self._pieces: Keeper | None = None
+        self._sink: Sink = None
         self._begin()
+
+    def pour(self, sink: Callable[[Run], object], every: int) -> None:
+        """Give away one of so many instants as the runs go on, piece after piece."""
+        runs = len(self._seeds)
+        room = max(LEAST_PIECE, PIECE // runs)
+        self._pieces = Keeper(runs, self._last, len(self._columns), every, room)
+        self._sink, self._every = sink, every
 
     def _number(self, time: float) -> int:
         """Return the number of the first instant that is not before a time [s]."""
@@ -180,7 +207,8 @@ class Course:
         except KeyboardInterrupt:
             if not len(self._keeper.numbers):
                 raise
-        return self._answer()
+        self._give_away()
+        return self._answer(self._keeper)
 
     def _go_on(self, number: int) -> int:
         """Go on from an instant to the next event, or for a block; returns the number then."""
@@ -222,19 +250,32 @@ class Course:
         """Look at the objects, and decide."""
         time, poses = number * self._tuning.period, self._state[:, :3]
         reference = self._reference.at(time)
-        self._keeper.measure(poses, reference.pose)
+        keepers = [k for k in (self._keeper, self._pieces) if k is not None]
+        for keeper in keepers:
+            keeper.measure(poses, reference.pose)
         look = Look(time, poses + noise, stream[:, :2].copy(), self._allotment.made, reference)
         wanted = _checked(self._controller.wrenches(look), len(poses))
         found = self._allotment.share_out(wanted)
         self._vectors = found.vectors
-        if self._keeper.keeps(number):
-            self._keep(number, stream, wanted, found.shares, found.shortfalls, reference.pose)
+        keepers = [keeper for keeper in keepers if keeper.keeps(number)]
+        if keepers:
+            told = self._told(stream, wanted, found.shares, found.shortfalls)
+            for keeper in keepers:
+                keeper.keep(number, reference.pose, told)
+            if self._pieces is not None and self._pieces.is_full:
+                self._give_away()
 
-    def _keep(
-        self, number: int, stream: Array, wanted: Array, shares: Array, shortfalls: Array,
-        reference: Array,
-    ) -> None:  # fmt: skip
-        """Keep an instant."""
+    def _give_away(self) -> None:
+        """Give away the piece that is kept, if there is one."""
+        piece, sink = self._pieces, self._sink
+        if piece is not None and sink is not None and len(piece.numbers):
+            self.pour(sink, self._every)
+            sink(self._answer(piece))
+
+    def _told(
+        self, stream: Array, wanted: Array, shares: Array, shortfalls: Array
+    ) -> dict[str, Array]:
+        """Return what is to be kept of an instant, by name, a row for each run."""
         state, plant, runs = self._state, self._there, len(self._seeds)
         count = len(plant)
         robots = {
@@ -253,7 +294,7 @@ class Course:
             loads=plant.load(state, stream), wanted=wanted, given=plant.given(state),
             shortfalls=shortfalls,
         )  # fmt: skip
-        self._keeper.keep(number, reference, told)
+        return told
 
     def _move(self, number: int, stream: Array) -> None:
         """Let a period pass."""
@@ -264,9 +305,9 @@ class Course:
         self._allotment.follow(self._vectors)
         self._reference.advance(number * period, period)
 
-    def _answer(self) -> Run:
-        """Return what became of the runs."""
-        numbers = self._keeper.numbers
+    def _answer(self, keeper: Keeper) -> Run:
+        """Return what became of the runs, at the instants that a keeper has."""
+        numbers = keeper.numbers
         times = numbers.astype(float) * self._tuning.period
         return Run(
             simulation=self._simulation,
@@ -277,7 +318,7 @@ class Course:
             happenings=tuple(at for at in self._schedule.happenings if at.time <= times[-1]),
             gusts=self._gusts,
             is_whole=bool(numbers[-1] == self._last),
-            **self._keeper.arrays(),
+            **keeper.arrays(),
         )
 
 
