@@ -3,6 +3,7 @@
 import fcntl
 import os
 from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -19,6 +20,7 @@ from swarmgrasp.simulation.record.columns import (
     schema_of,
 )
 from swarmgrasp.simulation.run import Run
+from swarmgrasp.words import span
 
 TOGETHER = 65_536
 """Rows of a log of one run that are packed together."""
@@ -95,8 +97,9 @@ class Log:
             self._schema = schema_of(run)
             self._writer = ipc.new_stream(self._file, self._schema, options=options)
         more = metadata(happened(run))
-        for index in range(len(run)):
-            self._writer.write_batch(rows_of(run, index, self._schema), custom_metadata=more)
+        with self._blaming():
+            for index in range(len(run)):
+                self._writer.write_batch(rows_of(run, index, self._schema), custom_metadata=more)
         self._last = run
 
     def __exit__(
@@ -104,16 +107,31 @@ class Log:
         trace: TracebackType | None,
     ) -> None:  # fmt: skip
         """End: the rows go into their place, or stay where they are if the block raises."""
-        if self._writer is not None:
-            self._writer.close()
-        self._file.close()
         try:
+            with suppress(OSError) if kind else self._blaming():
+                if self._writer is not None:
+                    self._writer.close()
+                self._file.close()
             if kind is None and self._last is not None:
-                self._finish(self._last)
+                with self._blaming():
+                    self._finish(self._last)
             if kind is None or self._last is None:
                 self._part.unlink(missing_ok=True)
         finally:
             os.close(self._held)
+
+    @contextmanager
+    def _blaming(self) -> Iterator[None]:
+        """Name the file that cannot be written, which Arrow does not, and what there is of it."""
+        try:
+            yield
+        except OSError as error:
+            said = os.strerror(error.errno) if error.errno else str(error)
+            if self._last is not None:
+                said += (
+                    f"; what was run until {span(float(self._last.times[-1]))} is in {self._part}"
+                )
+            raise OSError(error.errno, said, str(self._path)) from None
 
     def _finish(self, run: Run) -> None:
         """Write all rows as a table, whole or not at all."""
