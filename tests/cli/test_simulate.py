@@ -97,7 +97,18 @@ def test_a_control_too_slow_is_told_where_it_is_said(run, pond):
 def test_an_object_that_is_not_held(run, pond):
     """A loss on the lee side: when and after what it left, foretold and simulated; status 1."""
     status, said, _ = run(
-        "simulate", pond(), "--losing", "D@2", "--wind", "12@90", "--within", "0.3", "--for", "30"
+        "simulate",
+        pond(),
+        "--losing",
+        "D@2s",
+        "--wind",
+        "12kn",
+        "--from",
+        "90",
+        "--within",
+        "30cm",
+        "--for",
+        "30",
     )
     assert status == 1
     first = said.splitlines()[0]
@@ -188,10 +199,13 @@ def test_a_run_is_told_as_its_file_speaks(run, tmp_path):
 
 
 FAULTS = {
-    ("--for", "-1"): "--for is -1; it should be 0.001 <= seconds <= 1e+06",
+    ("--for", "-1"): "--for is -1; it should be from 0.001 to 1e+06 s",
     ("--seed", "x"): "--seed is x; it should be a whole number from 0 to 9223372036854775807",
     ("--losing", "A"): (
-        "--losing is A; it should be a robot or group and a time in seconds, such as Castor@60"
+        "--losing is A; it should be a robot or group and a time, such as Castor@60"
+    ),
+    ("--losing", "A@3 m"): (
+        "--losing is A@3 m: the time is 3 m: 'm' is a unit of length, not of time; known: s, min, h"
     ),
     ("--losing", "Q@3"): (
         "--losing: lose at 3 s: there is no robot called 'Q' then; known: A, B, C, D, E, F"
@@ -200,11 +214,10 @@ FAULTS = {
         "--losing: lose at 30 s: the run ends at 12 s; it should be before"
     ),
     ("--wind", "fast"): (
-        "--wind is fast; it should be a speed of at most 300 knots and a bearing in degrees, such "
-        "as 35@60"
+        "--wind is fast: 'fast' is no speed; write a number, or one with its unit, such as 25 kn"
     ),
-    ("--within", "1e-10"): "--within is 1e-10; it should be 1e-09 <= metres <= 1e+09",
-    ("--turn", "361"): "--turn is 361; it should be 5.73e-08 <= degrees <= 360",
+    ("--within", "1e-10"): "--within is 1e-10; it should be from 1e-09 to 1e+09 m",
+    ("--turn", "361"): "--turn is 361; it should be from 5.73e-08 to 360 deg",
     ("--gif", "a.png"): "a.png: the name should end in .gif",
 }  # fmt: skip
 
@@ -227,7 +240,7 @@ def test_what_a_file_needs(run, pond, pontoon):
     status, _, complaints = run("simulate", calm)
     assert status == 2
     assert complaints.startswith(f"{calm}:1:1: environment.wind: a simulation needs its")
-    status, said, _ = run("simulate", calm, "--wind", "1@0", "--for", "1")
+    status, said, _ = run("simulate", calm, "--wind", "1kn", "--from", "0", "--for", "1s")
     assert status == 0
     assert "Wind     0.514 m/s from 0 deg, gusts of standard deviation 0.0" in said
 

@@ -19,7 +19,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.pictures import Picture
 from swarmgrasp.cli.question import asked_before, check_newcomer
-from swarmgrasp.cli.weather import CALM, Water, Weather
+from swarmgrasp.cli.weather import CALM, Weather
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_PLACED
 
@@ -124,7 +124,7 @@ def place(
         criterion = criterion_of(scenario, file, losing, worst_case, failures, 1)
         share = SHARE if runners_up is None else runners_up
         needed_by, terms = "`swarmgrasp place --for capability`", wording.terms(scenario)
-        around = Water.environment(weather, scenario, file, terms, needed_by)
+        around = weather.water.environment(scenario, file, terms, needed_by)
         return tell_for_capability(
             ForCapability(scenario, file, around, criterion, gap or FINE, share),
             _beside(plot) if plot else None, drawing, json, wording,

@@ -1,13 +1,12 @@
 """`swarmgrasp simulate`: what becomes of the object and its robots in weather."""
 
-import math
-import re
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.drawing import USUAL, Drawing
@@ -23,6 +22,7 @@ from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.running import STEPS, run_of, write_files
 from swarmgrasp.cli.show.report import complain
+from swarmgrasp.cli.weather import AS_FILED, Streams
 from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_SEED
 
@@ -38,22 +38,17 @@ if TYPE_CHECKING:
 
 NOT_HELD = 1
 """Exit status when the object leaves the circle it is to be kept in."""
-FASTEST = 300.0
-"""Fastest wind [kn] that may be asked for."""
-_WIND = re.compile(r"([0-9]+(?:\.[0-9]+)?)@(-?[0-9]+(?:\.[0-9]+)?)")
-_LOSS = re.compile(r"(.+)@([0-9]+(?:\.[0-9]+)?)")
 
 
 def simulate(
     file: Dashed,
     /,
     *,
-    for_: Annotated[float | None, Parameter(name="--for", metavar="SECONDS")] = None,
+    for_: Annotated[str | None, Parameter(name="--for", metavar="TIME")] = None,
     seed: Annotated[str | None, Parameter(metavar="INT")] = None,
-    losing: Annotated[list[str] | None, Parameter(metavar="NAME@SECONDS", negative="")] = None,
-    wind: Annotated[str | None, Parameter(metavar="KNOTS@DEGREES")] = None,
-    within: Annotated[float | None, Parameter(metavar="METRES")] = None,
-    turn: Annotated[float | None, Parameter(metavar="DEGREES")] = None,
+    losing: Annotated[list[str] | None, Parameter(metavar="NAME@TIME", negative="")] = None,
+    within: Annotated[str | None, Parameter(metavar="LENGTH")] = None,
+    turn: Annotated[str | None, Parameter(metavar="ANGLE")] = None,
     log: Path | None = None,
     plot: Path | None = None,
     drawing: Drawing = USUAL,
@@ -62,6 +57,7 @@ def simulate(
     player: Path | None = None,
     capability: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
+    streams: Streams = AS_FILED,
     wording: Wording = FILE,
 ) -> int:
     """Let the object and its robots move in wind and current, and tell whether they hold it.
@@ -71,7 +67,7 @@ def simulate(
     `simulation` of the scenario; without it there are gusts, the robots have the lag of harbour
     tugs, and nothing happens. The exit status is 1 if the object was not held.
 
-    Example: swarmgrasp simulate deck-barge --wind 20@60 --losing Castor@60 --plot run.png
+    Example: swarmgrasp simulate deck-barge --wind 20kn --from 60deg --losing Castor@60
 
     Parameters
     ----------
@@ -79,14 +75,12 @@ def simulate(
         Scenario in YAML with an environment, "-" for standard input, or a built-in example such as
         escort-ring.
     for_
-        How long, instead of what the file says; events after that are left out.
+        How long, such as 300 or 5min, instead of what the file says; events after that are left
+        out.
     seed
         Of gusts and of the sensors' noise, instead of the file's.
     losing
         A robot or group that is lost, and when; give it once for each: --losing Castor@60.
-    wind
-        The mean wind, instead of the file's: its speed in knots, and where it comes from, degrees
-        clockwise from the bow.
     within
         How far the object may be from where it is to be, and be held; 5 m unless given, or a
         fifteenth of its extent if that is less.
@@ -109,8 +103,10 @@ def simulate(
         Also write what became of it, or the winds, to this .json file; "-" prints it and nothing
         else. SI units and radians.
     """
-    faults = _number_faults(for_, within, turn) + whole_faults("--seed", seed, 0, MOST_SEED)
-    faults += _text_faults(losing or [], wind) + json_faults(json) + wording.faults(json)
+    asked_for = _amounts(for_, within, turn)
+    faults = [fault for amount in asked_for.values() for fault in amount.faults()]
+    faults += whole_faults("--seed", seed, 0, MOST_SEED) + _loss_faults(losing or [])
+    faults += streams.faults() + json_faults(json) + wording.faults(json)
     for path, suffixes in (
         (log, (".parquet",)), (gif, (".gif",)), (mcap, (".mcap",)),
         (player, (".json",)),
@@ -118,20 +114,23 @@ def simulate(
         faults += output_faults(path, suffixes)
     faults += drawing.faults(plot)
     if capability:
-        others = {"--losing": losing, "--wind": wind, "--log": log, "--gif": gif, "--mcap": mcap,
+        others = {"--losing": losing, **streams.given, "--log": log, "--gif": gif, "--mcap": mcap,
                   "--player": player}  # fmt: skip
         faults += [f"{each} is of a run, and --capability makes none" for each, given in
                    others.items() if given]  # fmt: skip
     scenario = read_scenario(file, faults)
     _check_packages(log, mcap)
-    environment = _environment(scenario, file, "0@0" if capability else wind)
+    terms = wording.terms(scenario)
+    told = {option: amount.value(terms) for option, amount in asked_for.items()}
+    environment = _environment(scenario, file, streams, terms, is_calm=capability)
+    is_other_wind = capability or bool({"--wind", "--from"} & streams.given.keys())
     with blaming(file):
-        asked = _simulation(scenario, environment, capability or wind is not None)
-    asked = _changed(asked, file, for_, seed, losing or [], is_quiet=capability)
+        asked = _simulation(scenario, environment, is_other_wind)
+    asked = _changed(asked, file, told.get("--for"), seed, losing or [], is_quiet=capability)
     from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within, verdict_of
 
-    far = usual_within(scenario.swarm.outline) if within is None else within
-    limit = USUAL_TURN if turn is None else math.radians(turn)
+    far = told.get("--within", usual_within(scenario.swarm.outline))
+    limit = told.get("--turn", USUAL_TURN)
     if capability:
         return _capability(
             scenario.name,
@@ -141,14 +140,14 @@ def simulate(
             plot,
             drawing,
             json,
-            wording.terms(scenario),
+            terms,
             wording.csv,
         )
     run = run_of(asked, log)
     from swarmgrasp.answer_file import sealed
     from swarmgrasp.cli.show.simulate import show
 
-    name, verdict, terms = scenario.name, verdict_of(run, far, limit), wording.terms(scenario)
+    name, verdict = scenario.name, verdict_of(run, far, limit)
     look = drawing.look(name, terms)
     deliver(
         json,
@@ -165,37 +164,36 @@ def simulate(
 # -- what is asked ------------------------------------------------------------------------
 
 
-def _number_faults(for_: float | None, within: float | None, turn: float | None) -> list[str]:
-    """Return what is wrong with the numbers given as options."""
+def _amounts(for_: str | None, within: str | None, turn: str | None) -> dict[str, Amount]:
+    """Return the amounts given as options, by option."""
     from swarmgrasp.simulation.simulation import DURATION
     from swarmgrasp.simulation.verdict import TURN_WITHIN, WITHIN
 
-    degrees = math.degrees(TURN_WITHIN.low), math.degrees(TURN_WITHIN.high)
-    return [
-        f"{option} is {value:g}; it should be {low:.3g} <= {unit} <= {high:.3g}"
-        for option, value, (low, high), unit in (
-            ("--for", for_, (DURATION.low, DURATION.high), "seconds"),
-            ("--within", within, (WITHIN.low, WITHIN.high), "metres"),
-            ("--turn", turn, degrees, "degrees"),
+    return {
+        option: Amount(option, text, of, ends.low, ends.high)
+        for option, text, of, ends in (
+            ("--for", for_, "time", DURATION),
+            ("--within", within, "length", WITHIN),
+            ("--turn", turn, "angle", TURN_WITHIN),
         )
-        if value is not None and not low <= value <= high
-    ]
+        if text is not None
+    }
 
 
-def _text_faults(losing: list[str], wind: str | None) -> list[str]:
-    """Return what is wrong with options that hold several things."""
-    faults = [
-        f"--losing is {text}; it should be a robot or group and a time in seconds, "
-        "such as Castor@60"
-        for text in losing
-        if not _LOSS.fullmatch(text)
-    ]
-    match = _WIND.fullmatch(wind or "0@0")
-    if match is None or float(match[1]) > FASTEST:
-        faults.append(
-            f"--wind is {wind}; it should be a speed of at most {FASTEST:g} knots and a bearing in "
-            "degrees, such as 35@60"
-        )
+def _loss(text: str) -> tuple[str, Amount]:
+    """Return who is lost, and when."""
+    name, _, at = text.rpartition("@")
+    return name, Amount(f"--losing is {text}: the time", at, "time", 0.0)
+
+
+def _loss_faults(losing: list[str]) -> list[str]:
+    """Return what is wrong with losses."""
+    faults = []
+    for text in losing:
+        name, at = _loss(text)
+        faults += at.faults() if name else [
+            f"--losing is {text}; it should be a robot or group and a time, such as Castor@60"
+        ]  # fmt: skip
     return faults
 
 
@@ -225,7 +223,9 @@ def _simulation(
     return Simulation(scenario.problem(), environment, hull, weather=Weather("npd"))
 
 
-def _environment(scenario: "Scenario", file: str, wind: str | None) -> "Environment":
+def _environment(
+    scenario: "Scenario", file: str, streams: Streams, terms: "Terms", *, is_calm: bool
+) -> "Environment":
     """Return the surroundings, with a steady mean wind.
 
     Raises
@@ -242,16 +242,14 @@ def _environment(scenario: "Scenario", file: str, wind: str | None) -> "Environm
             "lateral_area: 465}}`"
         )
         raise missing(scenario, file, "environment", "`swarmgrasp simulate`", advice)
-    if wind is not None:
-        from swarmgrasp.environment import KNOT
-
-        knots, bearing = map(float, wind.split("@"))
-        stream = replace(environment.wind, speed=knots * KNOT, bearing=math.radians(bearing))
-        return replace(environment, wind=stream)
+    if is_calm:
+        return replace(environment, wind=replace(environment.wind, speed=0.0, bearing=0.0))
+    if streams.given:
+        environment = streams.environment(scenario, file, terms, next(iter(streams.given)))
     if not environment.is_steady and scenario.simulation is None:
         advice = (
             "environment.wind: a simulation needs its speed, and from, where it comes from; or "
-            "give --wind, such as --wind 20@60, knots and degrees clockwise from the bow"
+            "give --wind and --from, such as --wind 20kn --from 60deg"
         )
         raise missing(scenario, file, "wind", "`swarmgrasp simulate`", advice)
     return environment
@@ -279,8 +277,8 @@ def _changed(
         )
     losses: list[Lose] = []
     for text in losing:
-        name, _, at = text.rpartition("@")
-        losses.append(Lose(float(at), name))
+        name, at = _loss(text)
+        losses.append(Lose(at.value(), name))
     with blaming("--losing"):
         return replace(asked, events=(*events, *losses))
 

@@ -1,7 +1,7 @@
 """Weather on the command line: options that all commands share which ask what is held in it."""
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 from cyclopts import Parameter
 
@@ -26,25 +26,9 @@ Speed = Annotated[str | None, Parameter(metavar="SPEED")]
 Bearing = Annotated[str | None, Parameter(metavar="BEARING")]
 
 
-@Parameter(name="*", group="Weather")
 @dataclass(frozen=True)
-class Water:
-    """The current and the sea, instead of those of the file.
-
-    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
-    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
-    heading.
-    """
-
-    current: Speed = None
-    """Speed of the current, such as 1.5kn."""
-    current_from: Bearing = None
-    """Where the current comes from, such as 90deg; from where the wind comes unless given."""
-    waves: Annotated[str | None, Parameter(metavar="SEA")] = None
-    """The sea: wind for the one that goes with the wind, or its significant height and peak
-    period, such as 2.1m,7.5s."""
-    waves_from: Bearing = None
-    """Where the sea comes from; from where the wind comes unless given."""
+class _Options:
+    """Options that say something of the weather, each in the place of what the file says."""
 
     @property
     def given(self) -> dict[str, str]:
@@ -99,31 +83,74 @@ class Water:
                 "lateral_area: 700}}`"
             )
             raise missing(scenario, file, "environment", needed_by, advice)
+        asked = _Asked(scenario, file, terms)
         faults: list[str] = []
         wind, current, waves = around.wind, around.current, around.waves
         with noting(faults):
-            wind = self._wind(scenario, terms, wind)
+            wind = self._wind(asked, wind)
         with noting(faults):
-            current = self._current(scenario, file, terms, current)
+            current = self._current(asked, current)
         with noting(faults):
-            waves = self._waves(scenario, terms, waves)
+            waves = self._waves(asked, waves)
         if faults:
             raise UsageFault(faults)
-        with blaming("--waves" if self.waves else source_of(file)):
+        with blaming("--waves" if "--waves" in self.given else source_of(file)):
             return replace(around, wind=wind, current=current, waves=waves)
 
-    def _wind(
-        self,
-        scenario: "Scenario",  # noqa: ARG002
-        terms: "Terms",  # noqa: ARG002
-        wind: "Wind | WindTable",
-    ) -> "Wind | WindTable":
+    def _wind(self, asked: "_Asked", wind: "Wind | WindTable") -> "Wind | WindTable":  # noqa: ARG002
         """Return what the object shows to the wind; its own speed and bearing play no part."""
         return replace(wind, speed=None, bearing=None)
 
-    def _current(
-        self, scenario: "Scenario", file: str, terms: "Terms", current: "Current | None"
-    ) -> "Current | None":
+    def _current(self, asked: "_Asked", current: "Current | None") -> "Current | None":  # noqa: ARG002
+        """Return the current to compute with."""
+        return current
+
+    def _waves(self, asked: "_Asked", waves: "Waves | None") -> "Waves | None":  # noqa: ARG002
+        """Return the sea to compute with."""
+        return waves
+
+
+class _Asked(NamedTuple):
+    """What options are asked of: a scenario, what it was read from, the units of numbers."""
+
+    scenario: "Scenario"
+    file: str
+    terms: "Terms"
+
+
+@dataclass(frozen=True)
+class _Wind(_Options):
+    """The wind."""
+
+    wind: Speed = None
+    """Speed of the wind, such as 25kn or 6Bft."""
+    wind_from: Annotated[str | None, Parameter(name="--from", metavar="BEARING")] = None
+    """Where the wind comes from, such as 60deg or NE."""
+
+    def _wind(self, asked: _Asked, wind: "Wind | WindTable") -> "Wind | WindTable":
+        """Return the wind to compute with."""
+        speed, from_ = wind.speed, wind.bearing
+        if self.wind is not None:
+            speed = speed_given("--wind", self.wind).value(asked.terms)
+        if self.wind_from is not None:
+            from_ = _bearing("--from", self.wind_from, asked.scenario)
+        if from_ is None and speed is not None:
+            raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
+        if speed is None and from_ is not None:
+            raise UsageFault("--wind is missing: how fast the wind is, such as --wind 25kn")
+        return replace(wind, speed=speed, bearing=from_)
+
+
+@dataclass(frozen=True)
+class _Current(_Options):
+    """The current."""
+
+    current: Speed = None
+    """Speed of the current, such as 1.5kn."""
+    current_from: Bearing = None
+    """Where the current comes from, such as 90deg; from where the wind comes unless given."""
+
+    def _current(self, asked: _Asked, current: "Current | None") -> "Current | None":
         """Return the current to compute with."""
         if self.current is None and self.current_from is None:
             return current
@@ -133,48 +160,78 @@ class Water:
                 f"environment.current: is missing, so {option} has nothing to set; say what the "
                 "object shows to it, such as `current: {frontal_area: 110, lateral_area: 465}`"
             )
-            raise missing(scenario, file, "current", option, advice)
+            raise missing(asked.scenario, asked.file, "current", option, advice)
         if self.current is not None:
-            current = replace(current, speed=speed_given("--current", self.current).value(terms))
+            speed = speed_given("--current", self.current).value(asked.terms)
+            current = replace(current, speed=speed)
         if self.current_from is None:
             return current
-        return replace(current, bearing=_bearing("--current-from", self.current_from, scenario))
+        from_ = _bearing("--current-from", self.current_from, asked.scenario)
+        return replace(current, bearing=from_)
 
-    def _waves(self, scenario: "Scenario", terms: "Terms", waves: "Waves | None") -> "Waves | None":
+
+@dataclass(frozen=True)
+class _Sea(_Options):
+    """The sea."""
+
+    waves: Annotated[str | None, Parameter(metavar="SEA")] = None
+    """The sea: wind for the one that goes with the wind, or its significant height and peak
+    period, such as 2.1m,7.5s."""
+    waves_from: Bearing = None
+    """Where the sea comes from; from where the wind comes unless given."""
+
+    def _waves(self, asked: _Asked, waves: "Waves | None") -> "Waves | None":
         """Return the sea to compute with."""
         from swarmgrasp.environment import Waves
 
         if self.waves is not None:
             height, period = None, None
             if self.waves != WITH_WIND:
-                height, period = _sea(self.waves, terms)
+                height, period = _sea(self.waves, asked.terms)
             waves = replace(waves or Waves(), height=height, period=period)
         if self.waves_from is None:
             return waves
         if waves is None:
             raise UsageFault("--waves-from is of no sea: give --waves, such as --waves wind")
-        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, scenario))
-
-
-@dataclass(frozen=True)
-class _Wind:
-    """The wind, named before the water."""
-
-    wind: Speed = None
-    """Speed of the wind, such as 25kn or 6Bft."""
-    wind_from: Annotated[str | None, Parameter(name="--from", metavar="BEARING")] = None
-    """Where the wind comes from, such as 60deg or NE."""
+        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, asked.scenario))
 
 
 @Parameter(name="*", group="Weather")
 @dataclass(frozen=True)
-class Weather(Water, _Wind):
+class Water(_Sea, _Current):
+    """The current and the sea, instead of those of the file.
+
+    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
+    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
+    heading.
+    """
+
+
+@Parameter(name="*", group="Weather")
+@dataclass(frozen=True)
+class Streams(_Current, _Wind):
+    """The wind and the current, instead of those of the file.
+
+    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
+    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
+    heading.
+    """
+
+
+@Parameter(name="*", group="Weather")
+@dataclass(frozen=True)
+class Weather(_Sea, _Current, _Wind):
     """Wind, current and sea to hold the object in, instead of the load of the file.
 
     What the object shows to them stands in the file's environment. Bearings are degrees clockwise
     from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
     heading.
     """
+
+    @property
+    def water(self) -> Water:
+        """What is given of the current and the sea."""
+        return Water(self.current, self.current_from, self.waves, self.waves_from)
 
     def environment(
         self, scenario: "Scenario", file: str, terms: "Terms", needed_by: str
@@ -188,21 +245,6 @@ class Weather(Water, _Wind):
         """
         around = super().environment(scenario, file, terms, needed_by)
         return around if around.is_steady else _without_wind(around)
-
-    def _wind(
-        self, scenario: "Scenario", terms: "Terms", wind: "Wind | WindTable"
-    ) -> "Wind | WindTable":
-        """Return the wind to compute with."""
-        speed, from_ = wind.speed, wind.bearing
-        if self.wind is not None:
-            speed = speed_given("--wind", self.wind).value(terms)
-        if self.wind_from is not None:
-            from_ = _bearing("--from", self.wind_from, scenario)
-        if from_ is None and speed is not None:
-            raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
-        if speed is None and from_ is not None:
-            raise UsageFault("--wind is missing: how fast the wind is, such as --wind 25kn")
-        return replace(wind, speed=speed, bearing=from_)
 
     def on(self, scenario: "Scenario", file: str, phrasing: Phrasing) -> "Scenario":
         """Return a scenario whose criterion is to hold the object in this weather, if it is given.
@@ -239,6 +281,8 @@ class Weather(Water, _Wind):
 
 
 STILL = Water()
+"""As the file has it."""
+AS_FILED = Streams()
 """As the file has it."""
 CALM = Weather()
 """As the file has it."""
