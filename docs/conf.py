@@ -14,6 +14,7 @@ extensions = [
     "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",
+    "gallery",
     "generated",
     "mathml",
     "signatures",
@@ -32,4 +33,5 @@ autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
 html_theme = "furo"
 html_title = "swarmgrasp"
+html_static_path = ["static"]
 exclude_patterns = ["_build", "extensions"]

@@ -5,8 +5,22 @@ import runpy
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
-EXAMPLES = sorted((Path(__file__).parent.parent / "examples").glob("*.py"))
+from shown import assert_same
+from swarmgrasp.cli import main
+
+ROOT = Path(__file__).parent.parent
+EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
+IMAGES = ROOT / "docs" / "images"
+REDRAW = runpy.run_path(str(IMAGES / "redraw.py"))
+
+
+def assert_same_picture(name, drawn):
+    """Compare what is written in a picture of the pages with what is drawn today."""
+    kept, today = (Image.open(path).text for path in (IMAGES / name, drawn))
+    assert kept["Title"] == today["Title"]
+    assert_same(kept["Description"], today["Description"])
 
 
 def run(path, folder, monkeypatch, capsys):
@@ -24,6 +38,8 @@ def test_an_example_runs(path, tmp_path, monkeypatch, capsys):
     assert printed
     assert promised
     assert written >= set(promised)
+    for name in REDRAW["OF_EXAMPLES"].keys() & written:
+        assert_same_picture(REDRAW["OF_EXAMPLES"][name], tmp_path / name)
 
 
 def test_the_first_example_proves_its_answer(tmp_path, monkeypatch, capsys):
@@ -31,3 +47,12 @@ def test_the_first_example_proves_its_answer(tmp_path, monkeypatch, capsys):
     printed, written = run(EXAMPLES[0], tmp_path, monkeypatch, capsys)
     assert "The proof holds." in printed
     assert written == {"barge-plan.png", "barge-wrenches.png", "barge-landscape.png"}
+
+
+def test_the_pages_show_what_a_command_draws_today(tmp_path, monkeypatch):
+    """`docs/images/redraw.py` draws them all again."""
+    monkeypatch.chdir(tmp_path)
+    command = next(command for command in REDRAW["COMMANDS"] if "harbour" in command)
+    assert main(command.split()) == 0
+    for name in REDRAW["COMMANDS"][command]:
+        assert_same_picture(name, tmp_path / name)

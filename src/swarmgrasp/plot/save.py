@@ -45,7 +45,7 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
 
     The file appears whole or not at all: it is written beside its place and renamed.
     The same picture gives the same bytes. Text in SVG is text, with a title and a description of
-    the picture for those who cannot see it; fonts in PDF are of Type 42.
+    the picture for those who cannot see it, which PNG has too; fonts in PDF are of Type 42.
 
     Parameters
     ----------
@@ -75,6 +75,8 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
         _clean(figure)
     said = texts_of(figure)
     about = {**METADATA[suffix], "Title": said[0] if said else "swarmgrasp"}
+    if suffix == ".png":
+        about["Description"] = "; ".join(said[1:])
     style_of_file = mpl.rc_context(
         {"svg.hashsalt": "swarmgrasp", "svg.fonttype": "none", "pdf.fonttype": 42}
     )
