@@ -5,13 +5,18 @@ import pytest
 pytest.importorskip("zenoh")
 
 WRONG = {
-    ("--silent", "-1"): "--silent is -1; it should be 0.1 to 86400 [s]",
+    ("--silent", "0.01s"): "--silent is 0.01; it should be 0.1 to 86400 [s]",
     ("--worth", "nan"): "worth is nan; it should be 0 to 1",
     ("--roster", "Ajax,,Boreas"): "roster: a robot has the name ''",
-    ("--limit", "-3"): "--limit: the limit is -3.0",
+    ("--limit", "-3"): "--limit is -3; it should be from",
     ("--speed", "0"): "the speed is 0.0",
     ("--listen", "here"): "the endpoint is 'here'",
-    ("--attached-at", "0", "0", "1"): "--attached-at is (0, 0) m, 10.97 m from the boundary",
+    (
+        "--attached-at",
+        "0",
+        "0",
+        "1",
+    ): "--attached-at is (0.00, 0.00) ft, 36.00 ft from the boundary; it should be at most",
     ("--state", "none/state"): "none/state: there is no folder none; create it first",
 }
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.inputs import UsageFault, blaming, noting, read_scenario
 from swarmgrasp.cli.lasting import end_on_signals, say
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from swarmgrasp.agents.network import NetworkSettings, Process, Transport
     from swarmgrasp.agents.network.body import Body
     from swarmgrasp.agents.protocol import Kind, Place, ProblemPlanner, Settings, State
+    from swarmgrasp.terms import Terms
 
 BEATS = 3.5
 """Signs of life within the time after which a robot counts as silent."""
@@ -28,7 +30,10 @@ SHORTEST = 0.1
 ASTRAY = 0.05
 """How far from the object a robot may be told to hold it, in extents: what a measurement may miss
 it by, but no other unit or frame."""
+FARTHEST = 1e9
+"""Coordinates [m] that may be told."""
 Flag = Annotated[bool, Parameter(negative="")]
+Time = Annotated[str, Parameter(metavar="TIME")]
 
 
 def agent(
@@ -40,17 +45,20 @@ def agent(
     mode: Literal["peer", "client"] | None = None,
     listen: Annotated[tuple[str, ...], Parameter(negative="")] = (),
     connect: Annotated[tuple[str, ...], Parameter(negative="")] = (),
-    lease: float = 3.0,
+    lease: Time = "3",
     tls: Path | None = None,
     state: Path | None = None,
     roster: str | None = None,
-    limit: float | None = None,
+    limit: Annotated[str | None, Parameter(metavar="FORCE")] = None,
     body: Literal["stand-in", "stdio", "zenoh"] = "stand-in",
-    speed: float = 1.0,
-    fastening: float = 1.0,
-    attached_at: Annotated[tuple[float, float, float] | None, Parameter(negative="")] = None,
+    speed: Annotated[str, Parameter(metavar="SPEED")] = "1 m/s",
+    fastening: Time = "1",
+    attached_at: Annotated[
+        tuple[str, str, str] | None,
+        Parameter(metavar="X Y DIRECTION", negative="", allow_leading_hyphen=True),
+    ] = None,
     waits: Flag = False,
-    silent: float = 3.5,
+    silent: Time = "3.5",
     worth: float = 0.02,
     resolve: Flag = False,
     json: Flag = False,
@@ -60,6 +68,8 @@ def agent(
     It finds its place, goes there, attaches once all that are heard have confirmed it, and
     says what it does. Ended by a signal, it leaves if it does not hold the object yet; if it
     does, it stays attached, and the others go on counting it.
+
+    Numbers without a unit are in the file's, angles in degrees, times in seconds.
 
     Example: swarmgrasp agent deck-barge --name Fortuna
 
@@ -80,7 +90,7 @@ def agent(
     connect
         Endpoints of others.
     lease
-        Seconds after which a process that hangs counts as ended; at most --silent.
+        After which a process that hangs counts as ended; at most --silent.
     tls
         Folder with certificates, which `swarmgrasp agents keys` makes: of a router, and of each
         robot, by its name.
@@ -89,22 +99,22 @@ def agent(
     roster
         Robots, parted by commas, each of which must confirm before it attaches, heard or not.
     limit
-        Its largest force in newtons, where it differs from the scenario's newcomer.
+        Its largest force, such as 300kN, where it differs from the scenario's newcomer.
     body
         A stand-in that travels by itself, or a real robot whose own software reads orders and
         tells events, as lines of JSON on standard output and input, or as samples on the network.
     speed
-        Of the stand-in, in metres a second.
+        Of the stand-in.
     fastening
-        Seconds that the stand-in takes to fasten, and to let go.
+        How long the stand-in takes to fasten, and to let go.
     attached_at
-        Where it holds the object at the start, as its process may have ended without a state:
-        x and y in metres and the direction in radians, in the frame of the outline.
+        Where it holds the object at the start, as its process may have ended without a state: its
+        contact and the direction of its force, in the file's frame.
     waits
         Do not join until told to, by the event "join".
     silent
-        Seconds after which others that are not heard are not waited for; signs of life come 3.5
-        times as often. With a hundred robots on one machine take 16, and a lease of 10.
+        After which others that are not heard are not waited for; signs of life come 3.5 times as
+        often. With a hundred robots on one machine take 16, and a lease of 10.
     worth
         Share by which another place must be better before it turns to it on its way.
     resolve
@@ -117,10 +127,13 @@ def agent(
     check_installed("msgspec", "zenoh", purpose="A robot on the network")
     from swarmgrasp.agents.network import NetworkSettings
 
+    faults = [] if state is None else target_faults(state)
+    lasts = _times(faults, lease=lease, silent=silent, fastening=fastening)
+
     def network() -> NetworkSettings:
         return NetworkSettings(
             mode="router" if router else mode or ("client" if tls else "peer"),
-            listen=listen, connect=connect, lease=lease, tls=tls,
+            listen=listen, connect=connect, lease=lasts["lease"], tls=tls,
             name="router" if router else name or "",
         )  # fmt: skip
 
@@ -129,28 +142,45 @@ def agent(
                  ("--state", state), ("--roster", roster)) if there]  # fmt: skip
         if given:
             raise UsageFault(f"a router is no robot; leave out {' and '.join(given)}")
-        _be_router(network(), json)
+        with noting(faults):
+            here = network()
+        if faults:
+            raise UsageFault(faults)
+        _be_router(here, json)
         return
     if file is None or not name:
         raise UsageFault("a robot needs FILE and --name; --router makes a router instead")
     from swarmgrasp.agents.protocol import ProblemPlanner
 
-    faults = [] if state is None else target_faults(state)
     with noting(faults):
         here = network()
-    settings = _settings(silent, lease, worth, roster, resolve, faults)
+    settings = _settings(lasts, worth, roster, resolve, faults)
     with noting(faults):
         scenario = read_scenario(file)
         with blaming(file):
             planner = ProblemPlanner(scenario.problem())
-        kind = _kind(planner, limit, faults)
-        attached = _place(planner, attached_at, faults)
+        kind = _kind(planner, limit, scenario.terms, faults)
+        attached = _place(planner, attached_at, scenario.terms, faults)
+        fast = 1.0
+        with noting(faults):
+            fast = Amount("--speed", speed, "speed").value(scenario.terms)
         if body == "stand-in":
-            _body(planner, name, attached, body, speed, fastening)
+            _body(planner, name, attached, body, fast, lasts["fastening"])
     if faults:
         raise UsageFault(faults)
-    _be_robot(here, planner, settings, name, kind, state, attached, (body, speed, fastening),
-              not waits, json)  # fmt: skip
+    _be_robot(here, planner, settings, name, kind, state, attached,
+              (body, fast, lasts["fastening"]), not waits, json)  # fmt: skip
+
+
+def _times(faults: list[str], **given: str) -> dict[str, float]:
+    """Return the times [s] given as options; 1 s for those with a fault, which is noted."""
+    found = {}
+    for what, said in given.items():
+        amount = Amount(f"--{what}", said, "time", 0.0)
+        wrong = amount.faults()
+        faults += wrong
+        found[what] = 1.0 if wrong else amount.value()
+    return found
 
 
 def _be_router(here: "NetworkSettings", json: bool) -> None:
@@ -199,13 +229,13 @@ def _be_robot(
 
 
 def _settings(
-    silent: float, lease: float, worth: float, roster: str | None, resolve: bool, faults: list[str]
+    lasts: dict[str, float], worth: float, roster: str | None, resolve: bool, faults: list[str]
 ) -> "Settings":
     """Return how it behaves, and note what is wrong with it."""
     from swarmgrasp.agents.protocol import Settings
     from swarmgrasp.agents.protocol.settings import LONGEST
 
-    usual = Settings()
+    usual, silent, lease = Settings(), lasts["silent"], lasts["lease"]
     if not SHORTEST <= silent <= LONGEST:
         faults.append(f"--silent is {silent:g}; it should be {SHORTEST:g} to {LONGEST:g} [s]")
         silent = usual.silent
@@ -218,46 +248,54 @@ def _settings(
     return usual
 
 
-def _kind(planner: "ProblemPlanner", limit: float | None, faults: list[str]) -> "Kind | None":
+def _kind(
+    planner: "ProblemPlanner", limit: str | None, terms: "Terms", faults: list[str]
+) -> "Kind | None":
     """Return what a robot is, if that differs from the newcomer; note a limit out of range."""
     from swarmgrasp.agents.protocol import Kind
-    from swarmgrasp.ranges import limit_faults
+    from swarmgrasp.ranges import STRONGEST, WEAKEST
 
     if limit is None:
         return None
-    wrong = limit_faults(limit)
-    if wrong:
-        faults += [f"--limit: {fault}" for fault in wrong]
-        return None
-    usual = replace(planner.problem.newcomer, limit=limit)
+    usual = planner.problem.newcomer
+    with noting(faults):
+        strong = Amount("--limit", limit, "force", WEAKEST, STRONGEST).value(terms)
+        usual = replace(usual, limit=strong)
     return Kind(usual.limit, usual.attachment, usual.half_angle, usual.steers,
                 usual.reverse_limit, usual.friction)  # fmt: skip
 
 
 def _place(
-    planner: "ProblemPlanner", given: tuple[float, float, float] | None, faults: list[str]
-) -> "Place | None":
+    planner: "ProblemPlanner", given: tuple[str, str, str] | None, terms: "Terms",
+    faults: list[str],
+) -> "Place | None":  # fmt: skip
     """Return where it says that it is attached; note a place that is far from the object."""
     from swarmgrasp.agents.protocol import Place
-    from swarmgrasp.ranges import angles, numbers
+    from swarmgrasp.ranges import MOST_TURNED
+    from swarmgrasp.telling import Telling
 
     if given is None:
         return None
-    *spot, direction = given
+    told = []
+    for part, of, most in zip(
+        given, ("length", "length", "angle"), (FARTHEST, FARTHEST, MOST_TURNED), strict=True
+    ):
+        with noting(faults):
+            told.append(Amount("--attached-at", part, of, -most, most).value(terms))
+    if len(told) < len(given):
+        return None
+    x, y = terms.frame.from_file(told[:2]).tolist()
+    spot, direction = (x, y), terms.frame.direction_from_file(told[2])
     outline = planner.problem.swarm.outline
-    if not numbers(spot) or not angles((direction,)):
-        faults.append(
-            f"--attached-at is {' '.join(map(str, given))}; it should be finite numbers, the "
-            "direction within 1e6 [m, m, rad]"
-        )
-    elif not planner.problem.newcomer.mounted or not outline.contains(spot):
+    if not planner.problem.newcomer.mounted or not outline.contains(spot):
         off, most = float(outline.nearest(spot)[0][0]), ASTRAY * outline.extent
         if off > most:
+            tell = Telling.of(terms, outline.extent, [])
             faults.append(
-                f"--attached-at is ({spot[0]:g}, {spot[1]:g}) m, {off:.4g} m from the boundary; "
-                f"it should be at most {most:.4g} m from it, in the frame of the vertices"
+                f"--attached-at is {tell.point(spot)}, {tell.length.text(off)} from the boundary; "
+                f"it should be at most {tell.length.short(most)} from it, in the file's frame"
             )
-    return Place(*given)
+    return Place(x, y, direction)
 
 
 def _attached(planner: "ProblemPlanner", state: "State | None", name: str) -> "Place | None":

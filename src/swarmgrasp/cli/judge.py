@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
@@ -27,7 +28,7 @@ def judge(
     losing: Annotated[str | None, Parameter(metavar="INT")] = None,
     failures: Annotated[list[str] | None, Parameter(metavar="NAMES", negative="")] = None,
     worst_case: Annotated[bool, Parameter(negative="")] = False,
-    mass: Annotated[float | None, Parameter(metavar="KG")] = None,
+    mass: Annotated[str | None, Parameter(metavar="MASS")] = None,
     mjcf: Path | None = None,
     json: Dashed | None = None,
     wording: Wording = FILE,
@@ -58,8 +59,8 @@ def judge(
     worst_case
         The quality in the worst poses that the robots' tolerances allow.
     mass
-        Of the object, in kilograms, spread evenly. By default that of the scenario's simulation,
-        or of the water that its current and outline tell it displaces.
+        Of the object, such as 400t, spread evenly; in kilograms without a unit. By default that of
+        the scenario's simulation, or of the water that its current and outline tell it displaces.
     mjcf
         Write the object and its robots as a model, .xml, for MuJoCo's viewer:
         python -m mujoco.viewer --mjcf=ring.xml
@@ -73,10 +74,11 @@ def judge(
     check_installed("mujoco", extra="mujoco", purpose="`swarmgrasp judge`")
     faults = losing_faults(losing) + output_faults(mjcf, (".xml",))
     faults += json_faults(json) + wording.faults(json)
-    faults += [] if mass is None else [f"--mass: {fault}" for fault in MASS.faults("mass", mass)]
+    weighed = None if mass is None else Amount("--mass", mass, "mass", MASS.low, MASS.high)
+    faults += [] if weighed is None else weighed.faults()
     scenario = read_scenario(file, faults)
     criterion = criterion_of(scenario, file, losing, worst_case, failures)
-    hull = _hull(scenario, file, mass)
+    hull = _hull(scenario, file, None if weighed is None else weighed.value())
     tell_omitted(
         scenario, file, "judge",
         losing=losing, failures=failures, worst_case=worst_case, load=None, task=None,
@@ -116,7 +118,7 @@ def _hull(scenario: "Scenario", file: str, mass: float | None) -> "Hull":
     environment = scenario.environment
     if environment is None or environment.current is None:
         advice = (
-            "nothing tells the mass of the object; give --mass, in kilograms, or the "
+            "nothing tells the mass of the object; give --mass, such as --mass 400t, or the "
             "environment's current, whose lateral area tells how deep it floats"
         )
         raise missing(scenario, file, "mass", "`swarmgrasp judge`", advice)

@@ -152,7 +152,9 @@ def test_robots_with_certificates_attach_and_are_watched(fleet, papers, run, tmp
     end = f"tls/127.0.0.1:{free_ports(1)[0]}"
     fleet.start("router", "--listen", end, "--tls", papers)
     for name in ("Ajax", "Boreas"):
-        fleet.start(name, "--connect", end, "--tls", papers, "--speed", 40, file="harbour-tugs")
+        fleet.start(
+            name, "--connect", end, "--tls", papers, "--speed", "40 m/s", file="harbour-tugs"
+        )
     members = [fleet.members[name] for name in ("Ajax", "Boreas")]
     fleet.wait(lambda: all(m.heard for m in members), "that they hear each other")
     status, said, _ = run("agents", "watch", "harbour-tugs", "--connect", end, "--tls", papers,

@@ -26,7 +26,7 @@ def victim(fleet):
     end = f"tcp/127.0.0.1:{free_ports(1)[0]}"
     router = fleet.start("router", "--listen", end)
     fleet.wait(lambda: bool(router.told), "a router")
-    robot = fleet.start("Fortuna", "--mode", "client", "--connect", end, "--speed", 40,
+    robot = fleet.start("Fortuna", "--mode", "client", "--connect", end, "--speed", "40 m/s",
                         "--worth", 0, "--waits", file=FILE)  # fmt: skip
     with open_session(NetworkSettings(mode="client", connect=(end,))) as session:
         token = session.liveliness().declare_token(own_keys(MISSION, "Mallory").alive)

@@ -29,7 +29,7 @@ class Trial:
         [port] = free_ports(1)
         self.file = file
         self.fleet, self.folder, self.end = fleet, folder, f"tcp/127.0.0.1:{port}"
-        self.options = ("--lease", lease, "--silent", silent, "--worth", 0, "--speed", 40,
+        self.options = ("--lease", lease, "--silent", silent, "--worth", 0, "--speed", "40 m/s",
                         "--fastening", 0.2)  # fmt: skip
         router = fleet.start("router", "--listen", self.end, "--lease", lease)
         fleet.wait(lambda: bool(router.told), "a router")
@@ -135,7 +135,7 @@ def test_six_processes_through_kills_hangs_and_restarts(fleet, tmp_path):
     trial.attached("Ajax", "Fortuna", "Galatea", "Hector", "Iris")
     place = fleet.members["Fortuna"].record["place"]
     fleet.kill("Fortuna")
-    at = [str(place[key]) for key in ("x", "y", "direction")]
+    at = [f"{place['x']} m", f"{place['y']} m", f"{place['direction']} rad"]
     trial.start("Jason")
     trial.attached("Ajax", "Galatea", "Hector", "Iris", "Jason")
     trial.check(planner)
@@ -151,7 +151,9 @@ def test_peers_need_no_router(fleet):
     end = f"tcp/127.0.0.1:{free_ports(1)[0]}"
     names = ("Fortuna", "Galatea", "Hector")
     for k, name in enumerate(names):
-        fleet.start(name, "--listen" if k == 0 else "--connect", end, "--speed", 40, file=FILE)
+        fleet.start(
+            name, "--listen" if k == 0 else "--connect", end, "--speed", "40 m/s", file=FILE
+        )
     members = [fleet.members[name] for name in names]
     fleet.wait(
         lambda: all(

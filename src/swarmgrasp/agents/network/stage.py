@@ -112,7 +112,8 @@ class Stage:
         speed = self.planner.problem.swarm.outline.extent / TRAVEL
         self.fleet.start(
             name, "--mode", "client", "--connect", self._end_of(name), "--lease", LEASE,
-            "--roster", ",".join(self.names), "--worth", 0, "--speed", speed, "--fastening", 0.5,
+            "--roster", ",".join(self.names), "--worth", 0,
+            "--speed", f"{speed} m/s", "--fastening", 0.5,
             "--state", self.folder / f"{name}.state", "--waits", file=self.file,
         )  # fmt: skip
 

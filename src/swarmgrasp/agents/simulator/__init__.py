@@ -4,6 +4,7 @@ from swarmgrasp.agents.simulator.checks import Book, Broken
 from swarmgrasp.agents.simulator.drawing import crowded, draw
 from swarmgrasp.agents.simulator.faults import (
     FLAT,
+    RANGES,
     Fault,
     Mode,
     Schedule,
@@ -20,6 +21,7 @@ from swarmgrasp.agents.simulator.world import World, settings_of
 __all__ = [
     "FLAT",
     "MOST_RUNS",
+    "RANGES",
     "Book",
     "Broken",
     "Census",

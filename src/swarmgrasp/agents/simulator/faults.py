@@ -157,7 +157,7 @@ class Schedule:
 
     def __post_init__(self) -> None:
         """Check the numbers."""
-        faults = number_faults({what: getattr(self, what) for what in _RANGES})
+        faults = number_faults({what: getattr(self, what) for what in RANGES})
         names = {name for each in self.faults for name in each.names}
         names.update(f"B{k}" for k in range(1, self.begin + 1))
         if not 1 <= len(names) <= MOST_ROBOTS or len(self.faults) > MOST_FAULTS:
@@ -178,7 +178,7 @@ class Schedule:
         return "; ".join(map(str, sorted(self.faults, key=lambda each: each.at)))
 
 
-_RANGES = {
+RANGES = {
     "loss": (0.0, 1.0, ""),
     "doubled": (0.0, 1.0, ""),
     "delay": (0.0, 60.0, " s"),
@@ -186,6 +186,7 @@ _RANGES = {
     "turned": (0.0, math.pi, " rad"),
     "calm": (1.0, LONGEST, " s"),
 }
+"""The least and the largest number of a schedule, and its unit."""
 
 
 def number_faults(values: Mapping[str, float]) -> list[str]:
@@ -198,7 +199,7 @@ def number_faults(values: Mapping[str, float]) -> list[str]:
     """
     faults = []
     for what, value in values.items():
-        low, high, unit = _RANGES[what]
+        low, high, unit = RANGES[what]
         if not low <= number(value) <= high:
             faults.append(f"{what} is {shown(value)}; it should be {low:g} to {high:g}{unit}")
     return faults

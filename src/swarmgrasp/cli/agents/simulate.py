@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from cyclopts import Parameter
 
+from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import (
@@ -31,6 +32,10 @@ MANY = 200
 """Robots that know each other all, at most, unless a mode is given."""
 FIELDS = ("loss", "doubled", "delay", "missed", "turned", "calm")
 """Numbers of a schedule that have an option of the same name."""
+UNITS = {"delay": "s", "missed": "m", "turned": "rad", "calm": "s"}
+"""Of those that have one, in a command that repeats a schedule."""
+KINDS = {"s": "time", "m": "length", "rad": "angle"}
+"""What is measured in them."""
 
 
 def simulate(
@@ -43,12 +48,12 @@ def simulate(
     groups: Annotated[str | None, Parameter(metavar="INT")] = None,
     loss: float | None = None,
     doubled: float | None = None,
-    delay: Annotated[float | None, Parameter(metavar="SECONDS")] = None,
-    missed: Annotated[float | None, Parameter(metavar="METRES")] = None,
-    turned: Annotated[float | None, Parameter(metavar="RADIANS")] = None,
+    delay: Annotated[str | None, Parameter(metavar="TIME")] = None,
+    missed: Annotated[str | None, Parameter(metavar="LENGTH")] = None,
+    turned: Annotated[str | None, Parameter(metavar="ANGLE")] = None,
     locks: Annotated[bool, Parameter(negative="")] = False,
     faults: Annotated[str | None, Parameter(metavar="TEXT")] = None,
-    calm: Annotated[float | None, Parameter(metavar="SECONDS")] = None,
+    calm: Annotated[str | None, Parameter(metavar="TIME")] = None,
     shrink: Annotated[bool, Parameter(negative="")] = False,
     json: Dashed | None = None,
 ) -> int:
@@ -61,6 +66,8 @@ def simulate(
 
     Above 200 robots, or with --groups, they are in groups that share summaries: most hold the
     object from the start, and a twentieth joins.
+
+    Lengths without a unit are in the file's, angles in degrees, times in seconds.
 
     Example: swarmgrasp agents simulate deck-barge --seeds 1:1000 --shrink
     Example: swarmgrasp agents simulate rectangle-5 --robots 1000 --seeds 1
@@ -107,8 +114,9 @@ def simulate(
     wrong += whole_faults("--robots", robots, 1, 1000) + whole_faults("--groups", groups, 2, 1000)
     mode = mode or ("groups" if groups or (not wrong and int(robots or 0) > MANY) else "main")
     wrong += _mode_faults(mode, groups)
-    wrong += _number_faults(loss=loss, doubled=doubled, delay=delay, missed=missed, turned=turned)
-    wrong += _text_faults(faults, calm, robots, mode)
+    amounts = _amounts(delay=delay, missed=missed, turned=turned, calm=calm)
+    wrong += [fault for amount in amounts.values() for fault in amount.faults()]
+    wrong += _number_faults(loss=loss, doubled=doubled) + _text_faults(faults, calm, robots, mode)
     scenario = read_scenario(file, wrong)
     check_newcomer(scenario, file, "agents simulate")
     from swarmgrasp.agents import simulator
@@ -118,9 +126,9 @@ def simulate(
         kinds = [simulator.Mode(each) for each in _modes(mode)]
         planners = {kind: simulator.mission_of(problem, kind) for kind in kinds}
     asked = _Asked(robots, groups, faults)
-    given: dict[str, Any] = {"loss": loss, "doubled": doubled, "delay": delay, "missed": missed,
-                             "turned": turned, "calm": calm, "locks": locks or None}  # fmt: skip
+    given: dict[str, Any] = {"loss": loss, "doubled": doubled, "locks": locks or None}
     fixed = {what: value for what, value in given.items() if value is not None}
+    fixed |= {what: amount.value(scenario.terms) for what, amount in amounts.items()}
     numbers = _seeds(seeds)
     done: list[Outcome] = []
     with shown_progress(len(numbers) * len(kinds), "simulating") as told:
@@ -190,7 +198,7 @@ def _command(file: str, schedule: "Schedule") -> str:
     usual = {field: getattr(type(schedule), field) for field in FIELDS}
     for what, value in usual.items():
         if getattr(schedule, what) != value:
-            words += [f"--{what}", f"{getattr(schedule, what):.9g}"]
+            words += [f"--{what}", f"{getattr(schedule, what):.9g}{UNITS.get(what, '')}"]
     words += ["--locks"] if schedule.locks else []
     return shlex.join(words)
 
@@ -233,6 +241,17 @@ def _seeds_faults(seeds: str) -> list[str]:
     return []
 
 
+def _amounts(**given: str | None) -> dict[str, Amount]:
+    """Return the amounts of a schedule that are given, by what they are."""
+    from swarmgrasp.agents.simulator import RANGES
+
+    return {
+        what: Amount(f"--{what}", text, KINDS[UNITS[what]], *RANGES[what][:2])
+        for what, text in given.items()
+        if text is not None
+    }
+
+
 def _number_faults(**values: float | None) -> list[str]:
     """Return what is wrong with the numbers of a schedule."""
     from swarmgrasp.agents.simulator import number_faults
@@ -241,23 +260,19 @@ def _number_faults(**values: float | None) -> list[str]:
     return [f"--{fault}" for fault in number_faults(given)]
 
 
-def _text_faults(
-    faults: str | None, calm: float | None, robots: str | None, mode: str
-) -> list[str]:
+def _text_faults(faults: str | None, calm: str | None, robots: str | None, mode: str) -> list[str]:
     """Return what is wrong with faults given as text."""
     wrong = []
     if faults is None:
         if calm is not None:
             wrong.append("--calm is of --faults; without them it is drawn")
         return wrong
-    from swarmgrasp.agents.simulator import number_faults, read_faults
+    from swarmgrasp.agents.simulator import read_faults
 
     if robots is not None and mode != "groups":
         wrong.append("--robots is not for --faults, which say who joins")
     if robots is None and mode == "groups":
         wrong.append("--faults in groups needs --robots: how many there are in all")
-    if calm is not None:
-        wrong += [f"--{fault}" for fault in number_faults({"calm": calm})]
     try:
         read_faults(faults)
     except SwarmGraspError as error:
