@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 import swarmgrasp as sg
-from swarmgrasp.environment import KNOT, beaufort
+from swarmgrasp.environment import KNOT, beaufort_number
 from swarmgrasp.plot import capability_diagram, save
 
 TONNE_FORCE = 9806.65  # N
@@ -60,7 +60,7 @@ for what, speeds, i in (
     ("After the worst loss they", found.after_loss, found.worst_after_loss),
 ):
     print(
-        f"{what} hold {speeds[i] / KNOT:.0f} kn of wind, Beaufort {beaufort(speeds[i])}, "
+        f"{what} hold {speeds[i] / KNOT:.0f} kn of wind, Beaufort {beaufort_number(speeds[i])}, "
         f"from any bearing; the worst is {np.degrees(found.bearings[i]):.0f} degrees"
     )
 print("That loss is", " and ".join(found.worst_losses[found.worst_after_loss]))

@@ -16,7 +16,7 @@ from swarmgrasp import (
     Wind,
     WindCoefficients,
 )
-from swarmgrasp.environment import KNOT, beaufort, vessel_type
+from swarmgrasp.environment import KNOT, beaufort_number, vessel_type
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.scenario import load_example, parse_scenario
 
@@ -165,11 +165,11 @@ def test_types_of_vessel_are_told_apart():
 
 
 def test_the_beaufort_scale():
-    """Its steps are those of the World Meteorological Organization, to 0.1 m/s."""
+    """Its steps are those of the World Meteorological Organization, each by its strongest wind."""
     most = [0.2, 1.5, 3.3, 5.4, 7.9, 10.7, 13.8, 17.1, 20.7, 24.4, 28.4, 32.6]
-    assert [beaufort(speed) for speed in most] == list(range(12))
-    assert [beaufort(speed + 0.1) for speed in most] == list(range(1, 13))
-    assert beaufort(34.0 * KNOT) == 8  # a gale
+    assert [beaufort_number(speed) for speed in most] == list(range(12))
+    assert [beaufort_number(speed + 0.1) for speed in most] == [*range(11), 12]
+    assert beaufort_number(34.0 * KNOT) == 7  # the weakest gale, where Beaufort 8 begins
 
 
 PAGE = (Path(__file__).parents[1] / "docs" / "environment.md").read_text(encoding="utf-8")

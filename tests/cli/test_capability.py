@@ -42,7 +42,7 @@ def test_tells_the_least_wind_and_the_worst_loss(run):
     assert lines[0] == "Supply vessel: holds 73.0 kn (37.6 m/s, Beaufort 12) from any bearing"
     assert "Intact             least from 70 deg: 73.0 kn (37.6 m/s, Beaufort 12)" in lines
     assert "                   there the robots are weakest at moving to starboard" in lines
-    assert "Without one robot  least from 55 deg: 58.9 kn (30.3 m/s, Beaufort 11)" in lines
+    assert "Without one robot  least from 55 deg: 58.9 kn (30.3 m/s, Beaufort 10)" in lines
     assert "                   the worst loss there: port propeller" in lines
     assert "Current            1.50 kn (0.77 m/s), from where the wind comes" in lines
     assert "Allowance          all loads times 1.25" in lines

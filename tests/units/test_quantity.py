@@ -9,7 +9,7 @@ import pytest
 
 from swarmgrasp.environment import STEPS
 from swarmgrasp.errors import QuantityInvalid
-from swarmgrasp.units import PLAIN, beaufort, beaufort_speed, quantity, size, spellings
+from swarmgrasp.units import PLAIN, beaufort_number, beaufort_speed, quantity, size, spellings
 
 AS_PINT = {
     "°": "degree", "in": "inch", "kip": "kip", "kn": "knot", "t": "metric_ton",
@@ -113,8 +113,8 @@ def test_rare_units_are_exact() -> None:
 def test_the_scale_of_winds_goes_both_ways() -> None:
     """The strongest wind of a number has that number, and a little more the next."""
     for force in range(12):
-        assert beaufort(beaufort_speed(force)) == force
-        assert beaufort(beaufort_speed(force) + 0.1) == force + 1
+        assert beaufort_number(beaufort_speed(force)) == force
+        assert beaufort_number(beaufort_speed(force) - 0.1) == max(0, force - 1)
 
 
 def test_the_winds_of_the_steps_are_those_of_the_scale() -> None:

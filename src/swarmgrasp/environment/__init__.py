@@ -11,7 +11,7 @@ from swarmgrasp.environment.loads import AIR, WATER, Current, Wind
 from swarmgrasp.environment.sea import STEPS, STRONGEST_SEA, Step, sea_of
 from swarmgrasp.environment.table import WindTable
 from swarmgrasp.environment.waves import Waves
-from swarmgrasp.units import KNOT, beaufort
+from swarmgrasp.units import KNOT, beaufort_number
 
 __all__ = [
     "AIR",
@@ -28,7 +28,7 @@ __all__ = [
     "Wind",
     "WindCoefficients",
     "WindTable",
-    "beaufort",
+    "beaufort_number",
     "sea_of",
     "vessel_type",
 ]

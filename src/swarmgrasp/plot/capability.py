@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from swarmgrasp.capability import Capability
-from swarmgrasp.environment import KNOT, beaufort
+from swarmgrasp.environment import KNOT, beaufort_number
 from swarmgrasp.plot import all_round, polar, style, written
 from swarmgrasp.plot.all_round import AFTER_LOSS, INTACT, Curve
 from swarmgrasp.terms import SI, Terms
@@ -157,7 +157,7 @@ def _least(found: Capability, speeds: Vector, index: int) -> tuple[str, str, str
     size, name = written.other_speed()
     told, over, bearing = (most, "over ", "any") if speed >= most else (speed, "", bearing)
     winds = f"{over}{told / KNOT:.3g} kn", f"{told / size:.3g} {name}"
-    return (*winds, f"{beaufort(told)}", bearing)
+    return (*winds, f"{beaufort_number(told)}", bearing)
 
 
 def _small_print(found: Capability, curves: list[Curve]) -> list[str]:

@@ -1,6 +1,6 @@
 """The units that people write, and the numbers they stand for."""
 
-from swarmgrasp.units.beaufort import beaufort, beaufort_speed
+from swarmgrasp.units.beaufort import beaufort_number, beaufort_speed
 from swarmgrasp.units.compass import COMPASS, bearing, compass_point
 from swarmgrasp.units.geographic import is_geographic
 from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, split, unit_size
@@ -29,7 +29,7 @@ __all__ = [
     "PLAIN",
     "SPEEDS",
     "bearing",
-    "beaufort",
+    "beaufort_number",
     "beaufort_speed",
     "canonical",
     "compass_point",

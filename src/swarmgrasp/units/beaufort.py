@@ -1,4 +1,7 @@
-"""The Beaufort scale, both ways."""
+"""The Beaufort scale, both ways.
+
+A number always stands for its strongest wind, so that who holds in it holds in all of it.
+"""
 
 from bisect import bisect_right
 
@@ -8,24 +11,28 @@ from swarmgrasp.ranges import number, shown
 _LEAST = (0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7)
 """Least wind speeds [m/s] of Beaufort 1 to 12, as the World Meteorological Organization
 lists them."""
+_MOST = tuple(round(least - 0.1, 1) for least in _LEAST)
+"""The strongest winds [m/s] of Beaufort 0 to 11."""
 
 
-def beaufort(speed: float) -> int:
-    """Return the Beaufort number of a wind, from 0 to 12.
+def beaufort_number(speed: float) -> int:
+    """Return the largest Beaufort number, 0 to 12, none of whose winds exceeds a wind.
 
     Parameters
     ----------
     speed : float [m/s]
-        The mean over ten minutes, 10 m above the sea; rounded to 0.1 m/s, as the scale is.
+        The mean over ten minutes, 10 m above the sea; rounded to 0.1 m/s, as the scale is. From
+        32.7 m/s on the number is 12, which has no strongest wind.
 
     Examples
     --------
-    A fresh breeze, a storm, a hurricane:
+    Beaufort 5 ends at 10.7 m/s:
 
-    >>> beaufort(9.0), beaufort(25.7), beaufort(40.0)
-    (5, 10, 12)
+    >>> beaufort_number(10.6), beaufort_number(10.7), beaufort_number(32.6), beaufort_number(40.0)
+    (4, 5, 11, 12)
     """
-    return bisect_right(_LEAST, round(speed, 1))
+    wind = round(speed, 1)
+    return len(_MOST) if wind > _MOST[-1] else max(0, bisect_right(_MOST, wind) - 1)
 
 
 def beaufort_speed(force: float) -> float:
@@ -43,18 +50,18 @@ def beaufort_speed(force: float) -> float:
 
     Examples
     --------
-    >>> beaufort_speed(4), beaufort(7.9), beaufort(8.0)
-    (7.9, 4, 5)
+    >>> beaufort_speed(4), beaufort_number(7.9)
+    (7.9, 4)
 
     The steps of DNV-ST-0111 have the same winds, but for 3.4 m/s in step 2:
 
-    >>> beaufort_speed(2), beaufort(3.4)
-    (3.3, 3)
+    >>> beaufort_speed(2)
+    3.3
     """
     value = number(force)
-    if value not in range(len(_LEAST)):
+    if value not in range(len(_MOST)):
         raise QuantityInvalid(
             f"Beaufort {shown(force)} is no step of the scale that has a strongest wind; give a "
             "whole number from 0 to 11, or a speed in kn or m/s"
         )
-    return round(_LEAST[int(value)] - 0.1, 1)
+    return _MOST[int(value)]

@@ -19,7 +19,7 @@ from swarmgrasp.cli.show.all_round import (
 )
 from swarmgrasp.cli.show.change import telling_of
 from swarmgrasp.cli.show.report import Column, Report
-from swarmgrasp.environment import KNOT, beaufort
+from swarmgrasp.environment import KNOT, beaufort_number
 from swarmgrasp.quality import Criterion
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
@@ -135,8 +135,8 @@ def numbers(found: Capability, speed: float, tell: Telling) -> list[str]:
         return ["none", "", ""]
     limit, size = most(found), SPEEDS[second_unit(tell)]
     if speed >= limit:
-        return [f">{rounded(limit / KNOT)}", f">{limit / size:.1f}", str(beaufort(limit + 0.1))]
-    return [decimals(speed / KNOT), decimals(speed / size), str(beaufort(speed))]
+        return [f">{rounded(limit / KNOT)}", f">{limit / size:.1f}", str(beaufort_number(limit))]
+    return [decimals(speed / KNOT), decimals(speed / size), str(beaufort_number(speed))]
 
 
 def most(found: Capability) -> float:
@@ -148,4 +148,4 @@ def wind_text(found: Capability, speed: float, tell: Telling) -> str:
     """Return a wind [m/s] as text."""
     if speed >= most(found):
         return f"more than {rounded(most(found) / KNOT)} kn"
-    return f"{speed_text(speed, tell)[:-1]}, Beaufort {beaufort(speed)})"
+    return f"{speed_text(speed, tell)[:-1]}, Beaufort {beaufort_number(speed)})"

@@ -7,7 +7,7 @@ from swarmgrasp.cli.show.all_round import clockwise_note, degrees, speed_text, s
 from swarmgrasp.cli.show.change import spot, spot_columns, telling_of
 from swarmgrasp.cli.show.placement import place_facts
 from swarmgrasp.cli.show.report import Column, Report
-from swarmgrasp.environment import beaufort
+from swarmgrasp.environment import beaufort_number
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import percent
@@ -52,7 +52,7 @@ def _wind(speed: float, tell: Telling) -> str:
     """Return a wind [m/s] as text."""
     if speed == 0.0:
         return "no wind"
-    return f"{speed_text(speed, tell)[:-1]}, Beaufort {beaufort(speed)})"
+    return f"{speed_text(speed, tell)[:-1]}, Beaufort {beaufort_number(speed)})"
 
 
 def _change(found: CapabilityPlacement, tell: Telling) -> str:
