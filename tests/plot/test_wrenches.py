@@ -2,7 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from mpl_toolkits.mplot3d import proj3d
+from mpl_toolkits.mplot3d import art3d, proj3d
 
 from swarmgrasp import Criterion, Ellipsoid, Outline, Polytope, Robot, Swarm, Tolerance
 from swarmgrasp.plot import wrench_sets
@@ -45,6 +45,24 @@ def test_cutting_the_ball_loses_and_adds_nothing(crowd):
 def area(polygon):
     fan = np.cross(polygon[1:-1] - polygon[0], polygon[2:] - polygon[0])
     return float(np.linalg.norm(fan, axis=1).sum() / 2.0)
+
+
+class Scribbled:
+    """NumPy, where new memory holds the largest numbers there are."""
+
+    def __getattr__(self, name):
+        return getattr(np, name)
+
+    @staticmethod
+    def empty(shape, dtype=float):
+        """Return an array of these."""
+        return np.full(shape, np.finfo(float).max if dtype is float else 0, dtype)
+
+
+def test_what_memory_holds_does_not_get_into_a_picture(barge, monkeypatch):
+    """Of faces with several numbers of corners, matplotlib fills the rest with just that."""
+    monkeypatch.setattr(art3d, "np", Scribbled())
+    wrench_sets(barge)
 
 
 def test_the_ball_is_round_on_paper(barge):

@@ -18,6 +18,7 @@ from swarmgrasp.plot import style, written
 from swarmgrasp.plot.bodies import Body, body, split
 from swarmgrasp.plot.figure import Drawn
 from swarmgrasp.plot.fit import fit
+from swarmgrasp.plot.polygons import masked
 from swarmgrasp.plot.sheet import Caption
 from swarmgrasp.quality import Criterion
 from swarmgrasp.quality.criterion import NOMINAL
@@ -212,7 +213,7 @@ def _draw_solids(
 def _add(ax: Axes3D, polygons: Any, factor: float, colours: Any, edges: Any, **look: Any) -> None:
     """Add polygons [N] as one collection, with their own colours."""
     if len(polygons):
-        scaled = [factor * np.asarray(polygon) for polygon in polygons]
+        scaled = factor * masked(polygons)
         shape: dict[str, Any] = {"linewidths": 0.5}
         ax.add_collection3d(
             Poly3DCollection(scaled, facecolors=colours, edgecolors=edges, **(shape | look))

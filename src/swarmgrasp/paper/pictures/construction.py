@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
+from swarmgrasp.plot.polygons import masked
 from swarmgrasp.quality import quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.wrench_set import WrenchSet
@@ -88,7 +89,7 @@ def _draw_set(ax: Axes3D, mesh: Mesh, before: Mesh, scale: Vectors) -> None:
     faces = [mesh.vertices[list(face)] * scale for face in mesh.faces]
     if faces:
         glass = {"facecolor": style.GREY, "alpha": 0.12, "edgecolor": "none", "zorder": 2}
-        ax.add_collection3d(Poly3DCollection(faces, **glass))
+        ax.add_collection3d(Poly3DCollection(masked(faces), **glass))
     for one, colour, width in ((mesh, style.GREY, 0.6), (before, style.INK, 0.9)):
         edges = [one.vertices[list(edge)] * scale for edge in one.edges]
         ax.add_collection3d(Line3DCollection(edges, colors=colour, linewidths=width, zorder=3))
