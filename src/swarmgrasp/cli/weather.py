@@ -258,11 +258,7 @@ class Weather(_Sea, _Current, _Wind):
             return scenario
         around = self.environment(scenario, file, phrasing.terms(scenario), next(iter(self.given)))
         outline, criterion = scenario.swarm.outline, scenario.criterion
-        before = scenario.environment
-        is_weather = before is not None and before.is_steady and criterion.has_load
-        if criterion.has_load and not (
-            is_weather and before is not None and _same(before.load(outline), criterion.load)
-        ):
+        if criterion.has_load and not scenario.is_in_weather:
             complain([f"{source_of(file)}: the weather given takes the place of the file's load"])
         surge, sway, yaw = around.load(outline).tolist()
         return replace(
@@ -325,10 +321,3 @@ def _without_wind(around: "Environment") -> "Environment":
     if lacking:
         raise UsageFault(lacking)
     return replace(around, wind=replace(around.wind, speed=0.0, bearing=0.0))
-
-
-def _same(load: object, other: object) -> bool:
-    """Tell whether two loads are one."""
-    import numpy as np
-
-    return bool(np.allclose(load, other, rtol=1e-9, atol=0.0))  # type: ignore[arg-type]

@@ -1,6 +1,7 @@
 """What is around an object: wind, current and waves."""
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,9 @@ from swarmgrasp.outline import Outline
 from swarmgrasp.outline.outline import check_outline
 from swarmgrasp.plain import Plain
 from swarmgrasp.ranges import kind_faults
+
+SAME: Final = 1e-9
+"""Difference of a load from that of surroundings, relative, that counts as none."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +80,16 @@ class Environment(Plain):
     def is_steady(self) -> bool:
         """Whether a steady wind is given, so that there is a steady load."""
         return self.wind.speed is not None
+
+    def exerts(self, outline: Outline, load: ArrayLike) -> bool:
+        """Tell whether a load is the steady one of these surroundings.
+
+        Parameters
+        ----------
+        outline : Outline
+        load : (3,) [N, N, N m]
+        """
+        return self.is_steady and bool(np.allclose(self.load(outline), load, rtol=SAME, atol=0.0))
 
     @property
     def grows_with_square(self) -> bool:

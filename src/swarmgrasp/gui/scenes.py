@@ -5,8 +5,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from swarmgrasp.errors import FileFault, ScenarioInvalid
 from swarmgrasp.gui.figures import LABELS
 from swarmgrasp.gui.messages import Doc, Fault, Measure, Speech
@@ -16,8 +14,6 @@ from swarmgrasp.scenario import Scenario, example_names, example_text, parse_sce
 from swarmgrasp.terms import Frame, Terms
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
-SAME = 1e-9
-"""Relative difference of two loads that is none."""
 _TITLE = re.compile(r"^name:\s*(.+?)\s*$", re.MULTILINE)
 _KEY = re.compile(r"([\w.-]+): ")
 
@@ -77,17 +73,12 @@ def faults_in(told: Iterable[str]) -> tuple[Fault, ...]:
 
 def doc_of(scenario: Scenario) -> Doc:
     """Return the document of a scenario."""
-    environment, criterion = scenario.environment, scenario.criterion
-    in_weather = False
-    if environment is not None and environment.is_steady and criterion.has_load:
-        load = environment.load(scenario.swarm.outline)
-        in_weather = bool(np.allclose(load, criterion.load, rtol=SAME, atol=0.0))
     return Doc(
         name=scenario.name,
         description=scenario.description,
         problem=scenario.problem().to_data(),
-        environment=plain(environment),
-        in_weather=in_weather,
+        environment=plain(scenario.environment),
+        in_weather=scenario.is_in_weather,
         newcomer=scenario.newcomer is not None,
     )
 

@@ -13,9 +13,6 @@ from swarmgrasp.plot import style, written
 from swarmgrasp.plot.arrows import draw_arrows
 from swarmgrasp.plot.labels import Page
 
-SAME: Final = 1e-9
-"""Difference of a load from that of the weather, relative, that counts as none."""
-
 ROW: Final = 24.0
 """Height of a row [pt]: the arrow, whichever way it goes, and a gap."""
 
@@ -63,9 +60,7 @@ def flows_of(
     load : (3,) [N, N, N m]
         On the object; of something else nothing is drawn.
     """
-    if environment is None or not environment.is_steady:
-        return ()
-    if not np.allclose(environment.load(outline), load, rtol=SAME, atol=0.0):
+    if environment is None or not environment.exerts(outline, load):
         return ()
     wind, current, waves = environment.wind, environment.current, environment.waves
     from_, speed = wind.bearing or 0.0, wind.speed or 0.0

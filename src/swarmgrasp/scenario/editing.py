@@ -393,7 +393,7 @@ class _Edit:
         section = self.root.get("criterion")
         word = None if section is None else section.get("load")
         will = self.keys.criterion(after.criterion)
-        is_weather = self._is_weather(after)
+        is_weather = after.is_in_weather
         if is_weather:
             will["load"] = "environment"
         if before.criterion == after.criterion:
@@ -408,13 +408,6 @@ class _Edit:
         else:
             groups = [(key,) for key in ("losing", "failures", "worst_case", "load", "task")]
             self._groups(section, groups, was, will)
-
-    def _is_weather(self, scenario: Scenario) -> bool:
-        """Tell whether a load is that of the environment."""
-        around, load = scenario.environment, scenario.criterion.load
-        if around is None or not around.is_steady or not scenario.criterion.has_load:
-            return False
-        return bool(_is_close(around.load(scenario.swarm.outline).tolist(), load))
 
     def _environment(self) -> None:
         """Say wind, current and waves."""

@@ -72,6 +72,16 @@ class Scenario(Frozen, Visible):
         """The slips in words, each with its place."""
         return tuple(map(str, self.slips))
 
+    @property
+    def is_in_weather(self) -> bool:
+        """Whether the load of the criterion is that of the environment, and not something else."""
+        around, load = self.environment, self.criterion.load
+        return (
+            around is not None
+            and self.criterion.has_load
+            and around.exerts(self.swarm.outline, load)
+        )
+
     def problem(self, criterion: Criterion | None = None) -> Problem:
         """Return the question where the newcomer goes; one that may go anywhere if there is none.
 

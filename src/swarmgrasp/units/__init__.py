@@ -2,7 +2,7 @@
 
 from swarmgrasp.units.beaufort import beaufort_number, beaufort_speed
 from swarmgrasp.units.compass import COMPASS, bearing, compass_point
-from swarmgrasp.units.geographic import is_geographic
+from swarmgrasp.units.geographic import is_geographic, may_be_geographic
 from swarmgrasp.units.quantity import in_unit, is_quantity, quantity, split, unit_size
 from swarmgrasp.units.spellings import (
     ANGLES,
@@ -36,6 +36,7 @@ __all__ = [
     "in_unit",
     "is_geographic",
     "is_quantity",
+    "may_be_geographic",
     "quantity",
     "size",
     "spellings",

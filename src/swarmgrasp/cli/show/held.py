@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from swarmgrasp.cli.show.change import unit_of
-from swarmgrasp.environment import Environment, Waves
-from swarmgrasp.outline import Outline
+from swarmgrasp.environment import Waves
 from swarmgrasp.quality import Loss, Quality, quality
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
@@ -108,7 +107,7 @@ def drift_words(missing: ArrayLike, swarm: Swarm) -> str:
 def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:
     """Say in which weather a load acts: the file's wind and current, if the load is theirs."""
     environment = scenario.environment
-    if environment is None or not _is_of(load, environment, scenario.swarm.outline):
+    if environment is None or not environment.exerts(scenario.swarm.outline, load):
         return "against the load"
     wind, current = environment.wind, environment.current
     speed, bearing = wind.speed or 0.0, wind.bearing or 0.0
@@ -128,10 +127,3 @@ def _sea_words(waves: Waves, wind_bearing: float, tell: Telling) -> str:
     if waves.height is None or waves.period is None:
         return f"the sea of that wind {way}"
     return f"a sea of {tell.length.short(waves.height)} and {waves.period:.3g} s {way}"
-
-
-def _is_of(load: ArrayLike, environment: Environment, outline: Outline) -> bool:
-    """Tell whether a load is that of an environment."""
-    if not environment.is_steady:
-        return False
-    return bool(np.allclose(environment.load(outline), load, rtol=SAME, atol=0.0))

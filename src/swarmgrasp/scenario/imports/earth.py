@@ -11,8 +11,6 @@ EQUATOR, FLATTENING = 6_378_137.0, 1.0 / 298.257223563
 _SQUARED = FLATTENING * (2.0 - FLATTENING)
 NARROWEST = 6_335_000.0
 """Least radius of curvature [m] of that ellipsoid, rounded down."""
-WIDEST = 0.05
-"""Degrees across, 5.5 km, up to which coordinates may be an object's longitudes and latitudes."""
 
 
 class Local(NamedTuple):
@@ -30,21 +28,6 @@ class Local(NamedTuple):
     points: list[Point]
     middle: Point
     error: float
-
-
-def looks_like_degrees(points: Sequence[Point]) -> bool:
-    """Tell whether coordinates are longitudes and latitudes of an object of up to 5 km.
-
-    Examples
-    --------
-    >>> looks_like_degrees([(10.1, 54.3), (10.101, 54.3), (10.1, 54.301)])
-    True
-    >>> looks_like_degrees([(0, 0), (60, 0), (60, 20)])
-    False
-    """
-    if any(abs(x) > 180.0 or abs(y) > 90.0 for x, y in points):
-        return False
-    return max(_turned(points)) <= WIDEST
 
 
 def on_the_plane(points: Sequence[Point]) -> Local:
@@ -93,10 +76,3 @@ def _in_space(lon: float, lat: float) -> tuple[float, float, float]:
         radius * math.cos(lat) * math.sin(lon),
         radius * (1.0 - _SQUARED) * math.sin(lat),
     )
-
-
-def _turned(points: Sequence[Point]) -> tuple[float, float]:
-    """Return how many degrees points are apart, east to west and north to south."""
-    east = [math.remainder(x - points[0][0], 360.0) for x, _ in points]
-    north = [y for _, y in points]
-    return max(east) - min(east), max(north) - min(north)

@@ -9,12 +9,12 @@ from swarmgrasp.errors import PackageMissing
 from swarmgrasp.scenario.fields import FARTHEST
 from swarmgrasp.scenario.imports.csv_outline import read_csv_outline
 from swarmgrasp.scenario.imports.dxf import read_dxf
-from swarmgrasp.scenario.imports.earth import looks_like_degrees, on_the_plane
+from swarmgrasp.scenario.imports.earth import on_the_plane
 from swarmgrasp.scenario.imports.geojson import read_geojson
 from swarmgrasp.scenario.imports.hull import Hull, centreline, looks_halved, mirrored, pointed_along
 from swarmgrasp.scenario.imports.source import Source
 from swarmgrasp.scenario.imports.svg import read_svg
-from swarmgrasp.units import canonical, size, spellings
+from swarmgrasp.units import canonical, may_be_geographic, size, spellings
 
 Coordinates = Literal["degrees", "metres"]
 SUFFIXES = (".geojson", ".json", ".csv", ".tsv", ".txt", ".svg", ".dxf")
@@ -126,7 +126,7 @@ def _in_unit(hull: Hull, source: Source, unit: str, wish: Wish) -> Hull | None:
     if wish.coordinates is not None:
         own = "deg" if wish.coordinates == "degrees" else "m" if own == "deg" else own
     elif not own and is_map:
-        own = "deg" if looks_like_degrees(hull.points) else "m"
+        own = "deg" if may_be_geographic(hull.points) else "m"
         if own == "m":
             said = "The coordinates are taken for metres: they are no longitudes and latitudes"
             hull = hull.with_word(f"{said} of anything smaller than 5 km.")
