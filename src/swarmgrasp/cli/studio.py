@@ -185,13 +185,16 @@ def _scene(file: str, known: "dict[str, Source]") -> "tuple[str, Source]":
     if file in known and not is_written(file):
         return file, known[file]
     if file == DASH:
-        name, folder, raw = STDIN, None, read_stdin(LARGEST_FILE)
+        raw = read_stdin(LARGEST_FILE)
         scenario = parse_scenario(raw, STDIN)
     else:
         scenario = read_scenario(file)  # its faults are told here, before a page opens
-        name, folder, raw = Path(file).stem, Path(file).parent, Path(file).read_bytes()
-    text = raw.decode("utf-8-sig") if scenario.answer is None else scenario_text(scenario)
-    return name, Source(text, folder)
+        raw = Path(file).read_bytes()
+    name = STDIN if file == DASH else Path(file).stem
+    if scenario.answer is not None:
+        return name, Source(scenario_text(scenario))
+    text = raw.decode("utf-8-sig")
+    return name, Source(text) if file == DASH else Source.beside(text, Path(file).parent)
 
 
 def _has_display() -> bool:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.errors import ScenarioInvalid
@@ -58,6 +59,7 @@ def errands_of(
     run : Recorded, optional
         A run to play.
     """
+    files = {path: at for source in scenes.values() for path, at in source.files.items()}
 
     def opened(message: Open) -> bytes:
         """Return a scene that is known."""
@@ -68,10 +70,10 @@ def errands_of(
 
     errands: dict[type, Errand] = {
         Open: opened,
-        Text: lambda message: told_scene(message.n, message.name, Source(message.text)),
+        Text: lambda message: told_scene(message.n, message.name, Source(message.text, files)),
         Forces: told_forces,
         Sequence: told_sequence,
-        Write: told_text,
+        Write: lambda message: told_text(message, files),
     }
     if run is not None:
         errands[Run] = lambda message: run.told(message.n, _terms(opens, scenes[opens]))
@@ -176,16 +178,16 @@ def told_report(message: Report, reporting: Reporting) -> bytes:
     return write_message(ReportTold(message.n, reporting(scenario, scenario.name, message.text)))
 
 
-def told_text(message: Write) -> bytes:
-    """Tell the text of a scenario with what the document changes."""
-    before = parse_scenario(message.text)
+def told_text(message: Write, files: Mapping[str, Path]) -> bytes:
+    """Tell the text of a scenario with what the document changes; it may take from some files."""
+    before = parse_scenario(message.text, folder=files)
     question = question_of(message.doc, speech_of(before))
     if message.doc.newcomer and not question.places:
         raise ScenarioInvalid(NO_ZONE)
     scenario = replace(
         _scenario(message.doc, question), terms=before.terms, simulation=before.simulation
     )
-    return write_message(Written(message.n, edited(message.text, scenario)))
+    return write_message(Written(message.n, edited(message.text, scenario, folder=files)))
 
 
 def _scenario(doc: Doc, question: Question) -> Scenario:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from swarmgrasp.errors import FileFault, ScenarioInvalid
@@ -10,7 +10,7 @@ from swarmgrasp.gui.figures import LABELS
 from swarmgrasp.gui.messages import Doc, Fault, Measure, Speech
 from swarmgrasp.gui.replies import Scene, SceneTitle
 from swarmgrasp.plain import plain
-from swarmgrasp.scenario import Scenario, example_names, example_text, parse_scenario
+from swarmgrasp.scenario import Scenario, example_names, example_text, named_files, parse_scenario
 from swarmgrasp.terms import Frame, Terms
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
@@ -20,10 +20,15 @@ _KEY = re.compile(r"([\w.-]+): ")
 
 @dataclass(frozen=True)
 class Source:
-    """A scene's text, and the folder that paths in it are relative to."""
+    """A scene's text, and the files that texts may take from: paths as they say them, and where."""
 
     text: str
-    folder: Path | None = None
+    files: Mapping[str, Path] = field(default_factory=dict)
+
+    @classmethod
+    def beside(cls, text: str, folder: Path) -> "Source":
+        """Return the scene of a text in a folder; only the files that it names itself are read."""
+        return cls(text, {path: folder / path for path in named_files(text)})
 
 
 def built_in() -> dict[str, Source]:
@@ -47,7 +52,7 @@ def scene_of(n: int, name: str, source: Source) -> Scene:
     ScenarioInvalid
         If its text has faults.
     """
-    scenario = parse_scenario(source.text, f"{name}.yaml", source.folder)
+    scenario = parse_scenario(source.text, f"{name}.yaml", source.files)
     warnings = tuple(map(_fault, scenario.slips))
     return Scene(n, name, source.text, doc_of(scenario), speech_of(scenario), warnings)
 

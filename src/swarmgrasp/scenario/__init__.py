@@ -4,7 +4,7 @@ from swarmgrasp.scenario.convert import Converted, convert
 from swarmgrasp.scenario.editing import edited
 from swarmgrasp.scenario.examples import example_names, example_text, load_example
 from swarmgrasp.scenario.json_schema import scenario_schema
-from swarmgrasp.scenario.reading import load_scenario, parse_scenario
+from swarmgrasp.scenario.reading import load_scenario, named_files, parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.writing import scenario_text, write
 
@@ -17,6 +17,7 @@ __all__ = [
     "example_text",
     "load_example",
     "load_scenario",
+    "named_files",
     "parse_scenario",
     "scenario_schema",
     "scenario_text",

@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from difflib import SequenceMatcher
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.scenario.file_keys import FileKeys
+from swarmgrasp.scenario.imports.expand import Folder
 from swarmgrasp.scenario.reading import parse_scenario
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.splice import Part, Splice
@@ -39,9 +39,7 @@ ZONE = (("attachment", "half_angle"), ("directions",))
 """of a zone, but for where and its name."""
 
 
-def edited(
-    text: str, scenario: Scenario, source: str = "<text>", folder: Path | None = None
-) -> str:
+def edited(text: str, scenario: Scenario, source: str = "<text>", folder: Folder = None) -> str:
     r"""Return the text of a scenario file with what is different in a scenario put into it.
 
     All else stays as it is written: comments, order, units, frame, and how places are said where
@@ -206,6 +204,8 @@ class _Edit:
         old, outline = self.before.swarm.outline, self.after.swarm.outline
         new, vertices = self.keys.outline(outline), section.get("vertices")
         if vertices is None:
+            if section.get("file") is not None:  # the corners are no longer those of the file
+                self._set(self.root, "outline", new)
             return
         corners, names = self.spots.as_written(vertices, new["vertices"], new.get("edges"))
         if len(corners) == len(vertices.items):

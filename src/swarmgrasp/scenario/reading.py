@@ -12,7 +12,7 @@ from swarmgrasp.scenario.asking import answer_in, scenario_of
 from swarmgrasp.scenario.build import build
 from swarmgrasp.scenario.document import read_document
 from swarmgrasp.scenario.faults import Faults
-from swarmgrasp.scenario.imports.expand import expand
+from swarmgrasp.scenario.imports.expand import Folder, expand, files_named
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.validate import check
 
@@ -63,9 +63,7 @@ def _bytes_of(path: str | Path) -> bytes:
     return raw
 
 
-def parse_scenario(
-    text: str | bytes, source: str = "<text>", folder: Path | None = None
-) -> Scenario:
+def parse_scenario(text: str | bytes, source: str = "<text>", folder: Folder = None) -> Scenario:
     r"""Read a scenario from text, or the question of an answer.
 
     Parameters
@@ -74,9 +72,9 @@ def parse_scenario(
         YAML 1.2, or an answer in JSON; bytes in UTF-8.
     source : str
         What messages call the text; a file's name, as a rule.
-    folder : Path, optional
-        That paths in it are relative to; a scenario that takes something from a file is refused
-        when left out.
+    folder : Path, or mapping of str to Path, optional
+        That paths in it are relative to, or the only paths that it may name with where they are; a
+        scenario that takes something from a file is refused when left out.
 
     Returns
     -------
@@ -109,6 +107,22 @@ def parse_scenario(
     root = read_document(text, faults)
     taken = expand(root, faults, folder)
     return build(check(root, faults, taken.stand_ins), Path(source).stem)
+
+
+def named_files(text: str) -> list[str]:
+    r"""Return the paths of the files that the text of a scenario takes something from, as it says.
+
+    Raises
+    ------
+    ScenarioInvalid
+        If the text is no YAML.
+
+    Examples
+    --------
+    >>> named_files("outline: {file: hull.dxf}\nrobots: []")
+    ['hull.dxf']
+    """
+    return files_named(read_document(text, Faults("<text>")))
 
 
 def _decoded(raw: bytes, faults: Faults) -> str:

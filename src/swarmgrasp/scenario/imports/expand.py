@@ -1,6 +1,6 @@
 """Put into a document what it takes from other files: an outline, robots, a matrix, loads."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ from swarmgrasp.scenario.imports.outlines import DETECT, Wish, read_outline
 from swarmgrasp.scenario.imports.robots import read_robots
 from swarmgrasp.scenario.imports.source import Source
 from swarmgrasp.units import canonical, quantity
+from swarmgrasp.words import list_words
 
 OUTLINE_OPTIONS = ("part", "scale", "tolerance", "mirror", "coordinates")
 """Keys beside `file` that say how an outline is to be understood."""
@@ -24,6 +25,10 @@ OUTLINE_BESIDE = ("edges", "origin", "precision")
 _FILE = "file"
 LARGEST = 1e9
 """A scale or a tolerance is no larger."""
+
+
+Folder = Path | Mapping[str, Path] | None
+"""Where what a document takes from files is."""
 
 
 class Taken(NamedTuple):
@@ -44,7 +49,7 @@ class Taken(NamedTuple):
     bow: str = ""
 
 
-def expand(root: Node, faults: Faults, folder: Path | None) -> Taken:
+def expand(root: Node, faults: Faults, folder: Folder) -> Taken:
     """Replace what a document takes from files by what they hold, in place.
 
     Parameters
@@ -52,8 +57,9 @@ def expand(root: Node, faults: Faults, folder: Path | None) -> Taken:
     root : Node
     faults : Faults
         Receives what is wrong with the files.
-    folder : Path or None
-        That paths are relative to; None where files may not be read.
+    folder : Path, mapping of str to Path, or None
+        That paths are relative to, or the only paths that may be said with where they are; None
+        where files may not be read.
 
     Returns
     -------
@@ -85,7 +91,7 @@ def _names_file(root: Node, key: str) -> bool:
     return held is not None and isinstance(held.value, dict) and _FILE in held.value
 
 
-def _outline(root: Node, faults: Faults, folder: Path | None) -> Hull | None:
+def _outline(root: Node, faults: Faults, folder: Folder) -> Hull | None:
     """Put the corners of a file into an outline; after a fault, those of a stand-in."""
     node = root.find(("outline",))
     held: Any = node.value
@@ -113,7 +119,7 @@ def _outline(root: Node, faults: Faults, folder: Path | None) -> Hull | None:
     return hull
 
 
-def _allocation(root: Node, faults: Faults, folder: Path | None) -> Matrix | None:
+def _allocation(root: Node, faults: Faults, folder: Folder) -> Matrix | None:
     """Put the matrix of a file into a document, and what else it says of it; None after a fault."""
     node, keys = root.find(("allocation",)), ("allocation",)
     held: Any = node.value
@@ -137,7 +143,7 @@ def _allocation(root: Node, faults: Faults, folder: Path | None) -> Matrix | Non
     return found
 
 
-def _loads(root: Node, faults: Faults, folder: Path | None) -> None:
+def _loads(root: Node, faults: Faults, folder: Folder) -> None:
     """Put the rows of a file into the table of a wind; after a fault, drop the environment."""
     keys: Keys = ("environment", "wind", "table")
     wind: Any = root.find(keys[:-1])
@@ -158,7 +164,7 @@ def _loads(root: Node, faults: Faults, folder: Path | None) -> None:
         held["rows"] = noded(found, table.mark)
 
 
-def _robots(root: Node, faults: Faults, folder: Path | None) -> bool:
+def _robots(root: Node, faults: Faults, folder: Folder) -> bool:
     """Put the robots of a file into a document, or none; tell whether the file was sound."""
     node, keys = root.find(("robots",)), ("robots",)
     held: Any = node.value
@@ -191,7 +197,7 @@ def _row(numbers: tuple[float, ...], mark: Mark) -> Node:
     return Node(mark, [Node(mark, value, repr(value)) for value in numbers])
 
 
-def _path(node: Node, keys: Keys, faults: Faults, folder: Path | None) -> Path | None:
+def _path(node: Node, keys: Keys, faults: Faults, folder: Folder) -> Path | None:
     """Return the path that a value is; None after a fault."""
     if not isinstance(node.value, str) or not node.value or "\0" in node.value:
         faults.add(node.mark, keys, f"should be the path of a file (got {node.shown()})")
@@ -199,11 +205,28 @@ def _path(node: Node, keys: Keys, faults: Faults, folder: Path | None) -> Path |
         faults.add(
             node.mark, keys, "files are read for scenarios in files only; give what it holds"
         )
+    elif isinstance(folder, Mapping):
+        if node.value in folder:
+            return folder[node.value]
+        known = f"only {list_words(list(folder))} may be read" if folder else "no file may be read"
+        faults.add(node.mark, keys, f"{known} here; give what it holds (got {node.shown()})")
     elif not (folder / node.value).exists():
         faults.add(node.mark, keys, f"there is no such file (got {node.shown()})")
     else:
         return folder / node.value
     return None
+
+
+def files_named(root: Node) -> list[str]:
+    """Return the paths of all files that a document takes something from."""
+    keys = [key for key in ("outline", "allocation", "robots") if _names_file(root, key)]
+    found = [root.find((key, _FILE)).value for key in keys]
+    wind = root.find(("environment", "wind"))
+    if _names_file(wind, "table"):
+        found.append(wind.find(("table", _FILE)).value)
+    elif isinstance(wind.value, dict) and "table" in wind.value:
+        found.append(wind.value["table"].value)
+    return [path for path in found if isinstance(path, str)]
 
 
 def length_unit(root: Node) -> str:
