@@ -1,5 +1,8 @@
 """Hands on the page: each gesture does what it says, is one step, and can be undone."""
 
+from swarmgrasp import place
+from swarmgrasp.scenario import load_example
+
 ORIGINS = "escort-ring"
 
 
@@ -92,6 +95,21 @@ def test_the_newcomer_is_kept_and_the_next_is_asked(one):
     assert problem["swarm"]["robots"][-1]["name"] == "Idunn"
     assert problem["swarm"]["robots"][-1]["contact"] == [40.0, -21.0]
     assert problem["newcomer"]["name"] == "Idunn 2"
+
+
+def test_the_newcomer_goes_where_another_place_is_told(one):
+    """A click on the second of the next best makes it a robot there, in one step."""
+    row = ".next li >> nth=1"
+    other = place(load_example(ORIGINS).problem(), runners_up=0.0).runners_up[1]
+    assert one.text(f"{row} >> .place") == other.place
+    one.focus(f"{row} >> button")
+    assert one.page.locator(".ghost").is_visible()
+    one.press("Enter")
+    problem = one.kept(ORIGINS)["doc"]["problem"]
+    assert problem["newcomer"]["name"] == "Idunn 2"
+    assert problem["swarm"]["robots"][-1]["contact"] == list(other.robot.contact)
+    one.press("Control+z")
+    assert one.kept(ORIGINS) is None
 
 
 def test_zones_and_corners_are_moved_and_robots_go_with_their_side(one):

@@ -78,6 +78,15 @@ def test_who_is_not_heard_is_not_shown_as_fine(live: Live, change: dict[str, Any
     assert (row["phase"], row["there"]) == ("not answering", True)
 
 
+def test_who_hears_whom_is_told_only_where_it_is_known(live: Live) -> None:
+    """A listener does not know; in a demonstration it is asked of the processes."""
+    frame = told(live, known(robot("Ajax", "attached"), robot("Boreas", "left")))
+    assert frame is not None
+    assert frame["cut"] is None
+    rows = [(row["phase"], row["hears"], row["process"]) for row in frame["robots"]]
+    assert rows == [("holds", None, None), ("left", None, None)]
+
+
 def test_robots_without_a_process_hold_where_the_scenario_has_them(live: Live) -> None:
     """Those of the mission that nobody has heard of."""
     frame = told(live, known(alone=["Castor"]))

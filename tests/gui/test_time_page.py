@@ -42,17 +42,17 @@ def agent(name, phase, there, **more):
     at, direction = known.get(name, ([5.0, 10.9728], -math.pi / 2))
     told = {
         "name": name, "phase": phase, "at": at, "direction": direction, "limit": 6e5,
-        "confirmed": 0, "of": 2, "hears": 2, "deaf": [], "there": there,
+        "confirmed": 0, "of": 2, "hears": 2, "deaf": [], "there": there, "process": "runs",
     }  # fmt: skip
     return told | more
 
 
-def live(robots, whole=True, sides=()):
+def live(robots, whole=True, sides=(), cut=False):
     """Return a message of live robots."""
     first = {"text": "Holds 20 t every way", "good": True}
     return {
         "kind": "live", "t": 0.0, "whole": whole, "first": first, "second": "two hold",
-        "certified": 2e5, "robots": robots, "sides": list(sides), "conflicts": [],
+        "certified": 2e5, "robots": robots, "sides": list(sides), "conflicts": [], "cut": cut,
     }  # fmt: skip
 
 
@@ -134,13 +134,19 @@ def test_live_robots_are_watched_and_a_copy_edited(tapped):
         one.rest().page.locator(".robot").evaluate_all("all => all.map(one => one.dataset.robot)")
     )
     assert drawn == ["Ajax", "Boreas"]
-    say(live([agent("Boreas", "not answering", True)], False, [["Ajax", "Gaia"], ["Boreas"]]))
+    hung = agent("Boreas", "not answering", True, process="ended")
+    say(live([hung], False, [["Ajax", "Gaia"], ["Boreas"]]))
     expect(one.page.locator(".cut")).to_contain_text("Out of touch: Ajax, Gaia | Boreas.")
     assert one.page.locator(".agent-row[data-phase='not answering']").count() == 1
     one.click("button[aria-label='kill Ajax']")
+    assert one.page.locator("button:text-is('start again')").get_attribute("aria-label") == (
+        "start again Boreas"
+    )
     one.click("button:text-is('Cut the network in two')")
+    say(live([], False, cut=True))
+    one.click("button:text-is('Join the network again')")
     controls = [(m["robot"], m["what"]) for m in sent if m.get("kind") == "control"]
-    assert controls == [("Ajax", "kill"), (None, "split")]
+    assert controls == [("Ajax", "kill"), (None, "split"), (None, "join")]
     one.click("button:text-is('Edit a copy')")
     assert sent[-1]["kind"] == "watch"
     assert not sent[-1]["on"]

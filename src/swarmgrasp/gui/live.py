@@ -17,7 +17,7 @@ from swarmgrasp.agents.protocol import ProblemPlanner
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.gui.figures import Figures
 from swarmgrasp.gui.messages import Control
-from swarmgrasp.gui.replies import Error, First, LivePhase, LiveRobot, LiveTold
+from swarmgrasp.gui.replies import Error, First, LivePhase, LiveProcess, LiveRobot, LiveTold
 from swarmgrasp.gui.sending import write_message
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import list_words
@@ -27,7 +27,7 @@ EVERY = 0.25
 SILENT = 3.5
 """Seconds after which a robot does not answer."""
 PHASES: dict[str, LivePhase] = {
-    "left": "idle",
+    "left": "left",
     "waiting": "idle",
     "coming": "coming",
     "arrived": "arrived",
@@ -66,6 +66,7 @@ class Live:
         self._orders: SimpleQueue[Control] = SimpleQueue()
         self._rows: dict[str, LiveRobot] = {}
         self._last: LiveTold | None = None
+        self._stopped: set[str] = set()
         self._thread: Thread | None = None
         self._ends = False
 
@@ -141,9 +142,33 @@ class Live:
             except Empty:
                 return
             if self._stage is not None:
-                said = _done(self._stage, order)
+                said = self._done(self._stage, order)
                 if said:
                     tell(write_message(Error(order.n, said)), False)
+
+    def _done(self, stage: Stage, order: Control) -> str:
+        """Do what was ordered, where it is not so; return why it cannot be done, or nothing."""
+        name, process = order.robot, self._process(order.robot or "")
+        match order.what, process:
+            case "split", _ if not stage.is_cut:
+                stage.cut()
+            case "join", _ if stage.is_cut:
+                stage.link()
+            case "split" | "join", _:
+                pass
+            case _, None:
+                return f"There is no robot {name!r} in this demonstration."
+            case "kill", "runs" | "stopped":
+                stage.fleet.kill(str(name))
+            case "stop", "runs":
+                self._stopped.add(str(name))
+                stage.hang(str(name))
+            case "go on", "stopped" | "ended":
+                self._stopped.discard(str(name))
+                stage.go_on(str(name))
+            case "come" | "leave", "runs":
+                stage.ask([str(name)], {"come": "join", "leave": "leave"}[order.what])
+        return ""
 
     # -- what is told ----------------------------------------------------------------------
 
@@ -180,6 +205,7 @@ class Live:
         return LiveTold(
             t=steady_clock(), whole=False, first=First(first, good), second=second,
             certified=certified or None, robots=(), sides=sides, conflicts=conflicts,
+            cut=None if self._stage is None else self._stage.is_cut,
         )  # fmt: skip
 
     @staticmethod
@@ -198,7 +224,7 @@ class Live:
         fixed = [
             LiveRobot(
                 robot.name, "holds", robot.contact, robot.direction, robot.limit,
-                confirmed=0, of=0, hears=0, deaf=(), there=True,
+                confirmed=0, of=0, hears=None, deaf=(), there=True, process=None,
             )
             for robot in swarm
             if robot.name in alone
@@ -216,12 +242,13 @@ class Live:
             phase = "not answering"
         by = {one for each in told for one in each["confirmed_by"]}
         others = [other for other in found if other != name]
-        deaf = self._deaf(name, others)
+        deaf, process = self._deaf(name, others), self._process(name)
         limit = swarm[name].limit if name in swarm else self.planner.problem.newcomer.limit
         return LiveRobot(
             name, phase, None if place is None else (place["x"], place["y"]),
             None if place is None else place["direction"], limit, confirmed=len(by),
-            of=len(others), hears=len(others) - len(deaf), deaf=deaf, there=there,
+            of=len(others), hears=None if process is None else len(others) - len(deaf), deaf=deaf,
+            there=there, process=process,
         )  # fmt: skip
 
     def _deaf(self, name: str, others: list[str]) -> tuple[str, ...]:
@@ -232,6 +259,14 @@ class Live:
         return tuple(
             other for other in others if other not in hears or not stage.reaches(name, other)
         )
+
+    def _process(self, name: str) -> LiveProcess | None:
+        """Return what a robot's process does; known in a demonstration."""
+        if self._stage is None or name not in self._stage.names:
+            return None
+        if not self._stage.robot(name).process.is_alive():
+            return "ended"
+        return "stopped" if name in self._stopped else "runs"
 
     def _sides(self, rows: dict[str, LiveRobot]) -> tuple[tuple[str, ...], ...]:
         """Return who is in touch with whom: of those that answer, in groups."""
@@ -259,30 +294,12 @@ def _last(told: list[dict[str, Any]]) -> dict[str, Any]:
 
 def _untimed(told: LiveTold) -> tuple[object, ...]:
     """Return what is told, without when."""
-    return told.first, told.second, told.certified, told.sides, told.conflicts
+    return told.first, told.second, told.certified, told.sides, told.conflicts, told.cut
 
 
 def _few(side: tuple[str, ...]) -> str:
     """Return who is on a side, in short."""
     return side[0] if len(side) == 1 else f"{side[0]} and {len(side) - 1} more"
-
-
-def _done(stage: Stage, order: Control) -> str:
-    """Do what was ordered; return why it cannot be done, or nothing."""
-    name = order.robot
-    if order.what == "split":
-        stage.cut()
-    elif order.what == "join":
-        stage.link()
-    elif name is None or name not in stage.names:
-        return f"There is no robot {name!r} in this demonstration."
-    elif order.what == "kill":
-        stage.fleet.kill(name)
-    elif order.what == "stop":
-        stage.hang(name)
-    else:
-        stage.go_on(name)
-    return ""
 
 
 def demonstration(

@@ -190,7 +190,7 @@ class Control(_Asked, frozen=True, forbid_unknown_fields=True):
 
     n: Number
     robot: Name | None
-    what: Literal["kill", "stop", "go on", "split", "join"]
+    what: Literal["kill", "stop", "go on", "come", "leave", "split", "join"]
 
 
 class Cancel(_Asked, frozen=True, forbid_unknown_fields=True):

@@ -210,12 +210,19 @@ class RunTold(_Said, frozen=True, tag="run"):
     arrays: tuple[Array, ...]
 
 
-LivePhase = Literal["idle", "coming", "arrived", "making fast", "holds", "leaving", "not answering"]
+LivePhase = Literal[
+    "idle", "coming", "arrived", "making fast", "holds", "leaving", "left", "not answering"
+]
 """Where an agent is on its way."""
+LiveProcess = Literal["runs", "stopped", "ended"]
+"""What an agent's process does."""
 
 
 class LiveRobot(Part, frozen=True, forbid_unknown_fields=True):
-    """An agent: where it is or will be, by how many of how many it is confirmed, whom it hears."""
+    """An agent: where it is or will be, by how many of how many it is confirmed, whom it hears.
+
+    How many it hears, whom not, and what its process does are known in a demonstration only.
+    """
 
     name: str
     phase: LivePhase
@@ -224,13 +231,17 @@ class LiveRobot(Part, frozen=True, forbid_unknown_fields=True):
     limit: float
     confirmed: int
     of: int
-    hears: int
+    hears: int | None
     deaf: tuple[str, ...]
     there: bool
+    process: LiveProcess | None
 
 
 class LiveTold(_Said, frozen=True, tag="live"):
-    """What has changed among agents, or all of it if `whole`; several sides when they are cut."""
+    """What has changed among agents, or all of it if `whole`; several sides when they are cut.
+
+    `cut` tells whether a demonstration's network is in two: None where there is no demonstration.
+    """
 
     t: float
     whole: bool
@@ -240,6 +251,7 @@ class LiveTold(_Said, frozen=True, tag="live"):
     robots: tuple[LiveRobot, ...]
     sides: tuple[tuple[str, ...], ...]
     conflicts: tuple[str, ...]
+    cut: bool | None
 
 
 ToPage = (

@@ -133,6 +133,11 @@ class Stage:
         """Kill the router between the two others; return when [s]."""
         return self.fleet.kill(LINK)
 
+    @property
+    def is_cut(self) -> bool:
+        """Whether the two routers have no link."""
+        return not self.fleet.members[LINK].process.is_alive()
+
     def hang(self, name: str) -> float:
         """Stop a process, which then hangs; return when [s]."""
         return self.fleet.signal(name, signal.SIGSTOP)
@@ -148,7 +153,7 @@ class Stage:
         """Tell whether there is a way between two robots: one router, or the link of both."""
         if self._end_of(one) == self._end_of(other):
             return True
-        return self.fleet.members[LINK].process.is_alive()
+        return not self.is_cut
 
     def _end_of(self, name: str) -> str:
         """Return the endpoint of a robot's router."""

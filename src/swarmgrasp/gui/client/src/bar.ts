@@ -105,7 +105,7 @@ export class Bar implements View {
     const tolerant = newcomer.tolerance !== null || swarm.robots.some(({ tolerance }) => tolerance !== null);
     show(this.#poses.node, tolerant || criterion.worst_case);
     this.#poses.draw(criterion.worst_case ? "worst poses" : "poses exact", criterion.worst_case, "Where the robots may really be",
-      () => this.#criterion({ worst_case: !criterion.worst_case }));
+      () => this.context.store.editProblem((now) => ({ ...now, criterion: { ...now.criterion, worst_case: !now.criterion.worst_case } })));
   }
 
   #drawWeather(doc: Doc): void {

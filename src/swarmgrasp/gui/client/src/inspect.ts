@@ -2,6 +2,7 @@
 
 import type { Context, Seen, View } from "./context";
 import { el, iconButton, put, show, write } from "./dom";
+import { keepNewcomer } from "./keeping";
 import type { Attachment, NewcomerData, RobotData } from "./messages";
 import type { Plan } from "./plan/plan";
 import { duplicated, withoutRobot, withRobots } from "./plan/moves";
@@ -107,14 +108,7 @@ export class Inspector implements View {
   /** Makes the newcomer a robot at its best place, and asks for the next. */
   keep(): void {
     const best = this.#now?.parts.answer?.newcomer ?? null;
-    if (best === null || this.#now === null || !this.context.store.isAnswered) return;
-    const name = nextName(this.#now, best.name);
-    this.context.store.edit((doc) => {
-      const kept = withRobots(doc, [best]);
-      return { ...kept, problem: { ...kept.problem, newcomer: { ...kept.problem.newcomer, name } } };
-    });
-    this.context.store.choose(name);
-    this.context.say(`${best.name} is kept; ${name} comes next.`);
+    if (best !== null) keepNewcomer(this.context, best);
   }
 
   #rename(name: string): void {
@@ -211,10 +205,4 @@ export class Inspector implements View {
       return { ...one, attachment, half_angle: attachment === "free" ? null : one.half_angle ?? Math.PI / 6 };
     });
   }
-}
-
-function nextName({ doc }: Seen, name: string): string {
-  const [, root, number] = /^(.*?)(?: (\d+))?$/.exec(name || "newcomer")!;
-  const taken = new Set(doc.problem.swarm.robots.map((robot) => robot.name));
-  for (let i = Number(number ?? 1) + 1; ; i += 1) if (!taken.has(`${root} ${i}`)) return `${root} ${i}`;
 }

@@ -586,15 +586,16 @@ export interface Run {
 /** An agent: where it is or will be, by how many of how many it is confirmed, whom it hears. */
 export interface LiveRobot {
   name: string;
-  phase: "idle" | "coming" | "arrived" | "making fast" | "holds" | "leaving" | "not answering";
+  phase: "idle" | "coming" | "arrived" | "making fast" | "holds" | "leaving" | "left" | "not answering";
   at: Pair | null;
   direction: number | null;
   limit: number;
   confirmed: number;
   of: number;
-  hears: number;
+  hears: number | null;
   deaf: string[];
   there: boolean;
+  process: "runs" | "stopped" | "ended" | null;
 }
 
 /** What has changed among agents, or all of it if `whole`; several sides when they are cut. */
@@ -608,6 +609,7 @@ export interface Live {
   robots: LiveRobot[];
   sides: string[][];
   conflicts: string[];
+  cut: boolean | null;
 }
 
 export type Attachment =
@@ -644,7 +646,7 @@ export type Outgoing =
   | { kind: "report"; n: number; doc: Doc; speech: SpeechData; text: string; format: "html"; names?: string[] | null }
   | { kind: "run"; n: number; name: string }
   | { kind: "watch"; n: number; on: boolean }
-  | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "split" | "join" }
+  | { kind: "control"; n: number; robot: string | null; what: "kill" | "stop" | "go on" | "come" | "leave" | "split" | "join" }
   | { kind: "cancel"; n: number };
 
 export type Incoming =

@@ -27,6 +27,8 @@ export class Spin {
   readonly #text = el("span", { class: "spin-text" });
   readonly #after = el("span", { class: "spin-after" });
   #options: SpinOptions | null = null;
+  #drawn = 0;
+  /** What it stands at: a key that comes before the frame goes on from here. */
   #value = 0;
   #from: { x: number; value: number; moved: boolean } | null = null;
   #typing: HTMLInputElement | null = null;
@@ -44,7 +46,7 @@ export class Spin {
   }
 
   draw(value: number, options: SpinOptions): void {
-    this.#value = value;
+    this.#drawn = this.#value = value;
     this.#options = options;
     const text = options.text(value);
     write(this.#text, text);
@@ -66,7 +68,10 @@ export class Spin {
     let next = Number((Math.round(value / step) * step).toPrecision(12));
     if (wraps === true) next = ((((next - min) % (max - min)) + (max - min)) % (max - min)) + min;
     next = Math.max(min, Math.min(max, next));
-    if (next !== this.#value) change(next, moving);
+    if (next === this.#value) return;
+    this.#value = next;
+    change(next, moving);
+    requestAnimationFrame(() => (this.#value = this.#drawn)); // what was not taken is forgotten
   }
 
   #down(event: PointerEvent): void {

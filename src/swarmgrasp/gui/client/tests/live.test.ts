@@ -1,16 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { countWords, cutWords, sideOf, taken, wordsOf, type Agent, type LiveData } from "../src/live/agents";
+import { countWords, cutWords, orderWord, ordersFor, sideOf, taken, wordsOf, type Agent, type LiveData } from "../src/live/agents";
 
 function agent(name: string, more: Partial<Agent> = {}): Agent {
   return {
-    name, phase: "holds", at: [0, 0], direction: 0, limit: 1, confirmed: 0, of: 0, hears: 2, deaf: [], there: true, ...more,
+    name, phase: "holds", at: [0, 0], direction: 0, limit: 1, confirmed: 0, of: 0, hears: 2, deaf: [], there: true,
+    process: "runs", ...more,
   };
 }
 
 function told(robots: Agent[], whole: boolean): LiveData {
-  return { t: 0, whole, first: { text: "", good: true }, second: "", certified: null, robots, sides: [], conflicts: [] };
+  return { t: 0, whole, first: { text: "", good: true }, second: "", certified: null, robots, sides: [], conflicts: [], cut: false };
 }
 
 test("what changed takes the place of what was told before, in the order of names", () => {
@@ -28,6 +29,20 @@ test("who is not heard is named, and never told as fine", () => {
   assert.equal(wordsOf(agent("Ajax", { deaf: ["B", "C", "D", "E"] })), "hears 2, not 4 others");
   assert.ok(/not heard/.test(wordsOf(agent("Ajax", { phase: "not answering" }))));
   assert.equal(wordsOf(agent("Ajax", { phase: "arrived", confirmed: 3, of: 5, there: false })), "confirmed by 3 of 5 heard");
+});
+
+test("where it is not known who hears whom, that is not told", () => {
+  assert.equal(wordsOf(agent("Ajax", { hears: null, process: null })), "heard here");
+  assert.deepEqual(ordersFor(agent("Ajax", { process: null })), []);
+});
+
+test("only what changes something can be ordered", () => {
+  const orders = (more: Partial<Agent>): string[] => ordersFor(agent("Ajax", more)).map((order) => orderWord(order, agent("Ajax", more)));
+  assert.deepEqual(orders({}), ["leave", "stop", "kill"]);
+  assert.deepEqual(orders({ phase: "idle", there: false }), ["come", "stop", "kill"]);
+  assert.deepEqual(orders({ phase: "left", there: false }), ["join again", "stop", "kill"]);
+  assert.deepEqual(orders({ phase: "not answering", process: "stopped" }), ["go on", "kill"]);
+  assert.deepEqual(orders({ phase: "not answering", process: "ended" }), ["start again"]);
 });
 
 test("sides are told only where there are several", () => {

@@ -5,16 +5,18 @@ import { el, Pool, put, show, write } from "../dom";
 import type { Layout } from "../layout";
 import type { Pair, RobotData } from "../messages";
 import type { PlanLayer } from "../plan/plan";
-import { countWords, cutWords, sideOf, taken, wordsOf, type Agent, type LiveData } from "./agents";
+import { countWords, cutWords, orderWord, ordersFor, sideOf, taken, wordsOf, type Agent, type LiveData, type Order } from "./agents";
 import { Marks } from "./marks";
 
-type What = "kill" | "stop" | "go on" | "split" | "join";
+/** Where there is no demonstration, the network does not tell who hears whom. */
+const HEARD = "You see what this page hears. Who of them hears whom is not told on the network.";
 
 export class Live implements View {
   readonly #context: Context;
   readonly #marks: Marks;
   readonly #nodes;
   readonly #rows: Pool<HTMLElement, Agent>;
+  readonly #orders = new WeakMap<Element, Pool<HTMLElement, Ordered>>();
   readonly #cards: readonly HTMLElement[];
   readonly #again = el("button", { type: "button", class: "control again", hidden: true }, "Watch again");
   #agents: ReadonlyMap<string, Agent> = new Map();
@@ -31,7 +33,8 @@ export class Live implements View {
       certified: el("span", { class: "after" }), unit: el("span", { class: "unit" }),
       wind: el("span", { class: "after" }), windUnit: el("span", { class: "unit" }), windWords: el("p", { class: "what-it-is" }),
       figures: el("div", { class: "figures" }), cut: el("p", { class: "cut", role: "status" }), conflicts: el("ul", { class: "refusal" }), count: el("div", { class: "tile-aside" }),
-      list: el("ul", { class: "agent-list" }), demonstration: el("div", { class: "demonstration" }),
+      list: el("ul", { class: "agent-list" }), network: el("button", { type: "button", class: "control network" }),
+      heard: el("p", { class: "why" }, HEARD),
     };
     this.#nodes = nodes;
     const copy = el("button", { type: "button", class: "control" }, "Edit a copy");
@@ -43,7 +46,8 @@ export class Live implements View {
       nodes.conflicts, nodes.first, nodes.second, nodes.figures, el("p", { class: "copy" }, copy));
     const head = el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "Robots"), nodes.count);
     const table = el("section", { class: "card tile tile-losses of-time", "aria-label": "Robots" },
-      head, el("div", { class: "tile-body" }, nodes.demonstration, nodes.cut, nodes.list));
+      head, el("div", { class: "tile-body" }, nodes.network, nodes.cut, nodes.list, nodes.heard));
+    nodes.network.addEventListener("click", () => this.#control(this.#data?.cut === true ? "join" : "split", null));
     this.#cards = [told, table];
     this.#rows = new Pool(nodes.list, () => this.#makeRow(), (node, agent) => this.#dressRow(node, agent));
     layout.plan.append(this.#again);
@@ -51,10 +55,7 @@ export class Live implements View {
     context.talk.connected.listen((connected) => {
       const welcome = context.talk.welcome.value;
       if (!connected || welcome?.watch !== true) return;
-      if (!this.#watching) {
-        layout.side.append(...this.#cards);
-        this.#makeDemonstration(welcome.demonstration);
-      }
+      if (!this.#watching) layout.side.append(...this.#cards);
       this.#watch();
     });
     context.talk.live.listen((data) => {
@@ -123,6 +124,9 @@ export class Live implements View {
     show(nodes.cut, (data?.sides.length ?? 0) > 1);
     show(nodes.conflicts, (data?.conflicts.length ?? 0) > 0);
     show(nodes.figures, data !== null);
+    show(nodes.network, data?.cut != null);
+    show(nodes.heard, data !== null && data.cut === null);
+    write(nodes.network, data?.cut === true ? "Join the network again" : "Cut the network in two");
     if (data === null) {
       write(nodes.first, "Listening");
       write(nodes.second, `no ${this.#context.speech.value.robot} has been heard yet`);
@@ -151,44 +155,43 @@ export class Live implements View {
     const row = el("li", { class: "agent-row" }, name, el("span", { class: "phase" }), el("span", { class: "agent-words" }), el("span", { class: "agent-buttons" }));
     row.addEventListener("pointerenter", () => this.#context.hover.set({ kind: "robot", name: name.textContent ?? "" }));
     row.addEventListener("pointerleave", () => this.#context.hover.set(null));
-    if (this.#context.talk.welcome.value?.demonstration === true) {
-      for (const what of ["kill", "stop"] as const) {
-        const button = el("button", { type: "button", class: "control small" }, what);
-        button.addEventListener("click", () => this.#control(what === "stop" && button.textContent === "go on" ? "go on" : what, name.textContent));
-        row.lastElementChild!.append(button);
-      }
-    }
+    row.addEventListener("click", (event) => {
+      const order = (event.target as Element).closest("button")?.getAttribute("data-order");
+      if (order != null) this.#control(order as Order, name.textContent);
+    });
+    this.#orders.set(row, new Pool(row.lastElementChild!, makeOrder, dressOrder));
     return row;
   }
 
   #dressRow(row: HTMLElement, agent: Agent): void {
-    const [name, phase, words, buttons] = row.children;
+    const [name, phase, words] = row.children;
     write(name!, agent.name);
     write(phase!, agent.phase);
     const side = sideOf(agent.name, this.#data?.sides ?? []);
     put(row, { "data-phase": agent.phase, "data-side": side === null ? null : side % 3 });
     write(words!, wordsOf(agent));
     put(words!, { title: wordsOf(agent) });
-    for (const button of buttons!.children) {
-      if (button.textContent !== "kill") write(button, agent.phase === "not answering" ? "go on" : "stop");
-      put(button, { "aria-label": `${button.textContent} ${agent.name}` });
-    }
+    this.#orders.get(row)!.draw(ordersFor(agent).map((order) => ({ order, word: orderWord(order, agent), name: agent.name })));
   }
 
-  #makeDemonstration(on: boolean): void {
-    show(this.#nodes.demonstration, on);
-    if (!on) return;
-    const words: readonly (readonly [What, string])[] = [["split", "Cut the network in two"], ["join", "Join it again"]];
-    this.#nodes.demonstration.replaceChildren(...words.map(([what, word]) => {
-      const button = el("button", { type: "button", class: "control" }, word);
-      button.addEventListener("click", () => this.#control(what, null));
-      return button;
-    }));
-  }
-
-  #control(what: What, robot: string | null): void {
+  #control(what: Order | "split" | "join", robot: string | null): void {
     this.#context.talk.tell({ kind: "control", what, robot });
   }
+}
+
+interface Ordered {
+  readonly order: Order;
+  readonly word: string;
+  readonly name: string;
+}
+
+function makeOrder(): HTMLElement {
+  return el("button", { type: "button", class: "control small" });
+}
+
+function dressOrder(button: HTMLElement, { order, word, name }: Ordered): void {
+  write(button, word);
+  put(button, { "data-order": order, "aria-label": `${word} ${name}` });
 }
 
 /** A live robot in the plain form, with what the scenario says of one of its name. */

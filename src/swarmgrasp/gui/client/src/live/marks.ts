@@ -29,7 +29,7 @@ export class Marks {
     const marks: Mark[] = [];
     for (const agent of agents) {
       const { at: contact, direction } = agent;
-      if (agent.phase === "idle" || contact === null || direction === null) continue;
+      if (agent.phase === "idle" || agent.phase === "left" || contact === null || direction === null) continue;
       const at = this.layer.toScreen(contact);
       const [x, y] = this.layer.toScreen([contact[0] - Math.cos(direction), contact[1] - Math.sin(direction)]);
       const size = Math.hypot(x - at[0], y - at[1]) || 1;

@@ -2,7 +2,8 @@
 
 import type { Context, Seen, View } from "../context";
 import { el, Pool, put, show, write } from "../dom";
-import type { AnswerPart, CapabilityPart, Fact, Fault, Figure, NextPlace, ProofPart } from "../messages";
+import type { AnswerPart, CapabilityPart, Fact, Fault, Figure, NextPlace, ProofPart, RobotData } from "../messages";
+import { keepNewcomer } from "../keeping";
 import { figure } from "../speech";
 
 /** How long the hand must rest before the verdict is spoken [ms]. */
@@ -48,6 +49,10 @@ export class Answer implements View {
     this.#facts = new Pool(nodes.facts, makeFact, (node, fact: Fact) => this.#dressFact(node, fact));
     this.#next = new Pool(nodes.places, makeNext, (node, next: NextPlace) => this.#dressNext(node, next));
     this.#linkHover();
+    nodes.places.addEventListener("click", (event) => {
+      const robot = this.#nextAt(event);
+      if (robot !== null) keepNewcomer(context, robot);
+    });
   }
 
   draw(seen: Seen): void {
@@ -97,7 +102,10 @@ export class Answer implements View {
   }
 
   #dressNext(node: HTMLElement, next: NextPlace): void {
-    const [place, value, share] = node.children;
+    const button = node.firstElementChild!;
+    const [place, value, share] = button.children;
+    const { newcomer } = this.#context.store.seen.value!.doc.problem;
+    put(button, { title: `Put ${newcomer.name || "the newcomer"} there` });
     write(place!, next.place);
     write(value!, next.text);
     write(share!, `${Math.round(100 * next.share)}\u00a0%`);
@@ -107,16 +115,14 @@ export class Answer implements View {
   #linkHover(): void {
     const { hover, store } = this.#context;
     const places = this.#nodes.places;
-    places.addEventListener("pointerover", (event) => {
-      const row = (event.target as Element).closest("li");
-      const at = row === null ? -1 : [...places.children].indexOf(row);
-      const answer = store.seen.value?.parts.answer;
-      const next = answer?.next[at];
-      if (next === undefined || answer?.newcomer == null) return;
-      const robot = { ...answer.newcomer, contact: next.contact, direction: next.direction };
-      hover.set({ kind: "place", robot, value: next.value });
-    });
-    places.addEventListener("pointerleave", () => hover.set(null));
+    for (const kind of ["pointerover", "focusin"]) {
+      places.addEventListener(kind, (event) => {
+        const robot = this.#nextAt(event);
+        const value = store.seen.value?.parts.answer?.next[this.#rowAt(event)]?.value ?? null;
+        if (robot !== null) hover.set({ kind: "place", robot, value });
+      });
+    }
+    for (const kind of ["pointerleave", "focusout"]) places.addEventListener(kind, () => hover.set(null));
     hover.listen((hovered) => {
       const name = hovered?.kind === "robot" ? hovered.name : null;
       for (const fact of this.#facts.nodes) {
@@ -125,9 +131,23 @@ export class Answer implements View {
       }
       const zone = hovered?.kind === "zone" ? hovered.name : null;
       for (const row of this.#next.nodes) {
-        put(row, { "data-hovered": zone !== null && row.firstElementChild?.textContent === zone });
+        put(row, { "data-hovered": zone !== null && row.querySelector(".place")?.textContent === zone });
       }
     });
+  }
+
+  /** The number of the row of another place that an event is in; -1 where it is in none. */
+  #rowAt(event: Event): number {
+    const row = (event.target as Element).closest("li");
+    return row === null ? -1 : [...this.#nodes.places.children].indexOf(row);
+  }
+
+  /** The newcomer in the place of a row. */
+  #nextAt(event: Event): RobotData | null {
+    const answer = this.#context.store.seen.value?.parts.answer;
+    const next = answer?.next[this.#rowAt(event)];
+    if (next === undefined || answer?.newcomer == null) return null;
+    return { ...answer.newcomer, contact: next.contact, direction: next.direction };
   }
 
   /** The verdict and the order, for those who hear the page, once the hand rests. */
@@ -172,5 +192,6 @@ function makeFact(): HTMLElement {
 }
 
 function makeNext(): HTMLElement {
-  return el("li", {}, el("span", { class: "place" }), el("span", { class: "value" }), el("span", { class: "share" }));
+  return el("li", {}, el("button", { type: "button" },
+    el("span", { class: "place" }), el("span", { class: "value" }), el("span", { class: "share" })));
 }

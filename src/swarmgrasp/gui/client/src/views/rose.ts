@@ -219,7 +219,7 @@ export class Rose implements View {
   }
 
   #key(event: KeyboardEvent): void {
-    const seen = this.#seen;
+    const seen = this.#context.store.seen.value;
     if (seen === null || event.altKey || event.ctrlKey || event.metaKey) return;
     const wind = windOf(seen.doc);
     const size = event.shiftKey ? 10 : 1;
