@@ -1,5 +1,7 @@
 """Hands on the page: each gesture does what it says, is one step, and can be undone."""
 
+import math
+
 from swarmgrasp import place
 from swarmgrasp.scenario import load_example
 
@@ -110,6 +112,32 @@ def test_the_newcomer_goes_where_another_place_is_told(one):
     assert problem["swarm"]["robots"][-1]["contact"] == list(other.robot.contact)
     one.press("Control+z")
     assert one.kept(ORIGINS) is None
+
+
+def test_more_of_a_robot_is_told_in_numbers_and_words(one):
+    """Tolerance, body and group of a tug; gaps of a thruster, which stay clear of each other."""
+    one.focus("[data-robot=Carina]")
+    one.press("m")
+    one.spin("How far along the outline it may be", 2)
+    one.spin("Length of its body, away from the outline", 20)
+    one.page.fill(".more-group", "west")
+    one.press("Enter")
+    carina = one.kept(ORIGINS)["doc"]["problem"]["swarm"]["robots"][2]
+    assert carina["tolerance"]["contact"] == [-2.0, 2.0]
+    assert carina["body"] == {"length": 20.0, "beam": 8.0}
+    assert carina["group"] == "west"
+    assert one.page.locator("#studio.is-refused").count() == 0
+    one.open("Drillship azimuths")
+    one.press(".")
+    one.click("button:text-is('Add a gap')")
+    one.spin("Start of gap 1", 350)
+    one.spin("End of gap 1", 10)
+    bow = one.kept("drillship-azimuths")["doc"]["problem"]["swarm"]["robots"][0]
+    ((start, end),) = bow["sectors"]
+    assert bow["steers"] == 0.0
+    assert abs(end - start - math.radians(340)) < 1e-9
+    assert abs(math.remainder(start - math.radians(10), math.tau)) < 1e-9
+    assert one.page.locator("#studio.is-refused").count() == 0
 
 
 def test_zones_and_corners_are_moved_and_robots_go_with_their_side(one):

@@ -70,7 +70,7 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
     menu: () => menu.show(bar.name), text: toggleText, theme: themed(root, home.storage), keys: showKeys,
     share: () => void menu.share(),
   });
-  const followers: View[] = [new Banner(frame.banner, context), bar, plan, inspector, tools, text];
+  const followers: View[] = [new Banner(frame.banner, context), bar, plan, inspector, tools, plan.names, text];
   painter.views = [...followers, ...views(frame, context, plan.layer)];
   painter.before = (seen) => {
     later.follow(seen);

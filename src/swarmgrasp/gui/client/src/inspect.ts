@@ -3,7 +3,8 @@
 import type { Context, Seen, View } from "./context";
 import { el, iconButton, put, show, write } from "./dom";
 import { keepNewcomer } from "./keeping";
-import type { Attachment, NewcomerData, RobotData } from "./messages";
+import type { Attachment, NewcomerData, Pair, RobotData } from "./messages";
+import { More } from "./more";
 import type { Plan } from "./plan/plan";
 import { duplicated, withoutRobot, withRobots } from "./plan/moves";
 import { alongEdge, movedAlong, movedInside, reversed, stanceOf, turnedOff } from "./plan/stance";
@@ -19,30 +20,36 @@ export class Inspector implements View {
   readonly node = el("div", { class: "inspect", role: "group", hidden: true });
   readonly #name = el("input", { class: "inspect-name", "aria-label": "Name", spellcheck: "false" });
   readonly #where = el("span", { class: "inspect-where" });
-  readonly #spins = [new Spin(), new Spin(), new Spin(), new Spin(), new Spin()] as const;
+  readonly #spins = [new Spin(), new Spin(), new Spin(), new Spin(), new Spin(), new Spin()] as const;
   readonly #way = new Word();
   readonly #keep = el("button", { type: "button", class: "control keep" }, "Keep it");
+  readonly more: More;
   readonly #copy: HTMLButtonElement;
   readonly #remove: HTMLButtonElement;
 
   constructor(readonly plan: Plan, readonly context: Context) {
-    const [along, off, limit, steers, reverse] = this.#spins.map((spin) => spin.node);
+    const [along, off, limit, steers, reverse, across] = this.#spins.map((spin) => spin.node);
     this.#copy = iconButton("copy", "Another one beside it", () => this.duplicate());
     this.#remove = iconButton("remove", "Take it away", () => this.remove());
-    this.node.append(this.#name, this.#where, along!, this.#way.node, off!, limit!, steers!, reverse!, this.#keep, this.#copy, this.#remove);
+    this.more = new More(context);
+    this.node.append(
+      this.#name, this.#where, along!, across!, this.#way.node, off!, limit!, steers!, reverse!, this.more.button,
+      this.#keep, this.#copy, this.#remove,
+    );
     this.#keep.addEventListener("click", () => this.keep());
     this.#name.addEventListener("change", () => this.#rename(this.#name.value.trim()));
     this.#name.addEventListener("keydown", (event) => {
       if (event.key === "Enter" || event.key === "Escape") this.#name.blur();
       event.stopPropagation();
     });
-    plan.card.append(this.node);
+    plan.card.append(this.more.node, this.node);
   }
 
   draw(seen: Seen): void {
     const robot = this.robot;
     const newcomer = this.#isNewcomer ? seen.doc.problem.newcomer : null;
     show(this.node, this.plan.stage !== null && seen.mode === "move" && (robot !== null || newcomer !== null));
+    this.more.place(this.node.hidden ? null : this.#contact(robot, seen));
     if (this.node.hidden) return;
     const name = robot?.name ?? newcomer!.name;
     put(this.node, { "aria-label": name, class: newcomer === null ? "inspect" : "inspect inspect-new" });
@@ -69,6 +76,12 @@ export class Inspector implements View {
   get #isNewcomer(): boolean {
     const { doc, chosen } = this.#now!;
     return doc.newcomer && chosen !== null && chosen === doc.problem.newcomer.name && this.robot === null;
+  }
+
+  /** Where who is chosen stands on the card; null where nobody has been placed. */
+  #contact(robot: RobotData | null, seen: Seen): Pair | null {
+    const at = robot ?? seen.parts.answer?.newcomer;
+    return at == null ? null : this.plan.stage!.screen.at(at.contact);
   }
 
   flip(): void {
@@ -125,13 +138,14 @@ export class Inspector implements View {
   }
 
   #drawRobot(robot: RobotData): void {
-    const [along, off, limit, steers, reverse] = this.#spins;
+    const [along, off, limit, steers, reverse, across] = this.#spins;
     const { store, speech: { value: speech } } = this.context;
     const { shape } = this.plan.stage!;
     const { size, label } = speech.data.length;
     const edit = (change: (one: RobotData) => RobotData, moving: boolean): void => store.editRobot(robot.name, change, moving);
     const stance = robot.mounted ? null : stanceOf(shape, robot);
     write(this.#where, stance === null ? "" : shape.nameOf(stance.edge));
+    show(across.node, stance === null);
     if (stance !== null) {
       const start = shape.starts[stance.edge]!;
       along.draw(alongEdge(shape, stance) / size, this.#spin({
@@ -141,10 +155,16 @@ export class Inspector implements View {
       }));
     } else {
       const [x, y] = speech.toFile(robot.contact);
-      along.draw(x, this.#spin({
-        label: "First coordinate", min: -Infinity, max: Infinity, step: stepOf(shape.perimeter / size / 100), text: (value) => figure(value, 2), after: `, ${figure(y, 2)} ${label}`,
-        change: (value, moving) => edit((one) => movedInside(shape, one, speech.fromFile([value, y])), moving),
-      }));
+      ([[along, 0, "First coordinate"], [across, 1, "Second coordinate"]] as const).forEach(([spin, axis, told]) => {
+        spin.draw([x, y][axis]!, this.#spin({
+          label: told, min: -Infinity, max: Infinity, step: stepOf(shape.perimeter / size / 100), text: (value) => `${figure(value, 2)}\u00a0${label}`,
+          change: (value, moving) => edit((one) => {
+            const at = speech.toFile(one.contact);
+            at[axis] = value;
+            return movedInside(shape, one, speech.fromFile(at));
+          }, moving),
+        }));
+      });
     }
     show(this.#way.node, robot.steers < Math.PI);
     this.#way.draw(stance === null ? "turn round" : stance.pushes ? "pushes" : "pulls", true, "Which way", () => this.flip());
@@ -155,6 +175,7 @@ export class Inspector implements View {
       change: (value, moving) => edit((one) => turnedOff(shape, one, value * DEGREE), moving),
     }));
     this.#drawForces(robot, limit, reverse, edit);
+    this.more.drawRobot(robot, edit);
     show(steers.node, robot.envelope === null && robot.sectors === null && (robot.friction ?? 0) === 0);
     steers.draw(robot.steers / DEGREE, this.#spin({
       label: "How far it steers either side", min: 0, max: 180, step: 5, text: (value) => (value >= 180 ? "all round" : `±${figure(value, 0)}°`), after: "steers",
@@ -171,7 +192,7 @@ export class Inspector implements View {
       label: "Limit", min: Number.MIN_VALUE, max: Infinity, step, text, after: "limit",
       change: (value, moving) => edit((one) => ({ ...one, limit: value * unit.size }), moving),
     }));
-    show(reverse.node, robot.reverse_limit > 0 || robot.mounted);
+    show(reverse.node, robot.reverse_limit > 0);
     reverse.draw(robot.reverse_limit / unit.size, this.#spin({
       label: "Limit the other way", min: 0, max: Infinity, step, text, after: "astern",
       change: (value, moving) => edit((one) => ({ ...one, reverse_limit: value * unit.size }), moving),
@@ -179,10 +200,11 @@ export class Inspector implements View {
   }
 
   #drawNewcomer(newcomer: NewcomerData): void {
-    const [along, off, limit, steers, reverse] = this.#spins;
-    for (const spin of [along, steers, reverse]) show(spin.node, false);
+    const [along, off, limit, steers, reverse, across] = this.#spins;
+    for (const spin of [along, steers, reverse, across]) show(spin.node, false);
     show(this.#way.node, true);
     write(this.#where, newcomer.mounted ? "inside" : "comes");
+    this.more.drawNewcomer(newcomer, (change, moving) => this.context.store.editNewcomer(change, moving));
     this.#way.draw(WAY_WORDS[newcomer.attachment], true, "Push, pull or any way", () => this.#nextWay());
     show(off.node, newcomer.attachment !== "free");
     const { store, speech: { value: speech } } = this.context;

@@ -71,6 +71,7 @@ function plainly(event: KeyboardEvent, context: Context, parts: Parts): (() => v
     case "a": return () => tools.add();
     case "d": return () => inspector.duplicate();
     case "Delete": case "Backspace": return () => inspector.remove();
+    case "m": return seen.chosen === null ? null : () => inspector.more.toggle();
     case "n": return () => chooseNewcomer(context);
     case "Enter": return seen.chosen === seen.doc.problem.newcomer.name && !onButton ? () => inspector.keep() : null;
     case "z": return () => tools.toggle(seen.mode === "edit" ? "outline" : seen.mode === "outline" ? "outline" : "edit");

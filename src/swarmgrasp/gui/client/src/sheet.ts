@@ -74,6 +74,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["D", "another one beside it"],
   ["Delete", "take it away"],
   ["N", "the newcomer; Enter keeps it"],
+  ["M", "more of who is chosen: tolerance, body, group, gaps"],
   ["Z", "zones; again: the outline"],
   ["H", "push forces for a wrench"],
   ["0 – 3", "how many are lost"],

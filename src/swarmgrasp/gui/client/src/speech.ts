@@ -86,6 +86,11 @@ export class Speech {
     return (((clockwise + (this.data.heading ?? 0)) % TURN) + TURN) % TURN;
   }
 
+  /** A bearing from the bow, of one as it is told. */
+  untold(bearing: number): number {
+    return bearing - (this.data.heading ?? 0);
+  }
+
   /** A point of ours in the file's frame and unit. */
   point(at: Pair, digits = 1): string {
     const [x, y] = this.toFile(at);

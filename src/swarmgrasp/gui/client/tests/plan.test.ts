@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import type { Pair } from "../src/messages";
+import { gapsOf, isAllRound, withEnd, withGaps, withNewGap } from "../src/plan/gaps";
 import { overlap, placed, type Wanted } from "../src/plan/labels";
 import { moveEnd, roomiest } from "../src/plan/moves";
 import { withCorner, withNewCorner, withoutCorner } from "../src/plan/outline";
@@ -129,4 +130,44 @@ test("names that may be left out cover neither each other nor what is kept", () 
       for (const other of found.slice(i + 1)) assert.ok(!overlap(one.box, other.box));
     });
   }
+});
+
+// -- gaps --------------------------------------------------------------------------------------
+
+test("a thruster pushes all round but for its gaps, and those that meet are one", () => {
+  const turn = 2 * Math.PI;
+  const azimuth = { ...robot([0, 0], 0), mounted: true, steers: Math.PI };
+  assert.ok(isAllRound(azimuth));
+  assert.deepEqual(gapsOf(azimuth), []);
+  const one = withGaps(azimuth, [[1, 2]]);
+  assert.equal(one.steers, 0);
+  assert.deepEqual(one.sectors, [[2, 1 + turn]]);
+  assert.ok(near(one.direction, (3 + turn) / 2));
+  assert.deepEqual(gapsOf(one), [[1 + turn, 2 + turn]]);
+  assert.ok(isAllRound(one));
+  const two = withGaps(azimuth, [[1, 2], [1.5, 3], [5, 5.5]]);
+  assert.deepEqual(two.sectors, [[3, 5], [5.5, 1 + turn]]);
+  assert.deepEqual(withGaps(two, []), { ...two, sectors: null, steers: Math.PI });
+  assert.deepEqual(withGaps(azimuth, [[6, 6.5], [6.4, 7]]).sectors!.length, 1);
+});
+
+test("an end of a gap that is moved stops before the other, and one that is typed may pass it", () => {
+  const degrees = (gap: readonly number[]): number[] => gap.map((angle) => Math.round((angle * 180) / Math.PI));
+  const at = (angle: number): number => (angle * Math.PI) / 180;
+  const gap: [number, number] = [at(170), at(200)];
+  assert.deepEqual(degrees(withEnd(gap, 1, at(175), true)), [170, 175]);
+  assert.deepEqual(degrees(withEnd(gap, 1, at(165), true)), [170, 200]);
+  assert.deepEqual(degrees(withEnd(gap, 1, at(165), false)), [170, 525]);
+  assert.deepEqual(degrees(withEnd(gap, 0, at(-160), false)), [200, 200]);
+  assert.deepEqual(degrees(withEnd(gap, 0, at(90), true)), [90, 200]);
+});
+
+test("another gap comes in the middle of the widest sector", () => {
+  const azimuth = { ...robot([0, 0], 0), mounted: true, steers: Math.PI };
+  const first = withNewGap(azimuth);
+  const second = withNewGap(first);
+  assert.equal(gapsOf(first).length, 1);
+  assert.equal(gapsOf(second).length, 2);
+  const [a, b] = second.sectors!.map(([start, end]) => end - start);
+  assert.ok(near(a!, b!));
 });

@@ -38,11 +38,13 @@ export class Plan implements View {
   readonly newcomer = new NewcomerLayer();
   readonly hands: Hands;
   readonly layer: PlanLayer;
+  /** Names are placed last, where the bars of the plan leave room. */
+  readonly names: View = { draw: (seen) => this.#drawNames(seen) };
   /** What newcomers after the first would do. */
   later: readonly RobotData[] = [];
   readonly #hull = new HullLayer();
   readonly #middle = new MiddleLayer();
-  readonly #names = new NameLayer();
+  readonly #labels = new NameLayer();
   readonly #scale = new ScaleLayer();
   readonly #weather = new Weather();
   readonly #crowd = new Crowd();
@@ -56,7 +58,7 @@ export class Plan implements View {
     const slopes = svg("g", { class: "slopes" });
     this.svg.append(
       this.#hull.group, this.#middle.group, slopes, this.robots.group, this.newcomer.group,
-      this.#names.group, this.push.group, this.handles.group, this.#scale.group,
+      this.#labels.group, this.push.group, this.handles.group, this.#scale.group,
     );
     card.prepend(this.#crowd.canvas, this.svg, this.#weather.node, this.#shares);
     const plan = this;
@@ -100,10 +102,7 @@ export class Plan implements View {
     this.push.draw(stage);
     this.handles.draw(this.#knobs(stage));
     this.#weather.draw(stage);
-    const chosen = seen.chosen !== null;
-    this.#scale.draw(stage, chosen && width < 1100);
-    const later = this.later.map((robot) => figureOf(robot, true, stage.shape, screen, stage.scale));
-    this.#names.draw(stage, seen.mode === "push" ? [] : later, this.#kept(stage, chosen));
+    this.#scale.draw(stage, seen.chosen !== null && width < 1100);
     this.#drawShares(seen);
     if (this.#focus !== null) this.robots.of(this.#focus)?.focus();
     this.#focus = null;
@@ -111,7 +110,16 @@ export class Plan implements View {
 
   #redraw(): void {
     const seen = this.context.store.seen.value;
-    if (seen !== null) this.draw(seen);
+    if (seen === null) return;
+    this.draw(seen);
+    this.names.draw(seen);
+  }
+
+  #drawNames({ mode, chosen }: Seen): void {
+    const stage = this.#stage;
+    if (stage === null) return;
+    const later = this.later.map((robot) => figureOf(robot, true, stage.shape, stage.screen, stage.scale));
+    this.#labels.draw(stage, mode === "push" ? [] : later, this.#kept(stage, chosen !== null));
   }
 
   #shapeOf(outline: OutlineData): Shape {
@@ -140,8 +148,10 @@ export class Plan implements View {
       kept.push({ left: 16, top: height - 44, right: 240, bottom: height });
       kept.push({ left: width - 270, top: 0, right: width, bottom: 52 });
     } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });
-    const bar = chosen ? this.card.querySelector<HTMLElement>(".inspect:not([hidden])") : null;
-    if (bar !== null) kept.push({ left: bar.offsetLeft - 8, top: bar.offsetTop - 4, right: width, bottom: height });
+    if (!chosen) return kept;
+    for (const { offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight } of this.card.querySelectorAll<HTMLElement>(
+      ".inspect:not([hidden]), .inspect-more:not([hidden])",
+    )) kept.push({ left: left - 8, top: top - 4, right: left + offsetWidth, bottom: top + offsetHeight });
     return kept;
   }
 
