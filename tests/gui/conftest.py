@@ -186,7 +186,10 @@ class Window:
 
     def drag(self, selector, right, down, keys=()):
         """Drag an element by pixels, in several moves."""
-        x, y = self.middle(selector)
+        return self.pull(*self.middle(selector), right, down, keys)
+
+    def pull(self, x, y, right, down, keys=()):
+        """Press at a pixel and drag from there."""
         mouse = self.page.mouse
         mouse.move(x, y)
         mouse.down()

@@ -157,6 +157,33 @@ def test_zones_and_corners_are_moved_and_robots_go_with_their_side(one):
     assert one.kept("deck-barge") is None
 
 
+def test_zones_are_drawn_by_hand(one):
+    """Along the outline a zone, with Shift a no-go; inside an area for a newcomer that is mounted."""
+    one.open("Deck barge")
+    before = one.page.locator(".strip").count()
+    one.press("z")
+    side = one.page.locator(".hull").bounding_box()
+    x, y = side["x"] + 0.4 * side["width"], side["y"] + side["height"]
+    one.pull(x, y, 60, 0)
+    one.pull(x, y - side["height"], 40, 0, keys=["Shift"])
+    problem = one.kept("deck-barge")["doc"]["problem"]
+    zone, no_go = problem["zones"][-1], problem["no_go"][-1]
+    assert (zone["name"], no_go["name"]) == ("zone 1", "no-go 1")
+    stretch = zone["stretch"]
+    assert 0.0 < stretch["end"] - stretch["start"] < 20.0
+    assert one.page.locator(".strip").count() > before
+    one.press("Control+z", "Control+z")
+    assert one.kept("deck-barge") is None
+    one.open("Drillship azimuths")
+    one.press("z")
+    x, y = one.middle(".hull")
+    one.pull(x, y, 50, 20)
+    area = one.kept("drillship-azimuths")["doc"]["problem"]["zones"][-1]["area"]
+    assert len(area) == 4
+    assert one.page.locator("[aria-label^='Corner 3 of area 1']").count() == 1
+    assert one.page.locator("#studio.is-refused").count() == 0
+
+
 def test_what_the_library_refuses_is_said_and_the_last_answer_stays(one):
     """A limit below the least that its tolerance allows is refused in words, until it is undone."""
     before = one.text(".answer h1")

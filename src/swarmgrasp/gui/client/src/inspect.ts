@@ -6,7 +6,7 @@ import { keepNewcomer } from "./keeping";
 import type { Attachment, NewcomerData, Pair, RobotData } from "./messages";
 import { More } from "./more";
 import type { Plan } from "./plan/plan";
-import { duplicated, withoutRobot, withRobots } from "./plan/moves";
+import { duplicated, withoutRobot, withRobots } from "./plan/adding";
 import { alongEdge, movedAlong, movedInside, reversed, stanceOf, turnedOff } from "./plan/stance";
 import { figure, signed } from "./speech";
 import { Spin, Word, type SpinOptions } from "./spin";

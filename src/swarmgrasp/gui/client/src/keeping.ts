@@ -2,7 +2,7 @@
 
 import type { Context, Seen } from "./context";
 import type { RobotData } from "./messages";
-import { withRobots } from "./plan/moves";
+import { withRobots } from "./plan/adding";
 
 /** Makes the newcomer a robot as it stands; nothing before the answer is about the document as it is. */
 export function keepNewcomer(context: Context, at: RobotData): void {

@@ -2,14 +2,11 @@
 
 import type { Context, Mode, Seen, View } from "./context";
 import { el, icon, put, show, write } from "./dom";
-import type { StretchData, ZoneData } from "./messages";
 import type { Plan } from "./plan/plan";
-import { roomiest, withRobots } from "./plan/moves";
+import { newRobot, withRobots } from "./plan/adding";
+import { withNew, type Drawn } from "./plan/drawing";
 import type { Grip } from "./plan/handles";
 import { withoutCorner } from "./plan/outline";
-
-/** Share of the outline that a new zone takes. */
-const NEW_ZONE = 0.08;
 
 function button(text: string, run: () => void, sign?: string): HTMLButtonElement {
   const made = el("button", { type: "button", class: "control tool" }, sign === undefined ? null : icon(sign), el("span", {}, text));
@@ -22,6 +19,7 @@ export class Tools implements View {
   readonly #zones: HTMLButtonElement;
   readonly #force: HTMLButtonElement;
   readonly #outline: HTMLButtonElement;
+  readonly #area: HTMLButtonElement;
   readonly #edit = el("div", { class: "inspect edit-bar", role: "group", "aria-label": "Zones and outline", hidden: true });
   readonly #hint = el("span", { class: "inspect-where" });
 
@@ -30,8 +28,9 @@ export class Tools implements View {
     this.#zones = button("Zones", () => this.toggle("edit"));
     this.#force = button("Push forces", () => this.toggle("push"));
     this.#outline = button("Outline", () => this.toggle("outline"));
+    this.#area = button("Area", () => this.#addNew("area"), "plus");
     this.#edit.append(
-      this.#hint, button("Zone", () => this.#addStretch("zone"), "plus"), button("No-go", () => this.#addStretch("no-go"), "plus"),
+      this.#hint, button("Zone", () => this.#addNew("zone"), "plus"), button("No-go", () => this.#addNew("no-go"), "plus"), this.#area,
       this.#outline, button("Done", () => context.store.setMode("move")),
     );
     plan.card.append(el("div", { class: "tools", role: "toolbar", "aria-label": "Tools of the plan" }, this.#add, this.#zones, this.#force), this.#edit);
@@ -50,15 +49,17 @@ export class Tools implements View {
     put(this.#force, { "aria-pressed": String(seen.mode === "push") });
     put(this.#outline, { "aria-pressed": String(seen.mode === "outline") });
     show(this.#edit, editing);
-    const everywhere = seen.doc.problem.zones === null;
+    const { zones, newcomer: { mounted } } = seen.doc.problem;
+    show(this.#area, mounted);
+    const draw = mounted ? "Draw an area inside" : "Draw along the outline, with Shift a no-go";
     write(this.#hint, seen.mode === "outline" ? "Drag corners; Delete takes one away"
-      : everywhere ? "All round is allowed" : "Drag the ends; Delete takes one away");
+      : `${draw}; ${zones === null ? "everywhere is allowed" : "Delete takes one away"}`);
   }
 
   add(): void {
     const { stage } = this.plan;
     if (stage === null) return;
-    const robot = roomiest(stage.shape, this.context.store.seen.value!.doc, this.context.speech.value.Robot);
+    const robot = newRobot(stage.shape, this.context.store.seen.value!.doc, this.context.speech.value.Robot);
     this.context.store.edit((doc) => withRobots(doc, [robot]));
     this.context.store.setMode("move");
     this.context.store.choose(robot.name);
@@ -74,20 +75,10 @@ export class Tools implements View {
     if (store.seen.value?.mode === "push" && this.plan.stage !== null) this.plan.push.begin(this.plan.stage);
   }
 
-  #addStretch(kind: "zone" | "no-go"): void {
+  #addNew(kind: Drawn): void {
     const { stage } = this.plan;
     if (stage === null) return;
-    const { shape } = stage;
-    const { doc } = this.context.store.seen.value!;
-    const middle = shape.nearest(roomiest(shape, doc, "x").contact).along;
-    const half = (NEW_ZONE * shape.perimeter) / 2;
-    this.context.store.editProblem((problem) => {
-      const count = (kind === "zone" ? problem.zones?.length ?? 0 : problem.no_go.length) + 1;
-      const stretch: StretchData = { start: shape.wrapped(middle - half), end: shape.wrapped(middle + half), name: `${kind} ${count}` };
-      if (kind === "no-go") return { ...problem, no_go: [...problem.no_go, stretch] };
-      const zone: ZoneData = { stretch, attachment: null, half_angle: null, directions: null, area: null, name: stretch.name };
-      return { ...problem, zones: [...(problem.zones ?? []), zone] };
-    });
+    this.context.store.editProblem((problem) => withNew(problem, stage.shape, stage.speech, kind));
     this.context.store.setMode("edit");
   }
 

@@ -4,7 +4,8 @@ import { test } from "node:test";
 import type { Pair } from "../src/messages";
 import { gapsOf, isAllRound, withEnd, withGaps, withNewGap } from "../src/plan/gaps";
 import { overlap, placed, type Wanted } from "../src/plan/labels";
-import { moveEnd, roomiest } from "../src/plan/moves";
+import { newRobot } from "../src/plan/adding";
+import { moveEnd } from "../src/plan/moves";
 import { withCorner, withNewCorner, withoutCorner } from "../src/plan/outline";
 import { reachOf } from "../src/plan/reach";
 import { Screen } from "../src/plan/screen";
@@ -74,7 +75,7 @@ test("the ends of a stretch do not pass each other, also across the first corner
 });
 
 test("a new robot goes where there is most room", () => {
-  const made = roomiest(SHAPE, doc([robot([0, -10], Math.PI / 2), robot([0, 10], -Math.PI / 2)]), "Tug");
+  const made = newRobot(SHAPE, doc([robot([0, -10], Math.PI / 2), robot([0, 10], -Math.PI / 2)]), "Tug");
   assert.ok(Math.abs(Math.abs(made.contact[0]) - 30) < 1e-9 && Math.abs(made.contact[1]) < 1e-9);
   assert.equal(made.name, "Tug 3");
 });

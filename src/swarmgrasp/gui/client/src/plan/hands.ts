@@ -1,15 +1,17 @@
 /* Hands on the plan: pointers and keys, turned into moves of a gesture that is one step. */
 
-import { arrowOf, dragGrip, dragRobot, nudgeGrip, nudgeRobot, turnRobot } from "./moves";
+import { arrowOf, dragGrip, dragRobot, drawNew, nudgeGrip, nudgeRobot, turnRobot } from "./moves";
 import { withNewCorner } from "./outline";
 import type { Plan } from "./plan";
-import type { Pair } from "../messages";
+import type { Pair, ProblemData } from "../messages";
 import type { Grip } from "./handles";
 import { distance } from "./shape";
 
 type Held =
   | { readonly kind: "robot"; readonly name: string; readonly off: Pair }
-  | { readonly kind: "grip"; readonly grip: Grip; readonly off: Pair };
+  | { readonly kind: "grip"; readonly grip: Grip; readonly off: Pair }
+  /** A new zone, from here, in the place of what was there before. */
+  | { readonly kind: "draw"; readonly from: Pair; readonly before: ProblemData };
 
 /** A press that moves less than this is a click. */
 const CLICK = 3;
@@ -74,10 +76,12 @@ export class Hands {
         this.#held = { kind: "robot", name: robot, off: [x - at[0], y - at[1]] };
       }
     }
+    if (this.#held === null && stage.seen.mode === "edit") this.#held = { kind: "draw", from: at, before: stage.seen.doc.problem };
     if (this.#held === null) return;
     this.#pointer = event.pointerId;
     this.plan.svg.setPointerCapture(event.pointerId);
     event.preventDefault();
+    if (this.#held.kind === "draw") return;
     (knob ?? this.plan.robots.of(robot!))?.focus({ preventScroll: true });
   }
 
@@ -101,6 +105,10 @@ export class Hands {
     this.#moved = true;
     const { stage, push, context: { store } } = this.plan;
     const held = { shift: event.shiftKey, alt: event.altKey };
+    if (this.#held.kind === "draw") {
+      drawNew(store, stage!, this.#held.before, this.#held.from, at, held);
+      return;
+    }
     const to: Pair = [at[0] + this.#held.off[0], at[1] + this.#held.off[1]];
     if (this.#held.kind === "robot") dragRobot(store, stage!, this.#held.name, stage!.screen.model(to), held);
     else dragGrip(store, stage!, push, this.#held.grip, to, held);
@@ -112,7 +120,7 @@ export class Hands {
     const { store } = this.plan.context;
     if (this.#moved) store.settle();
     else if (held?.kind === "grip" && held.grip.kind === "edge") this.#addCorner(held.grip.edge);
-    else if (held === null && this.#pressed !== null) this.#click(this.#at(event), event.target as Element);
+    else if ((held === null || held.kind === "draw") && this.#pressed !== null) this.#click(this.#at(event), event.target as Element);
     this.#pressed = null;
     this.#moved = false;
   }

@@ -1,7 +1,8 @@
 /* Gestures: what a hand, or a key in its place, does to the document. */
 
 import type { Store } from "../state";
-import type { Doc, Pair, ProblemData, RobotData, StretchData } from "../messages";
+import type { Pair, ProblemData, RobotData, StretchData } from "../messages";
+import { withArea, withStretch } from "./drawing";
 import type { Figure } from "./figures";
 import type { Grip } from "./handles";
 import { withCorner } from "./outline";
@@ -12,6 +13,8 @@ import { movedAlong, movedInside, stanceOf, turnedOff, turnedTo } from "./stance
 
 const DEGREE = Math.PI / 180;
 const NEAR_CORNER = 7;
+/** Pixels from the outline within which a zone is begun. */
+const NEAR_OUTLINE = 24;
 
 /** What a pointer or a key says beside where it is. */
 export interface Held {
@@ -73,6 +76,22 @@ export function dragGrip(store: Store, stage: Stage, push: PushLayer, grip: Grip
     case "torque":
       return push.twist(at);
   }
+}
+
+/**
+ * Draws a new zone from a pixel to another: of a newcomer inside an area, else along the outline, with
+ * Shift a no-go; nothing where neither is near.
+ */
+export function drawNew(store: Store, stage: Stage, before: ProblemData, from: Pair, to: Pair, { shift }: Held): void {
+  const { shape, screen, speech } = stage;
+  if (before.newcomer.mounted) {
+    store.editProblem(() => withArea(before, speech, screen.model(from), screen.model(to)), true);
+    return;
+  }
+  const [start, end] = [from, to].map((at) => shape.nearest(screen.model(at)));
+  if (start!.distance * screen.scale > NEAR_OUTLINE) return;
+  const [begin, stop] = [snapped(stage, start!.along), snapped(stage, end!.along)];
+  if (begin !== stop) store.editProblem(() => withStretch(before, shape, shift ? "no-go" : "zone", begin, stop), true);
 }
 
 function gridded({ speech }: Stage, to: Pair, { shift }: Held): Pair {
@@ -224,55 +243,3 @@ export function turnRobot(store: Store, { shape }: Stage, name: string, degrees:
     return turnedOff(shape, robot, off + degrees * DEGREE);
   }, true);
 }
-
-// -- adding and taking away ----------------------------------------------------------------
-
-/** A name that nobody has. */
-export function freshName(doc: Doc, base: string): string {
-  const taken = new Set(doc.problem.swarm.robots.map(({ name }) => name));
-  taken.add(doc.problem.newcomer.name);
-  const root = base.replace(/ \d+$/, "");
-  for (let i = doc.problem.swarm.robots.length + 1; ; i += 1) {
-    if (!taken.has(`${root} ${i}`)) return `${root} ${i}`;
-  }
-}
-
-/** Adds robots behind the others, and a number of them in one step. */
-export function withRobots(doc: Doc, added: readonly RobotData[]): Doc {
-  const { problem } = doc;
-  return { ...doc, problem: { ...problem, swarm: { ...problem.swarm, robots: [...problem.swarm.robots, ...added] } } };
-}
-
-export function withoutRobot(doc: Doc, name: string): Doc {
-  const { problem } = doc;
-  const robots = problem.swarm.robots.filter((robot) => robot.name !== name);
-  return { ...doc, problem: { ...problem, swarm: { ...problem.swarm, robots } } };
-}
-
-/** A new robot in the middle of the roomiest stretch, square, of the middle limit. */
-export function roomiest(shape: Shape, doc: Doc, word: string): RobotData {
-  const { robots } = doc.problem.swarm;
-  const taken = robots.filter((robot) => !robot.mounted).map((robot) => shape.nearest(robot.contact).along).sort((a, b) => a - b);
-  let [best, room] = [shape.perimeter / 4, -1];
-  taken.forEach((along, i) => {
-    const gap = (taken[i + 1] ?? taken[0]! + shape.perimeter) - along;
-    if (gap > room) [best, room] = [along + gap / 2, gap];
-  });
-  const { at, edge } = shape.placeAt(best);
-  const limits = robots.map(({ limit }) => limit).sort((a, b) => a - b);
-  const limit = limits[limits.length >> 1] ?? doc.problem.newcomer.limit;
-  const pulls = doc.problem.newcomer.attachment === "pull";
-  return {
-    contact: at, direction: folded(shape.inward(edge) + (pulls ? Math.PI : 0)), limit, name: freshName(doc, word),
-    mounted: false, tolerance: null, reverse_limit: 0, steers: 0, friction: null, least: 0, envelope: null,
-    group: "", sectors: null, body: null, lever: 0,
-  };
-}
-
-/** A copy of a robot, beside it. */
-export function duplicated(shape: Shape, doc: Doc, robot: RobotData, gap: number): RobotData {
-  const copy = { ...robot, name: freshName(doc, robot.name) };
-  if (robot.mounted) return movedInside(shape, copy, [robot.contact[0] + gap, robot.contact[1]]);
-  return movedAlong(shape, copy, stanceOf(shape, robot).along + Math.max(gap, doc.problem.spacing));
-}
-
