@@ -2,7 +2,7 @@
 
 import math
 
-from swarmgrasp import place
+from swarmgrasp import place, place_sequence
 from swarmgrasp.scenario import load_example
 
 ORIGINS = "escort-ring"
@@ -214,6 +214,12 @@ def test_several_newcomers_are_placed_one_by_one_and_together(one):
     one.click("[aria-label='How many more come after it']")
     one.click("[aria-label='How many more come after it']")
     assert one.page.locator(".newcomer.later").count() == 2
+    problem = load_example("rectangle-5").problem()
+    told = [f"{found.robot.name} → {found.place}" for found in place_sequence(problem, 3)[1:]]
+    assert one.page.locator(".later-orders li").count() == 2
+    for row, words in enumerate(told):
+        assert one.text(f".later-go >> nth={row}").startswith(words)
     one.click(".word:text-is('one by one')")
     assert one.page.locator(".word:text-is('together')").count() == 1
+    assert one.page.locator(".later-orders li").count() == 3
     assert one.page.locator(".newcomer.later").count() == 2

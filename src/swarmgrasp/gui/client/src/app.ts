@@ -71,10 +71,12 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
     share: () => void menu.share(),
   });
   const followers: View[] = [new Banner(frame.banner, context), bar, plan, inspector, tools, plan.names, text];
-  painter.views = [...followers, ...views(frame, context, plan.layer)];
+  painter.views = [...followers, ...views(frame, context, plan.layer, later)];
   painter.before = (seen) => {
     later.follow(seen);
-    plan.later = later.count > 0 ? later.answers.slice(1).map(({ newcomer }) => newcomer) : [];
+    const robots = later.answers.map(({ newcomer }) => newcomer);
+    plan.later = later.count > 0 ? robots.slice(1) : [];
+    plan.together = later.count > 0 && later.together ? robots[0] ?? null : null;
   };
   hearKeys(context, {
     bar, inspector, menu, plan, sheet, tools, toggleText, textIsOpen: () => text.isOpen, showKeys,

@@ -8,6 +8,8 @@ export class Later {
   count = 0;
   together = false;
   answers: Sequence["answers"] = [];
+  /** How good they are, in words. */
+  said = "";
   #asked: { doc: Doc; count: number; together: boolean } | null = null;
 
   constructor(readonly context: Context, readonly changed: () => void) {}
@@ -15,10 +17,15 @@ export class Later {
   set(count: number, together: boolean): void {
     this.count = count;
     this.together = together;
-    if (count === 0) this.answers = [];
+    if (count === 0) this.#take([], "");
     this.changed();
     const seen = this.context.store.seen.value;
     if (seen !== null) this.follow(seen);
+  }
+
+  #take(answers: Sequence["answers"], said: string): void {
+    this.answers = answers;
+    this.said = said;
   }
 
   /** Asks again when the document has come to rest. */
@@ -33,9 +40,9 @@ export class Later {
       .request({ kind: "sequence", doc: seen.doc, speech: seen.scene.speech, robots: count + 1, together })
       .then((reply) => {
         if (this.#asked !== now) return;
-        if (reply.kind === "sequence") this.answers = reply.answers;
+        if (reply.kind === "sequence") this.#take(reply.answers, reply.say);
         else {
-          this.answers = [];
+          this.#take([], "");
           if (reply.kind === "error") this.context.toast(reply.say);
         }
         this.changed();

@@ -62,7 +62,7 @@ export class NameLayer {
     const corners = shape.vertices.map((corner) => screen.at(corner));
     const room: Room = {
       width: screen.width, height: screen.height, kept, hull: boxOf(corners),
-      arrows: [...figures, ...(newcomer === null ? [] : [newcomer])].map(({ from, to }) => [from, to] as const),
+      arrows: [...figures, ...(newcomer === null ? [] : [newcomer]), ...later].map(({ from, to }) => [from, to] as const),
     };
     const found = placed(wanted, room, this.#turns);
     this.#turns.clear();

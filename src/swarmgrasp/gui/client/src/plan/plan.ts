@@ -42,6 +42,8 @@ export class Plan implements View {
   readonly names: View = { draw: (seen) => this.#drawNames(seen) };
   /** What newcomers after the first would do. */
   later: readonly RobotData[] = [];
+  /** The first of those that are placed together: not always where it would go alone. */
+  together: RobotData | null = null;
   readonly #hull = new HullLayer();
   readonly #middle = new MiddleLayer();
   readonly #labels = new NameLayer();
@@ -91,7 +93,7 @@ export class Plan implements View {
     const bar = this.context.root.querySelector<HTMLElement>(".plan .timeline:not([hidden])");
     const lift = (height < LOW && seen.chosen !== null ? LIFT : 0) + (bar === null ? 0 : 56);
     const screen = new Screen(this.#shapeOf(seen.doc.problem.swarm.outline), width, height, lift);
-    const stage = stageOf(seen, this.#shape!.shape, screen, this.context.speech.value, this.context.hover.value);
+    const stage = stageOf(seen, this.#shape!.shape, screen, this.context.speech.value, this.context.hover.value, this.together);
     this.#stage = stage;
     put(this.svg, { viewBox: `0 0 ${width} ${height}`, width, height, class: `plan-svg mode-${seen.mode}${stage.scale.many ? " many" : ""}` });
     this.#crowd.draw(stage);

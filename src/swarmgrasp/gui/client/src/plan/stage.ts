@@ -1,7 +1,7 @@
 /* What a drawing of the plan works from, made once a frame. */
 
 import type { Hovered, Seen } from "../context";
-import type { Pair } from "../messages";
+import type { Pair, RobotData } from "../messages";
 import type { Speech } from "../speech";
 import { FEW_NAMES, figureOf, scaleOf, CANVAS_FROM, type Figure, type Scale } from "./figures";
 import type { Screen } from "./screen";
@@ -26,10 +26,11 @@ export interface Stage {
   readonly matters: (name: string) => boolean;
 }
 
-export function stageOf(seen: Seen, shape: Shape, screen: Screen, speech: Speech, hovered: Hovered | null): Stage {
+/** @param instead the newcomer where it goes with others, in the place of where it goes alone. */
+export function stageOf(seen: Seen, shape: Shape, screen: Screen, speech: Speech, hovered: Hovered | null, instead: RobotData | null): Stage {
   const { robots } = seen.doc.problem.swarm;
   const answer = seen.parts.answer;
-  const placed = seen.doc.newcomer ? answer?.newcomer ?? null : null;
+  const placed = seen.doc.newcomer && answer?.newcomer != null ? instead ?? answer.newcomer : null;
   // It is known by the document's name, also where it has none.
   const best = placed === null ? null : { ...placed, name: seen.doc.problem.newcomer.name };
   const scale = scaleOf(robots.length > 1000 ? robots : best === null ? robots : [...robots, best], screen);

@@ -2,8 +2,9 @@
 
 import type { Context, Seen, View } from "../context";
 import { el, Pool, put, show, write } from "../dom";
-import type { AnswerPart, CapabilityPart, Fact, Fault, Figure, NextPlace, ProofPart, RobotData } from "../messages";
+import type { AnswerPart, CapabilityPart, Fact, Fault, Figure, NextPlace, Placed, ProofPart, RobotData } from "../messages";
 import { keepNewcomer } from "../keeping";
+import type { Later } from "../sequence";
 import { figure } from "../speech";
 
 /** How long the hand must rest before the verdict is spoken [ms]. */
@@ -15,13 +16,16 @@ export class Answer implements View {
   readonly #figures: Pool<HTMLElement, Figure>;
   readonly #facts: Pool<HTMLElement, Fact>;
   readonly #next: Pool<HTMLElement, NextPlace>;
+  readonly #later: Pool<HTMLElement, Placed>;
+  readonly #sequence: Later;
   readonly #nodes;
   #drawn: readonly unknown[] = [];
   #spoken = "";
   #timer = 0;
 
-  constructor(root: HTMLElement, context: Context) {
+  constructor(root: HTMLElement, context: Context, later: Later) {
     this.#context = context;
+    this.#sequence = later;
     const nodes = {
       refusal: el("ul", { class: "refusal", role: "alert" }),
       told: el("div", { class: "told" }),
@@ -32,6 +36,10 @@ export class Answer implements View {
       place: el("span", { class: "place" }),
       contact: el("span", { class: "contact" }),
       what: el("p", { class: "what" }),
+      later: el("div", { class: "later-orders" }),
+      laterTitle: el("h2", { class: "tile-title" }),
+      laterSaid: el("p", { class: "why" }),
+      laterList: el("ol", {}),
       figures: el("div", { class: "figures" }),
       facts: el("dl", { class: "facts" }),
       next: el("div", { class: "next" }),
@@ -42,12 +50,14 @@ export class Answer implements View {
     const line = el("p", { class: "go" }, nodes.who, " ", arrow, " ", nodes.place);
     nodes.order.append(el("div", { class: "order-line" }, line, nodes.contact), nodes.what);
     nodes.next.append(el("h2", { class: "tile-title" }, "Next best"), nodes.places);
-    nodes.told.append(nodes.order, nodes.figures, nodes.facts, nodes.next);
+    nodes.later.append(nodes.laterTitle, nodes.laterList, nodes.laterSaid);
+    nodes.told.append(nodes.order, nodes.later, nodes.figures, nodes.facts, nodes.next);
     root.replaceChildren(nodes.refusal, nodes.first, nodes.second, nodes.told);
     this.#refusal = new Pool(nodes.refusal, (): HTMLElement => el("li"), (node, fault: Fault) => write(node, fault.sentence));
     this.#figures = new Pool(nodes.figures, makeFigure, dressFigure);
     this.#facts = new Pool(nodes.facts, makeFact, (node, fact: Fact) => this.#dressFact(node, fact));
     this.#next = new Pool(nodes.places, makeNext, (node, next: NextPlace) => this.#dressNext(node, next));
+    this.#later = new Pool(nodes.laterList, makeLater, dressLater);
     this.#linkHover();
     nodes.places.addEventListener("click", (event) => {
       const robot = this.#nextAt(event);
@@ -57,7 +67,7 @@ export class Answer implements View {
 
   draw(seen: Seen): void {
     const { answer, capability, proof } = seen.parts;
-    const inputs = [answer, capability, proof, seen.refused, seen.moving, this.#context.speech.value, seen.empty.answer];
+    const inputs = [answer, capability, proof, this.#sequence.answers, this.#sequence.together, seen.refused, seen.moving, this.#context.speech.value, seen.empty.answer];
     if (inputs.every((input, i) => input === this.#drawn[i])) return;
     this.#drawn = inputs;
     this.#refusal.draw(seen.refused);
@@ -87,12 +97,23 @@ export class Answer implements View {
       write(nodes.contact, speech.point(order.contact));
       write(nodes.what, order.do);
     }
+    this.#tellLater(order !== null);
     this.#figures.draw(capability === undefined ? answer.figures : [...answer.figures, capability.figure]);
     this.#facts.draw(answer.facts.map((fact) => proved(fact, proof)));
     put(nodes.facts, { "data-proof": proof === undefined ? "open" : proof.ok ? "ok" : "failed" });
     show(nodes.facts, answer.facts.length > 0);
     this.#next.draw(answer.next);
     show(nodes.next, answer.next.length > 0);
+  }
+
+  /** Those that come after the first; of those placed together all. */
+  #tellLater(comes: boolean): void {
+    const { answers, together, said } = this.#sequence;
+    const told = together ? answers : answers.slice(1);
+    show(this.#nodes.later, comes && told.length > 0);
+    write(this.#nodes.laterTitle, together ? "Placed together instead" : "Then");
+    write(this.#nodes.laterSaid, said);
+    this.#later.draw(together ? told.map((one) => ({ ...one, text: "" })) : told); // all have the same
   }
 
   #dressFact(node: HTMLElement, fact: Fact): void {
@@ -189,6 +210,19 @@ function dressFigure(node: HTMLElement, { before, after, unit, text }: Figure): 
 
 function makeFact(): HTMLElement {
   return el("div", { class: "fact" }, el("dt"), el("dd"));
+}
+
+function makeLater(): HTMLElement {
+  const line = el("p", { class: "later-go" }, el("b"), el("span", { role: "img", "aria-label": "to" }, " → "), el("span"), el("span", { class: "value" }));
+  return el("li", {}, line, el("p", { class: "later-what" }));
+}
+
+function dressLater(node: HTMLElement, { newcomer, place, do: what, text }: Placed): void {
+  const [name, , where, value] = node.firstElementChild!.children;
+  write(name!, newcomer.name || "newcomer");
+  write(where!, place);
+  write(value!, text);
+  write(node.lastElementChild!, what);
 }
 
 function makeNext(): HTMLElement {

@@ -4,6 +4,7 @@ import type { Context, View } from "../context";
 import type { Layout } from "../layout";
 import { Live } from "../live/live";
 import type { PlanLayer } from "../plan/plan";
+import type { Later } from "../sequence";
 import { Player } from "../run/player";
 import { Answer } from "./answer";
 import { Body } from "./body";
@@ -13,10 +14,10 @@ import { Losses } from "./losses";
 import { Rose } from "./rose";
 import { Slopes } from "./slopes";
 
-export function views(layout: Layout, context: Context, layer: PlanLayer): View[] {
+export function views(layout: Layout, context: Context, layer: PlanLayer, later: Later): View[] {
   makeDrawer(layout, context);
   return [
-    new Answer(layout.answer, context),
+    new Answer(layout.answer, context, later),
     new Losses(layout.losses, context),
     new Body(layout.wrench, context),
     new Rose(layout.rose, context),
