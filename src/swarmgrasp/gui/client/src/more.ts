@@ -3,7 +3,7 @@
 import { stepOf } from "./bar";
 import type { Context } from "./context";
 import { el, Pool, put, show, write } from "./dom";
-import type { BodyData, NewcomerData, Pair, RobotData, ToleranceData } from "./messages";
+import type { BodyData, NewcomerData, Pair, ProblemData, RobotData, ToleranceData } from "./messages";
 import { gapsOf, isAllRound, withEnd, withGaps, withNewGap } from "./plan/gaps";
 import { figure } from "./speech";
 import { Spin, Word, type SpinOptions } from "./spin";
@@ -79,6 +79,7 @@ export class More {
     this.#drawEither(robot, edit as EditEither);
     this.#force("least", isLine && robot.sectors === null, robot.least, robot.limit, "at least",
       (least, moving) => edit((one) => ({ ...one, least }), moving));
+    // A finger pushes, and is no propeller.
     const fingers = isLine && robot.steers === 0 && robot.sectors === null && !robot.mounted;
     this.#rub(fingers, robot.friction, (friction, moving) => edit((one) => ({ ...one, friction }), moving));
     show(this.#spins.astern.node, isLine && robot.sectors === null && robot.friction === null);
@@ -93,13 +94,14 @@ export class More {
   drawNewcomer(newcomer: NewcomerData, edit: Edit<NewcomerData>): void {
     this.#drawEither(newcomer, edit as EditEither);
     show(this.#spins.least.node, false);
-    this.#rub(!newcomer.steers && !newcomer.mounted, newcomer.friction, (friction, moving) => edit((one) => ({ ...one, friction }), moving));
+    this.#rub(!newcomer.steers && !newcomer.mounted, newcomer.friction,
+      (friction, moving) => edit((one) => (friction === null ? { ...one, friction } : { ...one, friction, attachment: "push", reverse_limit: 0 }), moving));
     show(this.#spins.astern.node, newcomer.friction === null);
     for (const { node } of [this.#steers, this.#mounted]) show(node, true);
     this.#steers.draw(newcomer.steers ? "steers" : "one direction", newcomer.steers, "Whether it turns its force at any time",
       () => edit((one) => ({ ...one, steers: !one.steers }), false));
     this.#mounted.draw(newcomer.mounted ? "inside" : "on the outline", newcomer.mounted, "Where it is placed",
-      () => edit((one) => ({ ...one, mounted: !one.mounted }), false));
+      () => this.context.store.editProblem(insideOrOut));
     show(this.#grouped, false);
     show(this.#gapRow, false);
     show(this.#body, !newcomer.mounted);
@@ -204,6 +206,15 @@ export class More {
     this.#gaps.draw(gaps);
     write(this.#newGap, gaps.length === 0 ? "Add a gap" : "Another gap");
   }
+}
+
+/** The same problem with a newcomer inside, or on the outline again: zones are areas, or stretches. */
+function insideOrOut(problem: ProblemData): ProblemData {
+  const mounted = !problem.newcomer.mounted;
+  const zones = problem.zones?.filter((zone) => (zone.area !== null) === mounted) ?? [];
+  const newcomer = mounted ? { ...problem.newcomer, mounted, attachment: "free" as const, half_angle: null, friction: null, body: null }
+    : { ...problem.newcomer, mounted, attachment: "push" as const, half_angle: Math.PI / 6 };
+  return { ...problem, newcomer, zones: zones.length > 0 ? zones : null, ...(mounted ? { no_go: [], spacing: 0 } : {}) };
 }
 
 /** Null where it is exact. */

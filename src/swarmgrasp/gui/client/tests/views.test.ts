@@ -3,12 +3,12 @@ import { test } from "node:test";
 
 import type { LandscapePiece, SlopesPart } from "../src/messages";
 import { Shape } from "../src/plan/shape";
-import { axisOf, columnsOf, edgeOf, namesOf, offOf, pixelsOf, shortName, valueAt, type Column } from "../src/views/columns";
+import { axisOf, columnsOf, edgeOf, namesOf, offOf, pixelsOf, sectorOn, shortName, valueAt, type Column } from "../src/views/columns";
 import { ramp } from "../src/views/paint";
 import { calmRim, curve, freeBearing, percentile, polar, rimOf, ringsTo, speedAt } from "../src/views/polar";
 import { arrowsOf } from "../src/views/slopes";
 import { axesOf, dot, FIRST_EYE, isAlong, rimOf as outlineOf, Solid, turned } from "../src/views/solid";
-import { BARGE, dice, near, robot } from "./helped";
+import { BARGE, dice, doc, near, robot } from "./helped";
 
 const KNOT = 1852 / 3600;
 const DEGREE = Math.PI / 180;
@@ -125,11 +125,11 @@ test("a push and a pull that are square are both at nought", () => {
 });
 
 test("the axis is as narrow as the rows allow, and whole where all directions are", () => {
-  const degrees = (item: LandscapePiece): number => Math.round(axisOf([item]).range / DEGREE);
+  const degrees = (item: LandscapePiece): number => Math.round(axisOf([one(item)]).range / DEGREE);
   assert.equal(degrees(piece({ rows: [-30 * DEGREE, 30 * DEGREE] })), 35);
   assert.equal(degrees(piece({ rows: [120 * DEGREE, 240 * DEGREE] })), 65);
   assert.equal(degrees(piece({ rows: [-Math.PI, 0, Math.PI] })), 180);
-  assert.deepEqual(axisOf([piece({})]).ticks.map((tick) => Math.round(tick / DEGREE)), [-30, -15, 0, 15, 30]);
+  assert.deepEqual(axisOf([one(piece({}))]).ticks.map((tick) => Math.round(tick / DEGREE)), [-30, -15, 0, 15, 30]);
 });
 
 test("columns stand as their pieces do round the outline, and fill the width", () => {
@@ -155,6 +155,23 @@ test("values are interpolated between cells, and nothing is told where nothing i
   assert.ok(near(valueAt(column, values, 0.25, 0.25)!, 65));
   assert.equal(valueAt(column, values, 1, 0.5), null);
   assert.equal(valueAt(column, values, 0.5, 0.6), null);
+});
+
+test("who keeps a whole sector has a band, on the picture and on its axis", () => {
+  const { problem } = doc([]);
+  const alone = piece({ columns: [0, 30], rows: [0], name: "pads" });
+  const band = (change: object): number => Math.round(sectorOn({ ...problem, ...change }, alone) / DEGREE);
+  assert.equal(band({}), 2);
+  assert.equal(band({ newcomer: { ...problem.newcomer, friction: 1 } }), 45);
+  const steers = { ...problem.newcomer, steers: true, half_angle: 40 * DEGREE };
+  assert.equal(band({ newcomer: steers }), 40);
+  const zone = { stretch: null, attachment: null, half_angle: 10 * DEGREE, directions: null, area: null, name: "pads" };
+  assert.equal(band({ newcomer: steers, zones: [zone] }), 10);
+  const [column] = columnsOf([alone], SHAPE, 0, 100, () => 40 * DEGREE);
+  const values = Uint16Array.from([11, 21]);
+  assert.equal(valueAt(column!, values, 0, 39 * DEGREE), 10);
+  assert.equal(valueAt(column!, values, 0, 41 * DEGREE), null);
+  assert.equal(Math.round(axisOf([column!]).range / DEGREE), 65);
 });
 
 test("the pixels of a column are its values at their middles", () => {

@@ -1,12 +1,14 @@
 /* The landscape's measures: a column for each piece, degrees off square up, names below. No DOM. */
 
-import type { LandscapePiece } from "../messages";
+import type { LandscapePiece, ProblemData } from "../messages";
 import { folded, type Shape } from "../plan/shape";
 
 const DEGREE = Math.PI / 180;
 const RANGES = [35, 65, 90, 180];
 const LEAST_WIDTH = 18;
 const GAP = 5;
+/** Half the height of a direction without choice [rad]. */
+export const ALONE = 2 * DEGREE;
 /** From so many pieces on, those that touch are drawn as one. */
 const MANY = 12;
 
@@ -24,6 +26,8 @@ export interface Column {
   readonly width: number;
   /** Off square into the hull, or out of it [rad], one for each row. */
   readonly off: readonly number[];
+  /** Half the height of a row that stands alone [rad]: what a newcomer steers that keeps its sector. */
+  readonly band: number;
 }
 
 /** Off square, of a push and of a pull alike: both are square at 0. */
@@ -38,9 +42,10 @@ export function isFree(piece: LandscapePiece): boolean {
   return rows.length > 1 && Math.abs(rows[rows.length - 1]! - rows[0]!) > Math.PI + 1e-6;
 }
 
-export function axisOf(pieces: readonly LandscapePiece[]): Axis {
-  const free = pieces.some(isFree);
-  const most = Math.max(0, ...pieces.flatMap((piece) => ends(piece).map((row) => Math.abs(free ? folded(row) : offOf(row)))));
+export function axisOf(columns: readonly Column[]): Axis {
+  const free = columns.some(({ piece }) => isFree(piece));
+  const most = Math.max(0, ...columns.flatMap(({ piece, band }) => ends(piece).map((row) =>
+    Math.abs(free ? folded(row) : offOf(row)) + (piece.rows.length === 1 && band > ALONE ? band : 0))));
   const degrees = free ? 180 : RANGES.find((range) => most <= range * DEGREE + 1e-9) ?? 180;
   const step = degrees > 90 ? 90 : degrees > 65 ? 45 : degrees > 35 ? 30 : 15;
   const ticks = [];
@@ -61,8 +66,18 @@ export function edgeOf({ edge: name, start, end }: LandscapePiece, shape: Shape)
   return atCorner && !isNamed(edge) && isNamed(before) ? before : edge;
 }
 
+/** How far either side of square a newcomer pushes on a piece that keeps its whole sector there [rad]. */
+export function sectorOn({ newcomer, zones }: ProblemData, piece: LandscapePiece): number {
+  if (newcomer.friction !== null) return Math.atan(newcomer.friction);
+  if (!newcomer.steers) return ALONE;
+  const zone = zones?.find(({ name }) => name === piece.name);
+  return zone?.half_angle ?? newcomer.half_angle ?? (newcomer.attachment === "free" ? Math.PI : Math.PI / 2);
+}
+
 /** Columns side by side, as they stand round the outline: all wide enough to hit, and longer pieces wider. */
-export function columnsOf(pieces: readonly LandscapePiece[], shape: Shape, left: number, width: number): Column[] {
+export function columnsOf(
+  pieces: readonly LandscapePiece[], shape: Shape, left: number, width: number, bandOf: (piece: LandscapePiece) => number = () => ALONE,
+): Column[] {
   const sorted = [...pieces].sort((a, b) => a.start - b.start);
   const gaps = sorted.map((piece, i) => gapAfter(piece, sorted[i + 1], sorted.length));
   const squeezed = Math.min(1, width / 3 / Math.max(1e-9, sum(gaps)));
@@ -75,7 +90,7 @@ export function columnsOf(pieces: readonly LandscapePiece[], shape: Shape, left:
   return sorted.map((piece, i) => {
     const wide = base + spare * (total > 0 ? (piece.end - piece.start) / total : 1 / sorted.length);
     const off = piece.rows.map((row) => (free ? folded(row) : offOf(row)));
-    const column = { piece, edge: edgeOf(piece, shape), left: at, width: wide, off };
+    const column = { piece, edge: edgeOf(piece, shape), left: at, width: wide, off, band: bandOf(piece) };
     at += wide + squeezed * gaps[i]!;
     return column;
   });
@@ -97,7 +112,7 @@ function sum(values: readonly number[]): number {
  */
 export function valueAt(column: Column, values: ArrayLike<number>, along: number, off: number): number | null {
   const { piece: { columns, first }, off: rows } = column;
-  const row = position(rows, off);
+  const row = position(column, off);
   if (row === null) return null;
   const at = along * (columns.length - 1);
   const [i, j] = [Math.floor(at), Math.floor(row)];
@@ -123,7 +138,7 @@ export function pixelsOf(column: Column, values: ArrayLike<number>, wide: number
   const at = Float64Array.from({ length: wide }, (_, x) => (wide < 2 ? 0 : (x / (wide - 1)) * (length - 1)));
   let pixel = 0;
   for (let y = 0; y < high; y++) {
-    const row = position(rows, range * (1 - (2 * (y + 0.5)) / high));
+    const row = position(column, range * (1 - (2 * (y + 0.5)) / high));
     if (row === null) {
       pixel += wide;
       continue;
@@ -148,13 +163,10 @@ export function pixelsOf(column: Column, values: ArrayLike<number>, wide: number
   return found;
 }
 
-/** Half the height of a row that stands alone [rad]. */
-const ALONE = 2 * DEGREE;
-
 /** The place of an angle among rows that rise evenly; null beyond them. */
-function position(rows: readonly number[], off: number): number | null {
+function position({ off: rows, band }: Column, off: number): number | null {
   const [low, high] = [rows[0]!, rows[rows.length - 1]!];
-  if (rows.length === 1) return Math.abs(off - low) <= ALONE ? 0 : null;
+  if (rows.length === 1) return Math.abs(off - low) <= band + 1e-9 ? 0 : null;
   if (off < low - 1e-9 || off > high + 1e-9) return null;
   return Math.max(0, Math.min(rows.length - 1, ((off - low) / (high - low)) * (rows.length - 1)));
 }

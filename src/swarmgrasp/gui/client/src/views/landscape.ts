@@ -7,7 +7,7 @@ import type { AnswerPart, LandscapePart, RobotData } from "../messages";
 import { offSquare, Shape } from "../plan/shape";
 import { stanceOf } from "../plan/stance";
 import { signed, type Speech } from "../speech";
-import { axisOf, columnsOf, isFree, namesOf, offOf, pixelsOf, valueAt, type Axis, type Column } from "./columns";
+import { ALONE, axisOf, columnsOf, isFree, namesOf, offOf, pixelsOf, sectorOn, valueAt, type Axis, type Column } from "./columns";
 import { palette, ramp, rgb, sheet, whenLooksChange, type Palette, type Rgb, type Sheet } from "./paint";
 
 const DEGREE = Math.PI / 180;
@@ -77,8 +77,9 @@ export class Landscape implements View {
     }
     const shape = new Shape(seen.doc.problem.swarm.outline);
     const width = this.#canvas.clientWidth - LEFT;
-    const columns = columnsOf(landscape.pieces, shape, LEFT, Math.max(40, width));
-    this.#drawn = { part: landscape, answer, shape, axis: axisOf(landscape.pieces), columns };
+    const { problem } = seen.doc;
+    const columns = columnsOf(landscape.pieces, shape, LEFT, Math.max(40, width), (piece) => sectorOn(problem, piece));
+    this.#drawn = { part: landscape, answer, shape, axis: axisOf(columns), columns };
     this.#coloured = "";
     this.#tell(this.#drawn);
     this.#paint();
@@ -241,8 +242,9 @@ export class Landscape implements View {
     const value = valueAt(column, part.values, at.along, at.off);
     if (value === null || answer.newcomer === null) return null;
     const contact = shape.onEdge(edge, piece.start + at.along * (piece.end - piece.start) - shape.starts[edge]!);
+    const off = piece.rows.length === 1 ? column.off[0]! : at.off;
     const flips = !isFree(piece) && Math.abs(piece.rows[Math.floor(piece.rows.length / 2)]!) > Math.PI / 2;
-    const direction = shape.inward(edge) + at.off + (flips ? Math.PI : 0);
+    const direction = shape.inward(edge) + off + (flips ? Math.PI : 0);
     return { kind: "place", robot: { ...answer.newcomer, contact, direction }, value: value * part.unit };
   }
 
@@ -296,9 +298,10 @@ export class Landscape implements View {
     this.#look(cursor);
     const hovered = this.#hoveredAt(drawn, cursor);
     if (hovered === null) return;
-    const { piece } = drawn.columns[cursor.column]!;
+    const { piece, band } = drawn.columns[cursor.column]!;
     const speech = this.#context.speech.value;
-    const sentence = `${piece.name || shapeName(drawn, cursor)}, ${speech.angle(cursor.off)} off square: `
+    const way = band > ALONE ? `within ${speech.angle(band).replace("+", "")} of square` : `${speech.angle(cursor.off)} off square`;
+    const sentence = `${piece.name || shapeName(drawn, cursor)}, ${way}: `
       + said(drawn.answer, hovered.value ?? 0, speech);
     this.#label(sentence);
     this.#context.say(sentence);
