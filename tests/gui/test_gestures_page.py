@@ -158,7 +158,7 @@ def test_zones_and_corners_are_moved_and_robots_go_with_their_side(one):
 
 
 def test_zones_are_drawn_by_hand(one):
-    """Along the outline a zone, with Shift a no-go; inside an area for a newcomer that is mounted."""
+    """Along the outline a zone, with Shift a no-go; inside an area, for who is mounted."""
     one.open("Deck barge")
     before = one.page.locator(".strip").count()
     one.press("z")

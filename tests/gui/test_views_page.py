@@ -64,6 +64,9 @@ def test_a_row_points_at_its_robot_everywhere(one):
     assert one.page.locator(row).get_attribute("aria-pressed") == "true"
     one.click(row)
     assert one.page.locator(row).get_attribute("aria-pressed") == "false"
+    one.focus(".robot[data-robot='Brimir']")
+    assert is_marked(one, row)
+    assert picture(one, "body") != before
 
 
 def test_a_place_of_the_map_stands_in_the_plan(one):

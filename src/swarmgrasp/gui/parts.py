@@ -282,9 +282,7 @@ def _landscape(sheet: Sheet, ms: Callable[[], float], cells: tuple[int, int]) ->
             f"{found.question.terms.several}; the best one is still proven."
         )
     if found.problem.newcomer.mounted:
-        raise Nothing(
-            "Places inside are not compared one by one; the best is still proven."
-        )
+        raise Nothing("Places inside are not compared one by one; the best is still proven.")
     patches = landscape(found.asked, *cells, stop=sheet.stopped)
     flat = np.concatenate([patch.values.ravel() for patch in patches])
     best = np.concatenate([patch.values.max(axis=1) for patch in patches])

@@ -37,7 +37,10 @@ export class Hands {
     svg.addEventListener("keydown", (event) => this.#key(event));
     svg.addEventListener("keyup", () => this.#settleKeys());
     svg.addEventListener("focusin", (event) => this.#focus(event));
-    svg.addEventListener("focusout", () => this.#settleKeys());
+    svg.addEventListener("focusout", () => {
+      this.plan.context.hover.set(null);
+      this.#settleKeys();
+    });
   }
 
   get busy(): boolean {
@@ -154,11 +157,20 @@ export class Hands {
     else hover.set(null);
   }
 
-  /** A robot that has the focus by keys is the chosen one. */
+  /** A robot that has the focus by keys is the chosen one; what has it is marked everywhere, as under a pointer. */
   #focus(event: FocusEvent): void {
-    const robot = (event.target as Element).closest<SVGElement>(".robot")?.dataset.robot;
-    const { store } = this.plan.context;
-    if (robot !== undefined && store.seen.value?.chosen !== robot && this.#pressed === null) store.choose(robot);
+    if (this.#pressed !== null) return;
+    const target = event.target as Element;
+    const robot = target.closest<SVGElement>("[data-robot]")?.dataset.robot;
+    const knob = target.closest<SVGElement>("[data-knob]");
+    const { store, hover } = this.plan.context;
+    if (target.matches(".robot") && store.seen.value?.chosen !== robot) store.choose(robot!);
+    if (robot !== undefined) hover.set({ kind: "robot", name: robot });
+    const grip = knob === null ? undefined : this.plan.handles.knobs[Number(knob.dataset.knob)]?.grip;
+    if (grip === undefined || !("index" in grip)) return;
+    const { zones, no_go } = store.seen.value!.doc.problem;
+    const name = grip.kind === "no-go" ? no_go[grip.index]?.name : zones?.[grip.index]?.name;
+    if (name !== undefined) hover.set({ kind: "zone", name });
   }
 
   #key(event: KeyboardEvent): void {

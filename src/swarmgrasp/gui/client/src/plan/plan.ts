@@ -22,6 +22,8 @@ import { figureOf } from "./figures";
 const LOW = 430;
 const LIFT = 44;
 const OVERLAP = 12;
+/** Room round a knob. */
+const KNOB = 9;
 
 /** Where another view may draw on the plan. */
 export interface PlanLayer {
@@ -151,6 +153,7 @@ export class Plan implements View {
       kept.push({ left: width - 270, top: 0, right: width, bottom: 52 });
     } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });
     if (!chosen) return kept;
+    for (const { at: [x, y] } of this.handles.knobs) kept.push({ left: x - KNOB, top: y - KNOB, right: x + KNOB, bottom: y + KNOB });
     for (const { offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight } of this.card.querySelectorAll<HTMLElement>(
       ".inspect:not([hidden]), .inspect-more:not([hidden])",
     )) kept.push({ left: left - 8, top: top - 4, right: left + offsetWidth, bottom: top + offsetHeight });
