@@ -1,6 +1,8 @@
 """What stands around an answer in its file: what it is, whose, by which program, and when."""
 
+import errno
 import json
+import os
 from datetime import datetime, timedelta, timezone
 from importlib.metadata import version
 
@@ -10,6 +12,7 @@ from answers import QUESTION, honest_document
 from swarmgrasp import Placements, place_sequence, read_answer, write_answer
 from swarmgrasp.answer_file import document_of
 from swarmgrasp.errors import AnswerInvalid
+from swarmgrasp.files import scratch_for
 from swarmgrasp.verify import verify_document
 from swarmgrasp.verify.digest import digest_of
 
@@ -72,3 +75,20 @@ def test_a_sequence_is_one_question(answers):
     with pytest.raises(AnswerInvalid, match="give a list of at least one"):
         Placements([])
     assert json.dumps(Placements([other]).to_data()) == json.dumps(other.to_data())
+
+
+def test_a_full_disk_is_told_with_the_file(tmp_path):
+    """Not with the scratch file beside it, nor without a name; another file keeps its own."""
+    target, said = tmp_path / "answer.json", os.strerror(errno.ENOSPC)
+    for named in (False, True):
+
+        def write(named=named):
+            with scratch_for(target) as scratch:
+                raise OSError(errno.ENOSPC, said, scratch if named else None)
+
+        with pytest.raises(OSError, match="No space") as caught:
+            write()
+        assert (caught.value.filename, list(tmp_path.iterdir())) == (str(target), [])
+    with pytest.raises(OSError, match="No space") as caught, scratch_for(target):
+        raise OSError(errno.ENOSPC, said, "other.json")
+    assert caught.value.filename == "other.json"

@@ -49,7 +49,8 @@ def folder_faults(folder: Path) -> list[str]:
 def scratch_for(target: Path) -> Iterator[Path]:
     """Offer a path beside a target; what is written there takes the target's place at the end.
 
-    If the block raises, nothing is left behind and the target stays as it was.
+    If the block raises, nothing is left behind and the target stays as it was. An `OSError` names
+    the target.
 
     Examples
     --------
@@ -65,6 +66,11 @@ def scratch_for(target: Path) -> Iterator[Path]:
     try:
         yield scratch
         scratch.replace(target)
+    except OSError as error:
+        if error.filename not in (None, str(scratch), scratch):
+            raise
+        said = os.strerror(error.errno) if error.errno else str(error)
+        raise OSError(error.errno, said, str(target)) from None
     finally:
         scratch.unlink(missing_ok=True)
 

@@ -147,13 +147,15 @@ def _plan(
     scenario = read_scenario(file, faults)
     from swarmgrasp.simulation.study import KINDS, Plan, read_plan
     from swarmgrasp.simulation.study.plan import PLAN, check_folder
+    from swarmgrasp.words import either_words
 
     kind = given["of"] or "sizes"
     runs = given["runs"]
     if kind not in KINDS:
-        raise UsageFault(f"--of is {kind}; it should be {' or '.join(KINDS)}")
+        raise UsageFault(f"--of is {kind}; it should be {either_words(list(KINDS))}")
     if runs is None and not (folder / PLAN).exists():
         raise UsageFault("--runs is missing; say how many, such as --runs 10000")
+    _check_options(KINDS[kind], given)
     with blaming(file):
         asked = _study(KINDS[kind], scenario, given)
     many = int(runs) if runs else read_plan(folder).runs
@@ -162,24 +164,31 @@ def _plan(
     return folder, plan
 
 
+def _taken(kind: "type[Study]") -> set[str]:
+    """Return what a kind of study takes."""
+    return {part.name for part in fields(kind)}  # type: ignore[arg-type]
+
+
+def _check_options(kind: "type[Study]", given: dict[str, str | None]) -> None:
+    """Raise `UsageFault` if an option is not for a kind of study."""
+    faults = [
+        f"{option} is not for --of {kind.kind}"
+        for option, part in (("--robots", "fewest_robots"), ("--newcomers", "newcomers"))
+        if given[option[2:]] and part not in _taken(kind)
+    ]
+    if faults:
+        raise UsageFault(faults)
+
+
 def _study(kind: "type[Study]", scenario: "Scenario", given: dict[str, str | None]) -> "Study":
     """Return the study that is asked for of a scenario.
 
     Raises
     ------
-    UsageFault
-        If an option is not for it.
     SwarmGraspError
         If the scenario does not say what it needs.
     """
-    taken = {part.name for part in fields(kind)}  # type: ignore[arg-type]
-    faults = [
-        f"{option} is not for --of {kind.kind}"
-        for option, part in (("--robots", "fewest_robots"), ("--newcomers", "newcomers"))
-        if given[option[2:]] and part not in taken
-    ]
-    if faults:
-        raise UsageFault(faults)
+    taken, faults = _taken(kind), list[str]()
     of: dict[str, Any] = {}
     if given["robots"]:
         of["fewest_robots"], of["most_robots"] = _robots(given["robots"])
@@ -242,9 +251,14 @@ def _robots(text: str) -> tuple[int, int]:
 
 def _robots_faults(text: str | None) -> list[str]:
     """Return what is wrong with numbers of robots."""
-    if text is None or re.fullmatch(r"[0-9]{1,4}(:[0-9]{1,4})?", text):
+    if text is None:
         return []
-    return [f"--robots is {text}; it should be a number, or two such as 4:16"]
+    if not re.fullmatch(r"[0-9]{1,4}(:[0-9]{1,4})?", text):
+        return [f"--robots is {text}; it should be a number, or two such as 4:16"]
+    first, last = _robots(text)
+    if not 1 <= first <= last:
+        return [f"--robots is {text}; it should be 1 <= first <= last"]
+    return []
 
 
 def _number_faults(

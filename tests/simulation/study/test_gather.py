@@ -1,10 +1,13 @@
 """What there is of a study."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from swarmgrasp.errors import StudyInvalid
-from swarmgrasp.simulation.study import Sizes, gather, rows, run_plan
+from swarmgrasp.simulation.study import Losses, Sizes, gather, rows, run_plan
+from swarmgrasp.simulation.study.shard import shard_bytes
 from workers import Inline
 
 
@@ -49,10 +52,20 @@ def test_what_is_not_there_or_damaged_is_told(plan_of, tmp_path):
     with pytest.raises(StudyInvalid, match="holds no study; begin one with"):
         gather(tmp_path)
     plan, folder = plan_of(20, 10), tmp_path / "a"
+    other = replace(plan, study=Losses(plan.study.problem, 5, 6))
     run_plan(folder, plan, executor=Inline())
-    plan.part(folder, 1).write_bytes(b"PAR1")
-    with pytest.raises(StudyInvalid, match=r"the rows cannot be read: .*; delete the damaged"):
+    plan.part(folder, 1).write_bytes(plan.part(folder, 0).read_bytes())
+    with pytest.raises(StudyInvalid, match=r"part-000001.parquet: has not the runs of its shard"):
         gather(folder)
+    plan.part(folder, 0).write_bytes(b"PAR1")
+    plan.part(folder, 1).write_bytes(shard_bytes(other.text, 1))
+    with pytest.raises(StudyInvalid) as caught:
+        gather(folder)
+    remedy = "delete it and run the study again"
+    assert caught.value.faults == (
+        f"{folder}/part-000000.parquet: is damaged; {remedy}",
+        f"{folder}/part-000001.parquet: has not the columns of this study; {remedy}",
+    )
     plan.part(folder, 0).unlink()
     plan.part(folder, 1).unlink()
     with pytest.raises(StudyInvalid, match="nothing of this study is done yet"):

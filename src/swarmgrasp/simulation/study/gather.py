@@ -12,6 +12,7 @@ from swarmgrasp.errors import StudyInvalid
 from swarmgrasp.packages import check_installed
 from swarmgrasp.plain import Told
 from swarmgrasp.simulation.study.plan import Plan, read_plan
+from swarmgrasp.simulation.study.shard import schema_of
 from swarmgrasp.simulation.study.study import Ask, Findings
 from swarmgrasp.terms import Terms
 
@@ -100,6 +101,7 @@ def rows(folder: str | os.PathLike[str]) -> Iterator[Ask]:
     from pyarrow.dataset import dataset
 
     files = _files(folder)
+    _check_files(read_plan(folder), Path(folder), files)
     try:
         parts = dataset([str(path) for path in files], format="parquet")
         with duckdb.connect(config={"threads": 1}) as base:  # sums in one order
@@ -112,10 +114,39 @@ def rows(folder: str | os.PathLike[str]) -> Iterator[Ask]:
 
             yield ask
     except (pa.ArrowException, OSError, duckdb.Error) as error:
-        raise StudyInvalid(
-            f"{folder}: the rows cannot be read: {str(error).splitlines()[0]}; delete the damaged "
-            "file and run the study again"
-        ) from error
+        said = str(error).splitlines()[0]
+        raise StudyInvalid(f"{folder}: the rows cannot be read: {said}") from error
+
+
+def _check_files(plan: Plan, folder: Path, files: list[Path]) -> None:
+    """Raise `StudyInvalid` unless each file is that of its shard."""
+    wanted = schema_of(plan.study)
+    shards = [shard for shard in range(plan.shards) if plan.part(folder, shard) in set(files)]
+    faults = [
+        f"{path}: {fault}; delete it and run the study again"
+        for shard, path in zip(shards, files, strict=True)
+        for fault in _file_faults(path, plan, shard, wanted)
+    ]
+    if faults:
+        raise StudyInvalid(faults)
+
+
+def _file_faults(path: Path, plan: Plan, shard: int, wanted: Any) -> list[str]:
+    """Return what is wrong with the file of a shard, by what stands at its end."""
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        found = parquet.read_metadata(path)
+    except (pa.ArrowException, OSError):
+        return ["is damaged"]
+    if not found.schema.to_arrow_schema().equals(wanted):
+        return ["has not the columns of this study"]
+    groups = [found.row_group(k).column(0).statistics for k in range(found.num_row_groups)]
+    first = min((group.min for group in groups if group and group.has_min_max), default=-1)
+    if (found.num_rows, first) != (plan.count(shard), shard * plan.size):
+        return ["has not the runs of its shard"]
+    return []
 
 
 def digest(folder: str | os.PathLike[str]) -> str:

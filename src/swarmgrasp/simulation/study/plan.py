@@ -178,6 +178,9 @@ def read_plan(folder: str | os.PathLike[str]) -> Plan:
         with path.open("rb") as file:
             raw = file.read(LARGEST_PLAN)
         return plan_of(raw.decode(), str(path))
+    except NotADirectoryError:
+        remedy = f"begin a study with `swarmgrasp study {folder} FOLDER --runs N`"
+        raise StudyInvalid(f"{folder}: is a file, and no folder of a study; {remedy}") from None
     except FileNotFoundError:
         remedy = "begin one with `swarmgrasp study FILE FOLDER --runs N`"
         raise StudyInvalid(f"{folder}: holds no study; {remedy}") from None
