@@ -62,7 +62,9 @@ class Scribbled:
 def test_what_memory_holds_does_not_get_into_a_picture(barge, monkeypatch):
     """Of faces with several numbers of corners, matplotlib fills the rest with just that."""
     monkeypatch.setattr(art3d, "np", Scribbled())
-    wrench_sets(barge)
+    strong = Swarm.from_arrays(barge.outline, barge.contacts, barge.directions, 5.0 * barge.limits)
+    tug = Robot((-20.0, 11.0), -2.0, 6e5)
+    wrench_sets(strong, strong.with_robot(tug))  # the ball stands out, in faces of all kinds
 
 
 def test_the_ball_is_round_on_paper(barge):
