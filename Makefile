@@ -7,7 +7,7 @@ KERNELS := $(wildcard src/swarmgrasp/kernels/*.[ch] src/swarmgrasp/kernels/pytho
 # Warnings are errors here, but where the package is installed for use: make WARNINGS= builds anyway.
 WARNINGS := -Wall -Wextra -Werror
 
-.PHONY: demo test test-c test-long test-oldest test-newest lint docs bench paper page page-tools lock clean
+.PHONY: demo test test-c test-long test-oldest test-newest lint docs packages dist bench paper page page-tools lock clean
 
 demo: $(VENV)/installed
 	mkdir -p demo
@@ -112,15 +112,19 @@ $(VENV)/documenting: $(VENV)/developing requirements-docs.lock
 LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 	--no-emit-find-links --no-header --no-annotate pyproject.toml
 
-# The packages, as an index takes them, and each tried in clean environments: dist/
-dist: $(VENV)/packing
+# The packages, as an index takes them: dist/. The wheel is tried where there is no compiler.
+packages: $(VENV)/packing
 	rm -rf dist build/wheel && mkdir -p dist
 	$(BIN)/python -m build --no-isolation --sdist --outdir dist .
 	$(BIN)/python -m build --no-isolation --wheel --outdir build/wheel .
 	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/auditwheel repair --wheel-dir dist build/wheel/*.whl
 	$(BIN)/abi3audit --strict --summary dist/*.whl
 	$(BIN)/twine check --strict dist/*
-	$(BIN)/python tools/try_packages.py dist
+	$(BIN)/python tools/try_packages.py --wheel dist
+
+# Both of them, with every Python that can be had and all quick tests: TRY="--python 3.12" for one.
+dist: packages
+	$(BIN)/python tools/try_packages.py $(TRY) dist
 
 lock:
 	$(LOCK) --upgrade --extra build -o requirements.lock

@@ -1,5 +1,6 @@
 """How the kernels are built: what pyproject.toml cannot say."""
 
+import re
 import sysconfig
 from pathlib import Path
 from typing import Any, ClassVar
@@ -36,4 +37,21 @@ class BuildKernels(build_ext):
             raise CompileError(self.MISSING.format("a C compiler that runs")) from None
 
 
-setup(cmdclass={"build_ext": BuildKernels})
+def readme() -> str:
+    """Return the README as an index shows it: without pictures and links into the sources.
+
+    There is no address yet that they could lead to.
+    """
+    parts = re.split(r"(^```.*?^```$)", Path("README.md").read_text("utf-8"), flags=re.M | re.S)
+    for k, part in enumerate(parts):
+        if not part.startswith("```"):
+            shown = re.sub(r"^!\[[^\]]*\]\((?!https?:)[^)]*\)\n+", "", part, flags=re.M)
+            parts[k] = re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]*\)", r"\1", shown)
+    return "".join(parts)
+
+
+setup(
+    cmdclass={"build_ext": BuildKernels},
+    long_description=readme(),
+    long_description_content_type="text/markdown",
+)

@@ -17,7 +17,7 @@ swarm = barge.swarm
 
 # Every quality and every placement explains itself.
 print(sg.quality(swarm).explanation)
-answer = sg.place(swarm, barge.newcomer, barge.zones, spacing=barge.spacing, runners_up=0.5)
+answer = sg.place(barge.problem(), runners_up=0.5)
 print(f"\n{answer.explanation}\n")
 
 # The slopes are exact. The two columns are the one way and the other, clockwise first.

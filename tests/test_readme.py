@@ -3,6 +3,7 @@
 import contextlib
 import io
 import re
+import runpy
 from pathlib import Path
 
 import pytest
@@ -44,3 +45,29 @@ def test_every_file_the_readme_links_is_there():
     """No dead links."""
     for target in re.findall(r"\]\(([^)#:]+)\)", README):
         assert (ROOT / target).exists(), target
+
+
+def test_the_python_examples_pass_a_strict_type_checker(tmp_path, monkeypatch):
+    """As they stand: the package is typed all through."""
+    api = pytest.importorskip("mypy.api")
+    monkeypatch.chdir(ROOT)
+    paths = [tmp_path / f"block_{k}.py" for k in range(len(blocks("python")))]
+    for path, code in zip(paths, blocks("python"), strict=True):
+        path.write_text(code)
+    said, complained, status = api.run(["--strict", *map(str, paths)])
+    assert (status, complained) == (0, ""), said
+
+
+def test_an_index_shows_no_link_that_leads_nowhere(monkeypatch):
+    """Pictures and links into the sources go; what they are on stays, and code is as it was."""
+    setuptools = pytest.importorskip("setuptools")
+    given = {}
+    monkeypatch.setattr(setuptools, "setup", lambda **words: given.update(words))
+    monkeypatch.chdir(ROOT)
+    runpy.run_path("setup.py")
+    shown = given["long_description"]
+    assert not re.findall(
+        r"\]\((?!https?:)[^)\s]*\)", re.sub(r"```.*?```", "", shown, flags=re.DOTALL)
+    )
+    assert "the conventions" in shown
+    assert re.findall(r"```.*?```", shown, re.DOTALL) == re.findall(r"```.*?```", README, re.DOTALL)

@@ -1,7 +1,8 @@
 """Try the packages as somebody does who has just found them: in clean environments.
 
-The wheel goes in where no compiler can be had; the source archive is built, and its own tests run.
-Run by `make dist`, with each Python of the versions below that this machine has.
+The wheel goes in where no compiler can be had; the source archive is built, and all its quick tests
+run. With the first Python its documents are built too. `make dist` does that with each Python of
+the versions below that this machine has, `make packages` tries the wheel with one.
 """
 
 import argparse
@@ -14,8 +15,8 @@ import tempfile
 from pathlib import Path
 
 VERSIONS = ("3.11", "3.12", "3.13", "3.14")
-ROOMS = ("tests/kernels", "tests/outline", "tests/swarm", "tests/test_command.py")
-"""Tests that run with every Python; the first runs them all if it is asked to."""
+THIS = ".".join(map(str, sys.version_info[:2]))
+SAID = "import ensurepip, sys; print('.'.join(map(str, sys.version_info[:2])))"
 PINNED = (
     "-m",
     "pip",
@@ -29,19 +30,18 @@ OWN = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-d
 
 
 def pythons() -> dict[str, Path]:
-    """Return the Pythons of this machine by version: on the path, or kept by pyenv."""
+    """Return the Pythons of this machine by version: this one, on the path, or kept by pyenv."""
     kept = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
     found = {}
     for version in VERSIONS:
         named = shutil.which(f"python{version}")
-        tried = [*sorted(kept.glob(f"{version}.*/bin/python")), *([Path(named)] if named else [])]
+        tried = [
+            *([Path(sys.executable)] if version == THIS else []),
+            *sorted(kept.glob(f"{version}.*/bin/python")),
+            *([Path(named)] if named else []),
+        ]
         for python in tried:
-            said = subprocess.run(
-                [python, "-c", "import ensurepip, sys; print('%d.%d' % sys.version_info[:2])"],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
+            said = subprocess.run([python, "-c", SAID], capture_output=True, text=True, check=False)
             if said.stdout.strip() == version:
                 found[version] = python
                 break
@@ -71,59 +71,57 @@ def environment(python: Path, folder: Path, locked: Path) -> Path:
     return folder / "bin"
 
 
-def first_answer(commands: Path, folder: Path) -> str:
-    """Have an answer and its proof checked; return the verdict's first line."""
-    run(commands / "swarmgrasp", "place", "deck-barge", "--json", "answer.json", where=folder)
-    said = run(commands / "swarmgrasp", "verify", "answer.json", where=folder)
-    return said.splitlines()[0]
-
-
 def try_wheel(python: Path, wheel: Path, locked: Path, folder: Path) -> str:
-    """Install the wheel where there is no compiler, and have an answer."""
+    """Install the wheel where there is no compiler, and have an answer; return the verdict."""
     commands = environment(python, folder / "wheel", locked)
-    no_compiler = {"CC": "false", "CXX": "false"}
-    run(commands / "python", *OWN, "--only-binary=:all:", wheel, where=folder, **no_compiler)
-    return first_answer(commands, folder)
+    alone = {"PATH": str(commands)}
+    run(commands / "python", *OWN, "--only-binary=:all:", wheel, where=folder, **alone)
+    command = commands / "swarmgrasp"
+    run(command, "place", "deck-barge", "--json", "answer.json", where=folder, **alone)
+    return run(command, "verify", "answer.json", where=folder, **alone).splitlines()[0]
 
 
-def try_source(python: Path, archive: Path, folder: Path, tests: tuple[str, ...]) -> str:
+def try_source(python: Path, archive: Path, folder: Path, *, documents: bool) -> str:
     """Build and install the source archive, and run its tests; return their last line."""
     with tarfile.open(archive) as packed:
         packed.extractall(folder, filter="data")
     (source,) = folder.glob("swarmgrasp-*")
-    commands = environment(python, folder / "source", source / "requirements-dev.lock")
+    lock = "docs" if documents else "dev"
+    commands = environment(python, folder / "source", source / f"requirements-{lock}.lock")
     run(commands / "python", *OWN, "--no-build-isolation", ".", where=source)
+    if documents:
+        run(commands / "sphinx-build", "-q", "-W", "docs", "site", where=source)
+        run(commands / "python", "tools/check_site.py", "site", where=source)
     shutil.rmtree(source / "src")  # the tests are to see what was installed, and nothing else
-    said = run(
-        commands / "python", "-m", "pytest", "-q", "-n", "2", "--dist", "worksteal", *tests,
-        where=source,
-    )  # fmt: skip
-    return said.splitlines()[-1]
+    tests = ("-m", "pytest", "-q", "-n", "2", "--dist", "worksteal", "tests")
+    return run(commands / "python", *tests, where=source).splitlines()[-1]
 
 
 def main() -> None:
-    """Try both packages with every Python that can be had."""
+    """Try the packages."""
     asked = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     asked.add_argument("folder", type=Path, help="where the packages are")
-    asked.add_argument("--whole", action="store_true", help="all quick tests with the first Python")
+    asked.add_argument("--wheel", action="store_true", help="the wheel alone, with this Python")
+    asked.add_argument("--python", choices=VERSIONS, help="with this version alone")
     options = asked.parse_args()
     (archive,) = options.folder.resolve().glob("*.tar.gz")
     (wheel,) = options.folder.resolve().glob("*.whl")
     locked = Path("requirements.lock").resolve()
     found = pythons()
-    for number, (version, python) in enumerate(found.items()):
+    wanted = THIS if options.wheel else options.python
+    versions = [version for version in found if wanted in (None, version)]
+    for version in versions:
         with tempfile.TemporaryDirectory() as made:
-            folder = Path(made)
-            print(
-                f"Python {version}, wheel: {try_wheel(python, wheel, locked, folder)}", flush=True
-            )
-            tests = () if options.whole and number == 0 else ROOMS
-            said = try_source(python, archive, folder, tests)
-            print(f"Python {version}, source: {said}", flush=True)
+            folder, python = Path(made), found[version]
+            said = try_wheel(python, wheel, locked, folder)
+            print(f"Python {version}, wheel: {said}", flush=True)
+            if not options.wheel:
+                said = try_source(python, archive, folder, documents=version == versions[0])
+                print(f"Python {version}, source: {said}", flush=True)
     missing = [version for version in VERSIONS if version not in found]
-    if missing:
+    if missing and wanted is None:
         print(f"Not tried, because this machine has no Python {', '.join(missing)}")
-    if not found:
+    if not versions:
         sys.exit("no Python of these versions was found")
 
 
