@@ -52,3 +52,33 @@ def test_options_that_play_no_part_are_refused(tmp_path, capsys):
     assert main(["convert", plan, out]) == 0
     assert main(["convert", out, "-", "--bow", "90"]) == 2
     assert "is a scenario: leave out bow" in capsys.readouterr().err
+    assert main(["convert", out, "-", "--length", "ft"]) == 2
+    assert "is a scenario: leave out units" in capsys.readouterr().err
+
+
+MATRIX = '{"tam": [[1, 0], [0, 1], [2, 3]], %s}'
+
+
+def test_nothing_that_is_said_is_passed_over(tmp_path, capsys):
+    """Keys of a mapping, degrees of a drawing, a frame in which no map is: told, or refused."""
+    tam, out = tmp_path / "tam.json", str(tmp_path / "ship.yaml")
+    tam.write_text(MATRIX % '"by": "me", "limits": [1, 1]')
+    assert main(["convert", str(tam), "-"]) == 0
+    assert "The keys by are left out." in capsys.readouterr().err
+    for more, said in (
+        ('"limit": [1, 1]', ":1: unknown key 'limit'; did you mean 'limits'?"),
+        ('"T": [[1], [0], [2]]', ":1: tam and T each say the matrix; keep one"),
+        ('"frme": "NED", "limits": 3', ":1: unknown key 'frme'; did you mean 'frame'?"),
+        ('"frme": "NED", "limits": 3', ":1: limits: should be a list, one a column"),
+    ):
+        tam.write_text(MATRIX % more)
+        assert main(["convert", str(tam), out]) == 2
+        assert f"{tam}{said}" in capsys.readouterr().err.replace("allocation: ", "")
+    drawing = str(DATA.parents[1] / "imports" / "s.svg")
+    assert main(["convert", drawing, out, "--coordinates", "metres"]) == 2
+    assert "has no longitudes and latitudes; leave out coordinates" in capsys.readouterr().err
+    globe = tmp_path / "dock.csv"
+    globe.write_text("longitude,latitude\n10.1,54.3\n10.101,54.3\n10.1,54.301\n")
+    assert main(["convert", str(globe), out, "--frame", "NED"]) == 2
+    assert "x runs to the east and y to the north, as in no frame: NED" in capsys.readouterr().err
+    assert main(["convert", str(globe), out, "--frame", "ENU"]) == 0

@@ -17,7 +17,7 @@ def convert(
     *,
     outline: Path | None = None,
     robots: Path | None = None,
-    length: str = "m",
+    length: str | None = None,
     frame: Literal["ENU", "NED"] | None = None,
     bow: str | None = None,
     heading: str | None = None,
@@ -49,7 +49,7 @@ def convert(
     robots
         A table of robots in CSV, its columns called as the keys of a robot.
     length
-        Unit of length of a file that names none.
+        Unit of length of the scenario, and of a file that names none; m unless given.
     frame
         ENU: y to port, angles counter-clockwise; NED: y to starboard, all that turns clockwise.
     bow
@@ -83,8 +83,9 @@ def convert(
         faults.append(f"{out}: exists already; --force overwrites it")
     if faults:
         raise UsageFault(faults)
+    units = None if length is None else {"length": length, "angle": "deg"}
     found = converted(
-        source, outline=outline, robots=robots, units={"length": length, "angle": "deg"},
+        source, outline=outline, robots=robots, units=units,
         frame=frame, bow=_number(bow), heading=_number(heading), limits=_limits(limits), part=part,
         scale=scale, tolerance=tolerance, mirror=mirror, coordinates=coordinates,
     )  # fmt: skip

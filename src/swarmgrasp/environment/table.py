@@ -20,6 +20,8 @@ SAME_BEARING = 1e-9
 """Difference of two bearings [rad] that is none."""
 WIDEST_GAP = 0.5 * math.pi + SAME_BEARING
 """Between two bearings of a table, at most [rad]."""
+ROUNDED = 0.005
+"""By how much a bearing ahead or astern may be rounded [rad]: 3.14 is one."""
 ONE_SIDE = np.array([1.0, -1.0, -1.0])
 """What surge, sway and yaw are times on the other side."""
 Array = NDArray[np.float64]
@@ -131,14 +133,16 @@ class WindTable(Plain):
         ----------
         rows : (m, 5) [m/s, rad, N, N, N m]
             Speed and bearing of a wind, and what it exerts: as for the class, bearings of any turn.
-            Every speed has the same bearings.
+            Every speed has the same bearings. Those next to ahead or astern, as 3.14 and 6.283,
+            are rounded ones of these.
         about, speed, bearing
             As for the class.
 
         Raises
         ------
         EnvironmentInvalid
-            As for the class, or if a wind is missing, or stands twice with other loads.
+            As for the class, or if a wind is missing, or stands twice with other loads, or if the
+            bearings look like those in another unit.
         """
         found = array_of(rows)
         if found is None or found.ndim != 2 or found.shape[1] != 5 or not np.isfinite(found).all():
@@ -146,8 +150,10 @@ class WindTable(Plain):
                 f"wind: the rows are {shown(rows)}; they should be (m, 5) finite numbers: speed "
                 "[m/s], bearing [rad], surge, sway [N] and yaw [N m]"
             )
-        turns = np.remainder(found[:, 1], math.tau)
-        turns[turns > math.tau - SAME_BEARING] = 0.0
+        _check_unit(float(np.abs(found[:, 1]).max(initial=0.0)))
+        halves = np.round(found[:, 1] / math.pi)
+        is_near = np.abs(found[:, 1] - halves * math.pi) <= ROUNDED
+        turns = np.where(is_near, halves % 2.0 * math.pi, np.remainder(found[:, 1], math.tau))
         rounded = np.round(turns / SAME_BEARING)
         speeds, at = np.unique(found[:, 0], return_inverse=True)
         _, first, along = np.unique(rounded, return_index=True, return_inverse=True)
@@ -257,6 +263,21 @@ def _rising_faults(
             f"{most:.6g} [{unit}]"
         ]
     return []
+
+
+def _check_unit(farthest: float) -> None:
+    """Raise if the bearings of a table, the farthest from 0 given [rad], are in another unit."""
+    degrees = math.degrees(farthest)
+    if 1.0 < degrees <= math.tau + ROUNDED:
+        raise EnvironmentInvalid(
+            f"wind: all bearings are within {degrees:.4g} deg; they look like radians that are "
+            "read as degrees"
+        )
+    if farthest > 2.0 * math.tau + ROUNDED:
+        raise EnvironmentInvalid(
+            f"wind: bearings run to {farthest:.6g} rad; they look like degrees that are read as "
+            "radians"
+        )
 
 
 def _gap_faults(bearings: tuple[float, ...]) -> list[str]:

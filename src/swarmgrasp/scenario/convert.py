@@ -78,7 +78,9 @@ def convert(
         out.
     robots : str or Path, optional
         A table of robots that hold the object; none when left out.
-    units, frame, bow, heading
+    units : mapping of str to str, optional
+        As in a scenario; degrees and SI units when left out.
+    frame, bow, heading
         As in a scenario.
     limits : sequence, optional
         Of the columns of a matrix, as in a scenario.
@@ -107,7 +109,8 @@ def convert(
     _check_options(file, is_matrix, {**beside, **of_file, **of_outline})
     if file.suffix.lower() in SCENARIOS and not is_matrix:
         return Converted(load_scenario(file), ())
-    document: dict[str, Any] = {**of_file, "robots": [] if robots is None else _file(robots)}
+    document: dict[str, Any] = {"units": {"angle": "deg"}}
+    document |= {**of_file, "robots": [] if robots is None else _file(robots)}
     said: tuple[str, ...] = ()
     if is_matrix:
         document["allocation"] = _file(file)
@@ -144,7 +147,7 @@ def _check_options(file: Path, is_matrix: bool, given: dict[str, Any]) -> None:
         what = "a matrix, and no outline is given"
         idle = set() if "outline" in given else set(OUTLINE_OPTIONS)
     elif file.suffix.lower() in SCENARIOS:
-        what, idle = "a scenario", set(given) - {"units"}
+        what, idle = "a scenario", set(given)
     if idle & set(given):
         raise ScenarioInvalid(f"{file} is {what}: leave out {k}" for k in given if k in idle)
 

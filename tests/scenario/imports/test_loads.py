@@ -70,6 +70,46 @@ def test_winds_of_several_speeds_are_interpolated(tmp_path: Path) -> None:
     assert abs(at_end[2]) / 20 + at_end[1] == pytest.approx(120e3, rel=1e-6)
 
 
+TURNS = {
+    "a turn": range(0, 360, 30),
+    "a turn and its end": range(0, 361, 30),
+    "both sides": range(-180, 181, 30),
+    "two turns": range(-90, 630, 30),
+    "one side": range(0, 181, 30),
+}
+
+
+@pytest.mark.parametrize("unit", ["deg", "rad", "rad of two decimals"])
+@pytest.mark.parametrize("turns", TURNS)
+def test_bearings_of_tables_go_round_as_people_write_them(tmp_path, turns, unit) -> None:
+    """In degrees or radians, rounded or not, with the first bearing once more at the end or not."""
+    lines = [f"speed,from [{unit[:3]}],fx,fy,mz"]
+    for degrees in TURNS[turns]:
+        way = math.radians(degrees)
+        told = f"{degrees}" if unit == "deg" else f"{way:.{2 if 'two' in unit else 7}f}"
+        lines.append(f"10,{told},{-9 * math.cos(way):.6f},{20 * math.sin(way):.6f},0")
+    table = scenario_of(tmp_path, "\n".join(lines), "table: {file: loads.csv, frame: ENU}").wind
+    assert table.is_of_one_side == (turns == "one side")
+    for degrees in (0.0, 90.0, 180.0, 240.0, 300.0):
+        way = math.radians(degrees)
+        surge, sway, _ = table.load(BARGE, way, 10.0)
+        off = 0.1 if "two" in unit else 1e-4
+        assert (surge, sway) == pytest.approx((-9 * math.cos(way), 20 * math.sin(way)), abs=off)
+
+
+def test_bearings_of_a_table_in_another_unit_are_refused(tmp_path: Path) -> None:
+    """Degrees that are read as radians, and radians that are read as degrees, tell no loads."""
+    text = "9,0,1,0,0\n9,90,0,1,0\n9,180,1,0,0\n"
+    with pytest.raises(ScenarioInvalid, match=r"run to 180 rad; they look like degrees"):
+        scenario_of(tmp_path, text)
+    path = tmp_path / "asked.yaml"
+    path.write_text("units: {angle: deg}\n" + path.read_text())
+    rows = "9,0,1,0,0\n9,1.571,0,1,0\n9,3.1416,1,0,0\n"
+    (tmp_path / "loads.csv").write_text(rows)
+    with pytest.raises(ScenarioInvalid, match="look like radians that are read as degrees"):
+        load_scenario(path)
+
+
 @pytest.mark.parametrize(
     ("table", "said"),
     [
@@ -83,7 +123,7 @@ def test_winds_of_several_speeds_are_interpolated(tmp_path: Path) -> None:
         ),
         ("20,0,1,2,3\n20,1.5,1,2,3\n", "leave a gap from 85.94 to 0 deg"),
         ("20,0,1,2\n", "has 4 cells"),
-        ("0,0,1,2,3\n0,90,1,2,3\n0,180,1,2,3\n", "the first speed is 0"),
+        ("0,0,1,2,3\n0,1.57,1,2,3\n0,3.14,1,2,3\n", "the first speed is 0"),
         ("", "is empty"),
     ],
 )

@@ -164,6 +164,10 @@ def test_drawings_in_dxf(tmp_path: Path) -> None:
     ).area == pytest.approx(1200.0)
     found = outline_of(tmp_path, "c.dxf", drawing_of(4, 0.1), ", part: hull, tolerance: 1 mm")
     assert found.vertices[:, 1].min() == pytest.approx(-3.0, abs=1e-3)  # bulge times half the chord
+    (tmp_path / "open.dxf").write_bytes(drawing_of(4, 0.0, closed=False))
+    said = " ".join(convert(tmp_path / "open.dxf", scale=2.0).said)
+    assert "The shape is open; a straight side joins its ends." in said
+    assert "One unit of the file is 2 m, though it says mm." in said
     assert "POINT" in refusal(tmp_path, "d.dxf", _with_a_point())[0]
     assert "no polyline" in refusal(tmp_path, "d.dxf", _with_a_point())[0]
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from swarmgrasp.errors import ScenarioInvalid
-from swarmgrasp.ranges import array_of, shown
-from swarmgrasp.scenario.document import read_document
+from swarmgrasp.ranges import array_of, nearest_name, shown
+from swarmgrasp.scenario.document import Node, read_document
 from swarmgrasp.scenario.faults import Faults
 from swarmgrasp.scenario.imports.cells import (
     Cells,
@@ -44,6 +44,8 @@ _KINDS = {
 """What columns measure: a yaw is for each unit of force, as surge and sway, which are numbers."""
 _MATRICES = ("matrix", "tam", "T", "B")
 """Keys that a matrix stands under."""
+_BESIDE = ("limits", "names", "frame")
+"""And those that may stand beside."""
 _SPACE = (0, 1, 5)
 """The rows surge, sway and yaw of a matrix of six."""
 SUFFIXES = (".npy", ".json", ".yaml", ".yml", ".csv", ".tsv", ".txt")
@@ -165,21 +167,35 @@ def _of_mapping(source: Source) -> Matrix | None:
     if not keys:
         source.fault(f"holds no matrix under {', '.join(_MATRICES)}", 1)
         return None
-    frame = data.get("frame", "")
+    before, frame = len(source.faults), data.get("frame", "")
     if frame not in ("", "ENU", "NED"):
         source.fault(
             f"frame: should be ENU or NED (got {shown(frame)})", root.key_marks["frame"][0]
         )
-        return None
     for key in ("limits", "names"):
         if not isinstance(data.get(key, []), list):
             source.fault(f"{key}: should be a list, one a column", root.key_marks[key][0])
-            return None
+    for key in keys[1:]:
+        said = f"{keys[0]} and {key} each say the matrix; keep one"
+        source.fault(said, root.key_marks[key][0])
     found = _checked(source, data[keys[0]], root.key_marks[keys[0]][0])
+    said_of_others = _left_out(source, root)
+    if found is None or len(source.faults) > before:
+        return None
     names = data.get("names")
-    return found and Matrix(
-        found.rows, data.get("limits"), names and list(map(str, names)), frame, found.said
-    )
+    told = *found.said, *said_of_others
+    return Matrix(found.rows, data.get("limits"), names and list(map(str, names)), frame, told)
+
+
+def _left_out(source: Source, root: Node) -> tuple[str, ...]:
+    """Say which keys of a mapping are left out; note those that are known ones, misspelt."""
+    known = (*_MATRICES, *_BESIDE)
+    others = [str(key) for key in root.value if key not in known]  # type: ignore[union-attr]
+    for key in others:
+        remedy = nearest_name(key, _BESIDE)
+        if remedy.startswith("; did"):
+            source.fault(f"unknown key {shown(key)}{remedy}", root.key_marks[key][0])
+    return (f"The keys {', '.join(others)} are left out.",) if others else ()
 
 
 def _of_table(source: Source, unit: str) -> Matrix | None:

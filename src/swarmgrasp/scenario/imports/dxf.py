@@ -50,6 +50,8 @@ def read_dxf(
     points, said = _flattened(corners, bool(lines.is_closed), within), list[str]()
     if any(bulge for _, _, bulge in corners):
         said.append(f"Arcs are chords that are off by at most {within:.3g} units of the drawing.")
+    if lines.dxftype() != "LWPOLYLINE" and any(v.dxf.location.z for v in lines.vertices):
+        said.append("Heights, the third number of points, are left out.")
     kept, is_ring = opened(points)
     return Hull(kept, unit, bool(lines.is_closed) or is_ring, tuple(said))
 

@@ -110,6 +110,10 @@ def _outline(root: Node, faults: Faults, folder: Folder) -> Hull | None:
     if path is not None and "vertices" not in held:
         source = Source(path, faults, keys)
         hull = read_outline(source, length_unit(root), wish or Wish(mirror=DETECT))
+    if hull is not None and hull.unit == "deg" and root.find(("frame",)).value == "NED":
+        hull = None
+        said = "is in degrees: x runs to the east and y to the north, as in no frame: NED"
+        faults.add(node.key_marks[_FILE], (*keys, _FILE), said)
     if hull is None or wish is None:
         held.setdefault("vertices", _stand_in(node))
         return None
@@ -161,7 +165,7 @@ def _loads(root: Node, faults: Faults, folder: Folder) -> None:
     if found is None:
         del root.value["environment"]  # type: ignore[union-attr, arg-type]
     elif "rows" not in held:
-        held["rows"] = noded(found, table.mark)
+        held["rows"] = Node(table.mark, found)
 
 
 def _robots(root: Node, faults: Faults, folder: Folder) -> bool:

@@ -1,9 +1,9 @@
 """Load tables from files: speed and bearing of a wind, and what it exerts."""
 
 import math
-from typing import Any
 
 from swarmgrasp.ranges import shown
+from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.imports.cells import check_headings, check_units, read_cells, wrench_names
 from swarmgrasp.scenario.imports.source import Source
 
@@ -18,8 +18,8 @@ _KINDS = {"speed": "speed", "bearing": "angle", "fx": "force", "fy": "force", "m
 COLUMNS = ("speed", "bearing", "fx", "fy", "mz")
 
 
-def read_loads(source: Source) -> list[list[float | str]] | None:
-    """Read the rows of a load table, as a scenario has them; None after a fault.
+def read_loads(source: Source) -> list[Node] | None:
+    """Read the rows of a load table, as a document has them; None after a fault.
 
     A unit in a heading, as in "Fx [kN]", is that of its numbers. Without a header there are five
     columns, in this order.
@@ -40,15 +40,16 @@ def read_loads(source: Source) -> list[list[float | str]] | None:
         return None
     units = [heading.unit for heading in cells.headings] or [""] * len(COLUMNS)
     order = [called.index(name) for name in COLUMNS]
-    rows: list[list[float | str]] = []
+    rows: list[Node] = []
     for row in cells.rows:
-        told: list[Any] = []
+        mark, told = (row.line, 0, str(source.path)), list[Node]()
         for k, name in zip(order, COLUMNS, strict=True):
             value = cells.number(row.cells[k])
             if math.isnan(value):
                 source.fault(
                     f"{name} should be a finite number (got {shown(row.cells[k])})", row.line
                 )
-            told.append(f"{cells.plain(row.cells[k])} {units[k]}" if units[k] else value)
-        rows.append(told)
+            plain = cells.plain(row.cells[k])
+            told.append(Node(mark, f"{plain} {units[k]}" if units[k] else value, plain))
+        rows.append(Node(mark, told))
     return rows if len(source.faults) == before else None

@@ -23,6 +23,8 @@ MAPS = (".geojson", ".json")
 """Of those in GeoJSON."""
 ROUNDED = 1.5e-4
 """By how much rounding projected corners changes a distance at most [m]."""
+DRAWINGS = (".svg", ".dxf")
+"""And in drawings."""
 DETECT: Final = "detect"
 HALF = (
     "looks like one half of a hull: its ends lie on the {axis} axis, and all else on one side; say "
@@ -91,6 +93,9 @@ def read_outline(source: Source, unit: str, wish: Wish | None = None) -> Hull | 
 
 def _read(source: Source, suffix: str, unit: str, wish: Wish) -> Hull | None:
     """Read a file as it is."""
+    if suffix in DRAWINGS and wish.coordinates is not None:
+        source.fault("has no longitudes and latitudes; leave out coordinates")
+        return None
     if suffix == ".svg":
         return read_svg(source, wish.part, wish.tolerance and wish.tolerance / (wish.scale or 1.0))
     if suffix == ".dxf":
@@ -137,7 +142,8 @@ def _in_unit(hull: Hull, source: Source, unit: str, wish: Wish) -> Hull | None:
         return _projected(hull, source, unit)
     if wish.scale is not None:
         factor = wish.scale
-        hull = hull.with_word(f"One unit of the file is {factor:g} {unit}.")
+        though = f", though it says {own}" if own else ""
+        hull = hull.with_word(f"One unit of the file is {factor:g} {unit}{though}.")
     elif own:
         known = canonical(own, "length")
         if known is None:
@@ -193,7 +199,9 @@ def _whole(hull: Hull, source: Source, wish: Wish) -> Hull | None:
         source.fault(HALF.format(axis=axis))
         return None
     if not wish.mirror or (wish.mirror == DETECT and axis is None):
-        return hull
+        if hull.is_closed or source.path.suffix.lower() not in DRAWINGS:
+            return hull
+        return hull.with_word("The shape is open; a straight side joins its ends.")
     axis = centreline(hull.points)
     if axis is None:
         source.fault(
