@@ -91,6 +91,16 @@ class Telling:
         """
         return self.force.wrench(self.terms.frame.wrench_to_file(wrench).tolist(), length)
 
+    def room(self, length: float, beam: float) -> str:
+        """Say how much room a body of some length and beam [m] takes up.
+
+        Examples
+        --------
+        >>> Telling.of(Terms("ft"), 76.2, []).room(30.48, 9.144)
+        'needs 100 ft by 30 ft of room'
+        """
+        return f"needs {self.length.short(length)} by {self.length.short(beam)} of room"
+
     # -- where and which way ---------------------------------------------------------------
 
     def xy(self, point: Sequence[float]) -> list[str]:

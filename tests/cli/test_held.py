@@ -24,6 +24,40 @@ criterion: {load: environment}
 """
 
 
+NEWCOMER = "newcomer: {name: Gaia, limit: 100, attachment: pull, length: 25, beam: 8}\n"
+
+
+@pytest.mark.parametrize(
+    ("options", "first"),
+    [
+        ([], r"Barge: held in 25 kn from 60 deg, with Gaia in the best place: [\d.]+ kN to spare"),
+        (
+            ["--wind", "90"],
+            r"Barge: not held in 90 kn from 60 deg, even with Gaia where it prepares best: out of "
+            r"reach by [\d.]+ kN, which leaves the object moving to port.*",
+        ),
+        (
+            ["--robots", "2"],
+            r"Barge: held in 25 kn from 60 deg, with 2 robots like Gaia, one after the other: .*",
+        ),
+        (
+            ["--robots", "2", "--together", "--effort", "0"],
+            r"Barge: held in 25 kn from 60 deg, with 2 robots like Gaia in the best found places.*",
+        ),
+    ],
+)
+def test_a_place_says_first_whether_the_load_is_held_then(run, tmp_path, options, first):
+    """As well as the quality tells of the swarm with the newcomers; and what room each needs."""
+    path, answer = tmp_path / "barge.yaml", tmp_path / "answer.json"
+    path.write_text(
+        BARGE + (NEWCOMER.replace(", length: 25, beam: 8", "") if options else NEWCOMER)
+    )
+    status, said, _ = run("place", path, *options, "--json", answer)
+    assert status == 0
+    assert re.fullmatch(first, said.splitlines()[0])
+    assert ("needs 25 m by 8 m of room" in said) == (not options)
+
+
 @pytest.fixture
 def asked(run, tmp_path):
     """Ask for the quality of the barge with other words in its file; return file and answer."""

@@ -8,6 +8,7 @@ import pytest
 
 from swarmgrasp.cli.show import together
 from swarmgrasp.placement.place import _Placing
+from swarmgrasp.placement.together import moving
 from swarmgrasp.placement.together.how_many import _Count
 
 
@@ -53,10 +54,24 @@ def test_placing_one_after_the_other_ends_with_those_placed(run, ctrl_c):
     assert said.startswith("Hull of 120 vertices: 2 tugs like ")
 
 
+def test_moving_ends_with_those_looked_at(run, tmp_path, ctrl_c):
+    """The best of them, with its bound, and who was not looked at; status 130."""
+    ctrl_c(moving, "_without")
+    path = tmp_path / "moves.json"
+    status, said, complaints = run("move", "deck-barge", "--json", path)
+    assert (status, complaints) == (130, "")
+    found = json.loads(path.read_text())
+    assert len(found["ranked"]) + len(found["stuck"]) == 2
+    assert found["untried"] == ["Castor", "Dione", "Electra"]
+    assert "Ctrl-C ended the search before Castor, Dione and Electra" in said
+    assert "no move of those looked at is better" in said
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
 def test_counting_ends_with_what_is_known(run, ctrl_c):
     """How many are enough, and that fewer is not settled."""
     ctrl_c(_Count, "_told")
-    status, said, _ = run("count", "deck-barge", "--quality", "700e3", "--effort", "100000")
+    status, said, _ = run("count", "deck-barge", "--quality", "700kN", "--effort", "100000")
     assert status == 130
     assert re.search(r"Open +.* is not settled; Ctrl-C ended the search\n", said)
 

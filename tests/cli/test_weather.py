@@ -74,8 +74,9 @@ def test_quality_and_forces_answer_for_the_weather(run, barge):
 def test_the_answer_names_the_weather(run, barge):
     """In its first line, whatever is asked."""
     weather = ("--wind", "25", "--from", "60")
-    for command, *more in (["place"], ["move"], ["count", "--quality", "1e3"]):
+    for command, *more in (["move"], ["count", "--quality", "1e3"]):
         assert run(command, barge, *more, *weather)[1].startswith("Barge in 25 kn from 60 deg: ")
+    assert run("place", barge, *weather)[1].startswith("Barge: held in 25 kn from 60 deg, with ")
 
 
 def test_compass_points_need_a_heading(run, barge):

@@ -1,9 +1,9 @@
 """What every question about weather from all round is: a swarm, its surroundings, bearings."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,7 @@ from swarmgrasp.swarm.swarm import swarm_faults
 from swarmgrasp.words import machine_words
 
 Array = NDArray[np.float64]
+T = TypeVar("T")
 
 HELD = 1e-9
 """Share of a load by which it may fail to be held, for rounding."""
@@ -150,6 +151,23 @@ def asked_of(
         Criterion(worst_case=worst_case),
         Criterion(losing=losing, worst_case=worst_case, failures=failures),  # type: ignore[arg-type]
     )
+
+
+def counted(
+    found: Iterable[T], progress: Callable[[int], object] | None, before: int
+) -> Iterator[T]:
+    """Yield what is found, and tell how many that are, beside so many found before.
+
+    Examples
+    --------
+    >>> told = []
+    >>> list(counted("ab", told.append, 3)), told
+    (['a', 'b'], [4, 5])
+    """
+    for count, each in enumerate(found, start=before + 1):
+        yield each
+        if progress is not None:
+            progress(count)
 
 
 def times_held(swarm: Swarm, load: Array, asked: Criterion) -> Quality | None:

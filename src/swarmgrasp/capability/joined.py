@@ -1,5 +1,6 @@
 """Capability before and after a robot joins."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -48,7 +49,10 @@ class CapabilityJoined(Frozen, Answer):
 
 
 def capability_joined(
-    placement: Placement, environment: Environment, before: Capability
+    placement: Placement,
+    environment: Environment,
+    before: Capability,
+    progress: Callable[[int], object] | None = None,
 ) -> CapabilityJoined:
     """Find what a newcomer adds to a capability.
 
@@ -59,9 +63,11 @@ def capability_joined(
     environment : Environment
     before : Capability
         Of the swarm that it joins.
+    progress : callable, optional
+        As for `capability`.
     """
     after = capability(
         placement.swarm_after, environment, before.bearings, before.losing, before.worst_case,
-        before.failures,
+        before.failures, progress,
     )  # fmt: skip
     return CapabilityJoined(placement, before, after)

@@ -1,15 +1,16 @@
 """Capability numbers: the largest step of wind, sea and current held, at every bearing."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.capability.asked import AllRound, Array, asked_of, is_held, times_held
+from swarmgrasp.capability.asked import AllRound, Array, asked_of, counted, is_held, times_held
 from swarmgrasp.environment import STEPS, Environment, Waves
 from swarmgrasp.quality import Criterion
+from swarmgrasp.ranges import call_faults
 from swarmgrasp.swarm import Swarm
 
 ALLOWANCE = 1.25
@@ -43,6 +44,7 @@ def capability_numbers(
     losing: int = 1,
     worst_case: bool = False,
     failures: Sequence[Sequence[str]] = (),
+    progress: Callable[[int], object] | None = None,
 ) -> CapabilityNumbers:
     """Find the largest step of weather a swarm can hold the object in, at every bearing.
 
@@ -57,7 +59,7 @@ def capability_numbers(
     swarm : Swarm
     environment : Environment
         What the object shows to wind and current; waves meet the outline, unless it says more.
-    bearings, losing, worst_case, failures
+    bearings, losing, worst_case, failures, progress
         As for `capability`.
 
     Returns
@@ -90,12 +92,15 @@ def capability_numbers(
     faults = [
         "the environment has no current, and every step has one: give it Current(frontal_area, "
         "lateral_area)"
-    ] * lacking
+    ] * lacking + call_faults(progress)
     asked = asked_of(swarm, environment, bearings, losing, worst_case, failures, faults)
     loads = step_loads(swarm, environment, asked.bearings)
-    held, left = (
-        [_largest(swarm, rows, one) for rows in loads.swapaxes(0, 1)]
+    found = (
+        (_largest(swarm, each, one) for each in loads.swapaxes(0, 1))
         for one in (asked.whole, asked.less)
+    )
+    held, left = (
+        list(counted(each, progress, k * len(asked.bearings))) for k, each in enumerate(found)
     )
     return CapabilityNumbers(
         swarm=swarm,

@@ -1,17 +1,26 @@
 """Capability: the largest wind a swarm can hold the object against, at every bearing."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from swarmgrasp.capability.asked import HELD, AllRound, Array, asked_of, is_held, times_held
+from swarmgrasp.capability.asked import (
+    HELD,
+    AllRound,
+    Array,
+    asked_of,
+    counted,
+    is_held,
+    times_held,
+)
 from swarmgrasp.environment import STEPS, STRONGEST_SEA, Environment
 from swarmgrasp.plain import picked
 from swarmgrasp.quality import Criterion, Polytope, Quality, quality
+from swarmgrasp.ranges import call_faults
 from swarmgrasp.swarm import Swarm
 
 LOOKED_AT = 2
@@ -67,6 +76,7 @@ def capability(
     losing: int = 1,
     worst_case: bool = False,
     failures: Sequence[Sequence[str]] = (),
+    progress: Callable[[int], object] | None = None,
 ) -> Capability:
     """Find the largest wind a swarm can hold the object against, at every bearing.
 
@@ -93,6 +103,9 @@ def capability(
         In the worst poses that the robots' tolerances allow (T14).
     failures : sequence of sequence of str
         The worst of them happens before any loss: each takes robots and groups, by name.
+    progress : callable, optional
+        Called with the number of winds found, after each: one for each bearing, and another after
+        losses.
 
     Returns
     -------
@@ -121,9 +134,12 @@ def capability(
     >>> found.intact.round(2).tolist(), found.after_loss.tolist()
     ([30.53, 14.75], [0.0, 0.0])
     """
-    asked = asked_of(swarm, environment, bearings, losing, worst_case, failures)
+    asked = asked_of(
+        swarm, environment, bearings, losing, worst_case, failures, call_faults(progress)
+    )
     held, left = (
-        _held_from(swarm, environment, asked.bearings, one) for one in (asked.whole, asked.less)
+        list(counted(_held_from(swarm, environment, asked.bearings, one), progress, before))
+        for one, before in ((asked.whole, 0), (asked.less, len(asked.bearings)))
     )
     return Capability(
         swarm=swarm,
@@ -180,26 +196,26 @@ class _Held(NamedTuple):
 
 def _held_from(
     swarm: Swarm, environment: Environment, bearings: Array, asked: Criterion
-) -> list[_Held]:
-    """Find the largest winds held from bearings (m,)."""
-    if not environment.grows_with_square:
-        each = bearings[:, None]
-        return [_largest_in_its_sea(swarm, environment, bearing, asked) for bearing in each]
-    calm = environment.load_in(swarm.outline, bearings, 0.0)
-    return _largest(swarm, calm, environment.wind_load(swarm.outline, bearings, 1.0), asked)
+) -> Iterator[_Held]:
+    """Yield the largest winds held from bearings (m,)."""
+    if environment.grows_with_square:
+        calm = environment.load_in(swarm.outline, bearings, 0.0)
+        winds = environment.wind_load(swarm.outline, bearings, 1.0)
+        yield from _largest(swarm, calm, winds, asked)
+        return
+    for bearing in bearings[:, None]:
+        yield _largest_in_its_sea(swarm, environment, bearing, asked)
 
 
-def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> list[_Held]:
-    """Find the largest winds held beside loads (m, 3), given the loads (m, 3) of 1 m/s."""
-    held = []
+def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> Iterator[_Held]:
+    """Yield the largest winds held beside loads (m, 3), given the loads (m, 3) of 1 m/s."""
     for load, wind in zip(calm, winds, strict=True):
         x, y, turn = load.tolist()
         terms = replace(asked, load=(x, y, turn), task=Polytope([-wind])).terms
         found = quality(swarm, **terms)
         speed = math.sqrt(max(0.0, found.value))
         holds = speed > 0.0 or is_held(times_held(swarm, load, asked))
-        held.append(_Held(speed, holds, found.direction, (*found.failure, *found.lost)))
-    return held
+        yield _Held(speed, holds, found.direction, (*found.failure, *found.lost))
 
 
 def _largest_in_its_sea(

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
@@ -18,6 +19,7 @@ from swarmgrasp.cli.inputs import (
     json_faults,
     read_scenario,
 )
+from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import asked_before, check_newcomer
 from swarmgrasp.cli.weather import STILL, Water, speed_given
 from swarmgrasp.cli.wording import FILE, Wording
@@ -157,7 +159,7 @@ class _Asked(NamedTuple):
     look: dict[str, Any]
 
     @property
-    def terms(self) -> "tuple[Any, ...]":
+    def terms(self) -> "tuple[Any, Any, Any, int, bool, Any]":
         """What functions of capability take; one robot is lost unless something else is said."""
         criterion = self.criterion
         losing = criterion.losing or int(not criterion.failures)
@@ -165,6 +167,10 @@ class _Asked(NamedTuple):
             self.scenario.swarm, self.environment, self.bearings, losing, criterion.worst_case,
             criterion.failures,
         )  # fmt: skip
+
+    def bar(self) -> "AbstractContextManager[Callable[[int], None] | None]":
+        """Return a context with a bar for the winds found, one each for all and after losses."""
+        return shown_progress(2 * len(self.bearings), "looking at winds")
 
 
 class _Found(NamedTuple):
@@ -180,7 +186,8 @@ def _winds(asked: _Asked) -> _Found:
     from swarmgrasp.capability import capability as capability_of
     from swarmgrasp.cli.show.capability import show
 
-    found = capability_of(*asked.terms)
+    with asked.bar() as bar:
+        found = capability_of(*asked.terms, progress=bar)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -197,7 +204,8 @@ def _numbers(asked: _Asked) -> _Found:
     from swarmgrasp.capability import capability_numbers
     from swarmgrasp.cli.show.capability_numbers import show
 
-    found = capability_numbers(*asked.terms)
+    with asked.bar() as bar:
+        found = capability_numbers(*asked.terms, progress=bar)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -234,7 +242,10 @@ def _joined(asked: _Asked) -> _Found:
     from swarmgrasp.cli.show.capability_joined import show
 
     (placement,) = solve(asked.scenario, asked.file, criterion=asked.scenario.criterion)
-    found = capability_joined(placement, asked.environment, capability_of(*asked.terms))
+    with asked.bar() as bar:
+        before = capability_of(*asked.terms, progress=bar)
+    with asked.bar() as bar:
+        found = capability_joined(placement, asked.environment, before, progress=bar)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:

@@ -27,11 +27,12 @@ def move(
     json: Dashed | None = None,
     weather: Weather = CALM,
     wording: Wording = FILE,
-) -> None:
+) -> int:
     """Find the one robot that should attach elsewhere, and where.
 
     Each robot in turn lets go and is placed anew beside all the others. Prints the best
-    move, what it is worth, what is left meanwhile, and the best move of every robot.
+    move, what it is worth, what is left meanwhile, and the best move of every robot. Ctrl-C ends
+    the search with those looked at so far.
 
     Example: swarmgrasp move deck-barge
 
@@ -65,11 +66,20 @@ def move(
         newcomer=None, losing=losing, failures=failures, worst_case=worst_case,
         load=weather.given, task=None,
     )  # fmt: skip
+    from swarmgrasp.cli.lasting import INTERRUPTED, stoppable
     from swarmgrasp.cli.progress import shown_progress
     from swarmgrasp.placement import best_move
 
     total = len(scenario.swarm)
-    with blaming(file), shown_progress(total, f"moving {scenario.terms.several}") as progress:
+    moving = f"moving {scenario.terms.several}"
+    with blaming(file), stoppable() as is_stopped, shown_progress(total, moving) as bar:
+
+        def progress(tried: int) -> bool:
+            """Tell how far the search is, and end it on Ctrl-C."""
+            if bar is not None:
+                bar(tried)
+            return is_stopped()
+
         found = best_move(scenario.problem(criterion), progress=progress)
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.pictures import picture_of_plan
@@ -84,3 +94,4 @@ def move(
         lambda: picture_of_plan(plot, scenario, found, criterion, look),
         csv=wording.csv,
     )
+    return INTERRUPTED if found.untried else 0

@@ -134,23 +134,21 @@ def place(
     together |= robots is None and "robots" in before
     count = int(robots or len(before.get("robots") or before.get("placements") or "1"))
     criterion = criterion_of(scenario, file, losing, worst_case, failures, count)
-    title = weather.title(scenario, wording.terms(scenario))
     if together:
         steps = None if effort is None else int(effort)
         return _tell_together(
-            scenario, file, count, gap, steps, criterion, plot, drawing, json, wording, title=title
+            scenario, file, count, gap, steps, criterion, plot, drawing, json, wording
         )
     return _tell_sequence(
         scenario, file, count, gap, runners_up, criterion, plot, drawing, json, wording,
-        title=title, where_not=where_not and count == 1,
+        where_not=where_not and count == 1,
     )  # fmt: skip
 
 
 def _tell_sequence(
     scenario: "Scenario", file: str, count: int, gap: float | None, runners_up: float | None,
     criterion: "Criterion", plot: Path | None, drawing: Drawing, json: str | None,
-    wording: Wording, *, title: str,
-    where_not: bool,
+    wording: Wording, *, where_not: bool,
 ) -> int:  # fmt: skip
     """Find and tell robots placed one after the other; what is None is as in the answer read.
 
@@ -159,6 +157,7 @@ def _tell_sequence(
     from swarmgrasp.answer_file import document_of
     from swarmgrasp.cli.lasting import INTERRUPTED
     from swarmgrasp.cli.pictures import pictures
+    from swarmgrasp.cli.show.held import weather_of
     from swarmgrasp.cli.show.placement import show
 
     first = (asked_before(scenario, "placements").get("placements") or [{}])[0]
@@ -171,11 +170,11 @@ def _tell_sequence(
 
         survey = grounds(solve(scenario, file, 1, near, 0.0, criterion)[0])
     at_once, terms = _at_once(answers), wording.terms(scenario)
-    look = drawing.look(scenario.name, terms)
+    look, weather = drawing.look(scenario.name, terms), weather_of(scenario, terms)
     deliver(
         json,
         document_of(answers, scenario.name),
-        lambda: show(title, answers, terms, survey, at_once, count),
+        lambda: show(scenario.name, answers, terms, survey, at_once, count, weather),
         lambda: pictures(_beside(plot), scenario, answers, criterion, look) if plot else [],
         csv=wording.csv,
     )
@@ -185,7 +184,7 @@ def _tell_sequence(
 def _tell_together(
     scenario: "Scenario", file: str, count: int, gap: float | None, effort: int | None,
     criterion: "Criterion", plot: Path | None, drawing: Drawing, json: str | None,
-    wording: Wording, *, title: str,
+    wording: Wording,
 ) -> int:  # fmt: skip
     """Find and tell robots placed all at once; what is None is as in the answer read.
 
@@ -195,6 +194,7 @@ def _tell_together(
     from swarmgrasp.cli.lasting import INTERRUPTED, stoppable
     from swarmgrasp.cli.pictures import pictures_together
     from swarmgrasp.cli.progress import shown_search
+    from swarmgrasp.cli.show.held import weather_of
     from swarmgrasp.cli.show.together import show, so_far
     from swarmgrasp.placement import place_together
     from swarmgrasp.placement.together.effort import EFFORT
@@ -212,11 +212,11 @@ def _tell_together(
 
         found = place_together(problem, count, gap=near, effort=steps, progress=progress)
         stopped = is_stopped() and found.stopped_early
-    look = drawing.look(scenario.name, terms)
+    look, weather = drawing.look(scenario.name, terms), weather_of(scenario, terms)
     deliver(
         json,
         document_of(found, scenario.name),
-        lambda: show(title, found, terms, is_stopped=stopped),
+        lambda: show(scenario.name, found, terms, is_stopped=stopped, weather=weather),
         lambda: pictures_together(_beside(plot), scenario, found, look) if plot else [],
         csv=wording.csv,
     )

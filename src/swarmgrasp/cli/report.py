@@ -259,6 +259,7 @@ def _question(job: _Job, terms: "Terms") -> "Section":
 
 def _placed(job: _Job, terms: "Terms") -> list["Section"]:
     """Return where newcomers go, and what the check says."""
+    from swarmgrasp.cli.show.held import weather_of
     from swarmgrasp.cli.show.placement import show
     from swarmgrasp.cli.show.sheet import section
     from swarmgrasp.cli.show.verdict import show as show_verdict
@@ -273,7 +274,10 @@ def _placed(job: _Job, terms: "Terms") -> list["Section"]:
         environment=scenario.environment, terms=terms,
     )  # fmt: skip
     drawn = drawing("plan", picture, f"Plan of {scenario.name}, with the answer.")
-    answer = section("Answer", lambda: show(scenario.name, job.answers, terms), drawn)
+    weather = weather_of(scenario, terms)
+    answer = section(
+        "Answer", lambda: show(scenario.name, job.answers, terms, weather=weather), drawn
+    )
     return [answer, section("Check", lambda: show_verdict("Answer", document, verdict))]
 
 

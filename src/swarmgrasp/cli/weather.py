@@ -269,11 +269,9 @@ class Weather(_Sea, _Current, _Wind):
         """Return the scenario's name, and in which weather it is asked about if that was given."""
         if not self.given:
             return scenario.name
-        from swarmgrasp.cli.show.change import telling_of
-        from swarmgrasp.cli.show.held import weather_words
+        from swarmgrasp.cli.show.held import weather_of
 
-        tell = telling_of(terms, scenario.swarm, [])
-        return f"{scenario.name} {weather_words(scenario, scenario.criterion.load, tell)}"
+        return f"{scenario.name} {weather_of(scenario, terms)}"
 
 
 STILL = Water()

@@ -73,6 +73,8 @@ def _newcomer(scenario: Scenario, tell: Telling) -> list[tuple[str, str]]:
     rows = [("To come", f"{called}: {newcomer_words(newcomer, tell)}"), ("", f"in {where}")]
     if zones is None:
         rows[-1] = ("", where)
+    if newcomer.body:
+        rows.append(("", tell.room(newcomer.body.length, newcomer.body.beam)))
     if scenario.no_go:
         rows.append(("", f"not from {_some(_spans(scenario, tell))} along the outline"))
     if scenario.spacing:

@@ -87,6 +87,12 @@ def spot(outline: Outline, robot: Robot, tell: Telling) -> list[str]:
     return [*tell.xy(robot.contact), along, heading(robot, tell), placed.short]
 
 
+def room_facts(newcomer: Newcomer, tell: Telling) -> list[tuple[str, str]]:
+    """Tell how much room a newcomer takes up, if it has a body."""
+    body = newcomer.body
+    return [] if body is None else [("", tell.room(body.length, body.beam))]
+
+
 def show_robots(report: Report, found: Together, tell: Telling) -> None:
     """Write where robots go that are placed together."""
     columns = [

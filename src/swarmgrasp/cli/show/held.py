@@ -6,16 +6,19 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from swarmgrasp.cli.show.change import unit_of
+from swarmgrasp.cli.show.change import telling_of, unit_of
 from swarmgrasp.environment import Waves
-from swarmgrasp.quality import Loss, Quality, quality
+from swarmgrasp.quality import Criterion, Loss, Quality, quality
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.telling import Telling
+from swarmgrasp.terms import Terms
 from swarmgrasp.words import either_words, list_words, wrench_words
 
 SAME = 1e-9
 """Relative difference of two loads that is none, and share of a load by which it may be missed."""
+THE_LOAD = "against the load"
+"""What is held where nothing more is known of it."""
 MOST_NAMED = 6
 """Robots whose loss is told by name."""
 
@@ -77,9 +80,8 @@ def held_of(swarm: Swarm, found: Quality, lost: Sequence[Loss] | None) -> Held:
 def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     """Say in a line whether the load is held, and after whose loss it is not."""
     found, criterion, robots = held.found, held.found.criterion, tell.terms.several
-    said = f"held {weather_words(scenario, criterion.load, tell)}"
-    if words := replace(criterion, load=(0.0, 0.0, 0.0)).words(scenario.swarm, tell.terms.robot):
-        said += f" {words}"
+    weather = weather_words(scenario, criterion.load, tell)
+    said = _held_words(criterion, scenario.swarm, weather, tell)
     if held.is_missed:
         short = tell.force.text(-held.alone.margin)
         drift = drift_words(held.alone.missing, scenario.swarm)
@@ -99,6 +101,35 @@ def headline(scenario: Scenario, held: Held, tell: Telling) -> str:
     return f"{said}. Held after losing {one}." if held.tried else said
 
 
+def headline_with(found: Quality, who: str, weather: str, tell: Telling) -> str:
+    """Say in a line whether a load is held with newcomers.
+
+    Parameters
+    ----------
+    found : Quality
+        With them, by a criterion with a load.
+    who : str
+        They, and where.
+    weather : str
+        Against what: "in 25 kn from 60 deg", "against the load".
+    tell : Telling
+    """
+    held = held_of(found.swarm, found, None)
+    said = _held_words(found.criterion, found.swarm, weather, tell)
+    if held.is_missed:
+        short = tell.force.text(-held.alone.margin)
+        drift = drift_words(held.alone.missing, found.swarm)
+        return f"not {said}, even with {who}: out of reach by {short}, {drift}"
+    spare = unit_of(found.criterion, tell).text(found.value) if found.value > 0.0 else "nothing"
+    return f"{said}, with {who}: {spare} to spare"
+
+
+def _held_words(criterion: Criterion, swarm: Swarm, weather: str, tell: Telling) -> str:
+    """Say what is held, and after which loss."""
+    words = replace(criterion, load=(0.0, 0.0, 0.0)).words(swarm, tell.terms.robot)
+    return f"held {weather} {words}".rstrip()
+
+
 def drift_words(missing: ArrayLike, swarm: Swarm) -> str:
     """Say where what is missing (3,) [N, N, N m] drives the object."""
     return f"which leaves the object {wrench_words(-np.asarray(missing) * swarm.scale)}"
@@ -108,7 +139,7 @@ def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:
     """Say in which weather a load acts: the file's wind and current, if the load is theirs."""
     environment = scenario.environment
     if environment is None or not environment.exerts(scenario.swarm.outline, load):
-        return "against the load"
+        return THE_LOAD
     wind, current = environment.wind, environment.current
     speed, bearing = wind.speed or 0.0, wind.bearing or 0.0
     said = [f"{tell.speed(speed)} {tell.from_words(bearing)}"] if speed else []
@@ -118,7 +149,12 @@ def weather_words(scenario: Scenario, load: ArrayLike, tell: Telling) -> str:
     if environment.waves is not None:
         said.append(_sea_words(environment.waves, bearing, tell))
     more = f", loads times {environment.dynamic_factor:g}" * (environment.dynamic_factor != 1.0)
-    return f"in {list_words(said)}{more}" if said else "against the load"
+    return f"in {list_words(said)}{more}" if said else THE_LOAD
+
+
+def weather_of(scenario: Scenario, terms: Terms) -> str:
+    """Say in which weather the load of a scenario acts."""
+    return weather_words(scenario, scenario.criterion.load, telling_of(terms, scenario.swarm, []))
 
 
 def _sea_words(waves: Waves, wind_bearing: float, tell: Telling) -> str:

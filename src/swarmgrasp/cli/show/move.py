@@ -15,7 +15,10 @@ from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import Unit
+from swarmgrasp.words import Unit, list_words
+
+MOST_NAMED = 8
+"""Robots that were not looked at and are named."""
 
 
 def show(name: str, found: Move, terms: Terms) -> None:
@@ -30,19 +33,30 @@ def show(name: str, found: Move, terms: Terms) -> None:
         facts += [("From", _pose_words(found, best.old, tell))]
         facts += [("To", _pose_words(found, best.new, tell))]
     else:
-        report.headline(f"{name}: no {terms.robot} had better be elsewhere", "caution")
+        none = f"none of the {terms.several} looked at" if found.untried else f"no {terms.robot}"
+        report.headline(f"{name}: {none} had better be elsewhere", "caution")
     after = max(found.quality, before)
     facts.append(("Quality", change(before, after, unit)))
     if words := criterion.words(swarm, terms.robot):
         facts.append(("", words))
     if found.improves:
         facts.append(("Meanwhile", f"{unit.text(best.quality_without)} without {label}"))
-    facts.append(("Proven", proven(f"move of one {terms.robot}", found.upper_bound, after, unit)))
+    one = f"move of one {terms.robot}" if not found.untried else "move of those looked at"
+    facts.append(("Proven", proven(one, found.upper_bound, after, unit)))
+    if found.untried:
+        facts.append(("Open", _untried_words(found)))
     facts.append(("Why", found.reason_in(terms)))
     report.blank()
     report.facts(facts)
     _table(report, found, unit, tell)
     report.small_print(swarm, tell, tell.along())
+
+
+def _untried_words(found: Move) -> str:
+    """Say whose moves were not looked at."""
+    more = found.untried[MOST_NAMED:]
+    who = list_words([*found.untried[:MOST_NAMED], *([f"{len(more)} more"] if more else [])])
+    return f"Ctrl-C ended the search before {who}"
 
 
 def _pose_words(found: Move, robot: Robot, tell: Telling) -> str:

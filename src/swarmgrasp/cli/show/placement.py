@@ -2,9 +2,16 @@
 
 from collections.abc import Sequence
 
-from swarmgrasp.cli.show.change import spot, spot_columns, telling_of, unit_of
+from swarmgrasp.cli.show.change import (
+    room_facts,
+    spot,
+    spot_columns,
+    telling_of,
+    unit_of,
+)
 from swarmgrasp.cli.show.grounds import show_grounds
-from swarmgrasp.cli.show.report import Column, Report
+from swarmgrasp.cli.show.held import THE_LOAD, headline_with, misses
+from swarmgrasp.cli.show.report import Column, Mood, Report
 from swarmgrasp.placement import Placement
 from swarmgrasp.placement.grounds import Ground
 from swarmgrasp.quality import quality
@@ -32,6 +39,7 @@ def show(
     survey: Sequence[Ground] = (),
     at_once: float = 0.0,
     asked: int = 1,
+    weather: str = THE_LOAD,
 ) -> None:
     """Write the answer for people.
 
@@ -49,13 +57,16 @@ def show(
         What several reach that are placed all at once; 0 if that is not known.
     asked : int
         How many were to be placed; Ctrl-C ended the search after fewer.
+    weather : str
+        What a load is of.
     """
     report, problem = Report(), answers[0].problem
     tell = telling_of(terms, problem.swarm, [answers[-1].upper_bound], problem.newcomer)
+    _show_headline(report, name, answers, weather, tell)
     if len(answers) == 1:
-        _show_one(report, name, answers[0], tell)
+        _show_one(report, answers[0], tell)
     else:
-        _show_sequence(report, name, answers, tell, at_once)
+        _show_sequence(report, answers, tell, at_once)
     if asked > len(answers):
         report.blank()
         report.sentence(f"Ctrl-C ended the search after {len(answers)} of {terms.robots(asked)}.")
@@ -65,17 +76,40 @@ def show(
     report.small_print(problem.swarm, tell, tell.along())
 
 
-def _show_one(report: Report, name: str, answer: Placement, tell: Telling) -> None:
+def _show_headline(
+    report: Report, name: str, answers: Sequence[Placement], weather: str, tell: Telling
+) -> None:
+    """Tell whether a load is held then, if there is one; else what was found."""
+    last, several = answers[-1], tell.terms.robots(len(answers))
+    criterion, called = last.problem.criterion, last.problem.newcomer.name or "newcomer"
+    helps = last.quality > answers[0].quality_before and any(a.improves for a in answers)
+    best = "best found place" if last.is_open else "best place"
+    if criterion.has_load:
+        who = f"{several} like {called}, one after the other"
+        if len(answers) == 1:
+            found = f"in the {best}" if helps else "where it prepares best"
+            who = f"{last.robot.name} {found}"
+        after = quality(last.swarm_after, **criterion.terms)
+        mood: Mood = "bad" if misses(after) else "good" if helps else "caution"
+        report.headline(f"{name}: {headline_with(after, who, weather, tell)}", mood)
+    elif len(answers) > 1:
+        no_gain = "" if helps else ": no gain in quality"
+        said = f"{several} like {called}, one after the other{no_gain}"
+        report.headline(f"{name}: {said}", "good" if helps else "caution")
+    elif helps:
+        best = best if last.is_open else f"the {best}"
+        report.headline(f"{name}: {best} for {last.robot.name}", "good")
+    else:
+        none = "no place found" if last.is_open else "no allowed place"
+        report.headline(f"{name}: {none} for {last.robot.name} raises the quality", "caution")
+
+
+def _show_one(report: Report, answer: Placement, tell: Telling) -> None:
     """Tell where one newcomer goes."""
     robot, unit = answer.robot, unit_of(answer.problem.criterion, tell)
     reason = answer.reason_in(tell.terms)
-    if answer.improves:
-        best = "best found place" if answer.is_open else "the best place"
-        report.headline(f"{name}: {best} for {robot.name}", "good")
-        why = []
-    else:
-        none = "no place found" if answer.is_open else "no allowed place"
-        report.headline(f"{name}: {none} for {robot.name} raises the quality", "caution")
+    why = []
+    if not answer.improves:
         enough = max(2, answer.problem.fewest - len(answer.problem.swarm))
         why = [
             ("Why", reason),
@@ -111,22 +145,16 @@ def place_facts(answer: Placement, tell: Telling) -> list[tuple[str, str]]:
         ("Where", _where(answer, placed)),
         ("", _spot(answer, placed, tell)),
         *_way(answer.robot, placed, tell),
+        *room_facts(answer.problem.newcomer, tell),
     ]
 
 
 def _show_sequence(
-    report: Report, name: str, answers: Sequence[Placement], tell: Telling, at_once: float
+    report: Report, answers: Sequence[Placement], tell: Telling, at_once: float
 ) -> None:
     """Tell where several newcomers go, one row each."""
     first, last = answers[0], answers[-1]
     unit = unit_of(first.problem.criterion, tell)
-    helps = last.quality > first.quality_before and any(a.improves for a in answers)
-    called = first.problem.newcomer.name or "newcomer"
-    report.headline(
-        f"{name}: {tell.terms.robots(len(answers))} like {called}, one after the other"
-        + ("" if helps else ": no gain in quality"),
-        "good" if helps else "caution",
-    )
     report.blank()
     columns = [
         *(Column(text) for text in (tell.terms.robot, "place")),

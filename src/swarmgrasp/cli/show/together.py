@@ -3,8 +3,10 @@
 import math
 
 from swarmgrasp.cli.show.change import change, proven, show_robots, telling_of, unit_of
+from swarmgrasp.cli.show.held import THE_LOAD, headline_with, misses
 from swarmgrasp.cli.show.report import Mood, Report
 from swarmgrasp.placement import Problem, Together
+from swarmgrasp.quality import quality
 from swarmgrasp.terms import Terms
 
 
@@ -16,8 +18,13 @@ def so_far(problem: Problem, quality: float, bound: float, terms: Terms) -> str:
     return f"{unit.text(quality)}{most}"
 
 
-def show(name: str, found: Together, terms: Terms, *, is_stopped: bool = False) -> None:
-    """Write an answer for people; if Ctrl-C ended the search, say so."""
+def show(
+    name: str, found: Together, terms: Terms, *, is_stopped: bool = False, weather: str = THE_LOAD
+) -> None:
+    """Write an answer for people; if Ctrl-C ended the search, say so.
+
+    A load is that of some weather.
+    """
     report, problem, criterion = Report(), found.problem, found.problem.criterion
     tell = telling_of(terms, problem.swarm, [found.upper_bound], problem.newcomer)
     unit = unit_of(criterion, tell)
@@ -25,7 +32,12 @@ def show(name: str, found: Together, terms: Terms, *, is_stopped: bool = False) 
     many = terms.robots(len(found.robots))
     called = problem.newcomer.name or "newcomer"
     mood: Mood = "good" if found.improves else "caution"
-    report.headline(f"{name}: {best} for {many} like {called}, all at once", mood)
+    said = f"{best} for {many} like {called}, all at once"
+    if criterion.has_load:
+        after = quality(found.swarm_after, **criterion.terms)
+        mood = "bad" if misses(after) else mood
+        said = headline_with(after, f"{many} like {called} in {best}", weather, tell)
+    report.headline(f"{name}: {said}", mood)
     report.blank()
     facts = [("Quality", change(found.quality_before, found.quality, unit))]
     if words := criterion.words(problem.swarm, terms.robot):

@@ -104,12 +104,16 @@ class Move(Frozen, Answer):
         The best move of each robot, the best robot first.
     stuck : tuple of str
         Names of robots that have nowhere to go.
+    untried : tuple of str
+        Names of robots whose moves nobody looked at, for the search was ended: nothing is known of
+        them.
     """
 
     problem: Problem
     before: Quality
     ranked: tuple[Relocation, ...]
     stuck: tuple[str, ...]
+    untried: tuple[str, ...] = ()
 
     kind = "move"
 
@@ -117,7 +121,7 @@ class Move(Frozen, Answer):
         """Return question and answer as plain data."""
         return picked(
             self, "problem", "quality_before", "quality", "upper_bound", "improves", "reason",
-            "ranked", "stuck",
+            "ranked", "stuck", "untried",
         )  # fmt: skip
 
     @property
@@ -142,7 +146,7 @@ class Move(Frozen, Answer):
 
     @property
     def upper_bound(self) -> float:
-        """What no move of one robot exceeds [N]."""
+        """What no move of one robot exceeds [N], those untried aside."""
         bound = max(move.upper_bound for move in self.ranked)
         return 0.0 if self.quality == 0.0 and not self._is_open else bound
 
@@ -183,7 +187,7 @@ class Move(Frozen, Answer):
         """Return the same in other terms than ours."""
         best, swarm, weakest = self.best, self.problem.swarm, self.before.weakest_words
         if not self.improves:
-            if self._is_open:
+            if self._is_open or self.untried:
                 return f"no move was found that raises what is weakest, {weakest}"
             alone = f"no {terms.robot} alone can raise what is weakest"
             return f"{alone}, {weakest}, by moving: leave them"
@@ -223,7 +227,8 @@ def best_move(
     gap : float
         As for `place`.
     progress : callable, optional
-        Called with the number of robots tried, after each.
+        Called with the number of robots tried, after each; if what it returns is true, the search
+        ends with those tried, once one of them has anywhere to go.
 
     Returns
     -------
@@ -259,20 +264,21 @@ def best_move(
     swarm = problem.swarm
     check_gaps(swarm, "the best move")
     before = quality(swarm, **problem.criterion.terms)
-    found, stuck = [], []
-    for tried, robot in enumerate(_movable(problem, robots)):
-        if progress is not None:
-            progress(tried)
+    found, stuck, free = [], [], _movable(problem, robots)
+    tried = 0
+    for tried, robot in enumerate(free, start=1):
         try:
             placement = place(_without(problem, robot), gap=gap)
+            found.append(Relocation(robot, placement, before, swarm))
         except NowhereToAttach:
             stuck.append(robot.name)
-            continue
-        found.append(Relocation(robot, placement, before, swarm))
+        if progress is not None and progress(tried) and found:
+            break
     if not found:
         raise NowhereToAttach("none of the robots that may move has anywhere to go")
     ranked = sorted(found, key=lambda move: -move.quality)
-    return Move(problem, before, tuple(ranked), tuple(stuck))
+    untried = tuple(robot.name for robot in free[tried:])
+    return Move(problem, before, tuple(ranked), tuple(stuck), untried)
 
 
 def _movable(problem: Problem, names: str | Iterable[str] | None) -> list[Robot]:
