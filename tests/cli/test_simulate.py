@@ -260,6 +260,9 @@ def test_the_largest_winds(run, pond, tmp_path):
     assert [float(row[0]) for row in rows] == [15.0 * k for k in range(24)]
     assert all(float(row[4]) >= 0.9 for row in rows)
     assert picture.exists()
+    said = run("simulate", calm, "--capability", "--for", "2")[1]  # too short to go anywhere
+    assert ": simulated, more than 1.300 of the static limits are held in a steady" in said
+    assert "in gusts; 2 s are too short to tell them all\n" in said
     status, _, complaints = run("simulate", calm, "--capability", "--gif", "a.gif")
     assert (status, complaints) == (2, "--gif is of a run, and --capability makes none\n")
 

@@ -110,4 +110,5 @@ def _least(found: Limits, speeds: Vector) -> str:
     if speeds is found.static or not found.static.all():
         return f"least {told}"
     shares = speeds / found.static
-    return f"least {told}; {shares.min():.2f} to {shares.max():.2f} of statics"
+    more = "more than " if found.exceeds(speeds).any() else ""
+    return f"least {told}; {shares.min():.2f} to {more}{shares.max():.2f} of statics"

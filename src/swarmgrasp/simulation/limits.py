@@ -28,6 +28,8 @@ TRIED = 8
 """Winds tried at once between the largest known to be held and the least known not to be."""
 SPAN = (0.4, 1.3)
 """Winds tried at first, of what statics says."""
+SAME = 1e-9
+"""Part of a wind that is none."""
 TOGETHER = 1000
 """Runs in one batch."""
 
@@ -65,6 +67,13 @@ class Limits(Frozen, Told):
     within: float
     within_turn: float
     gap: float
+
+    def exceeds(self, speeds: Array) -> NDArray[np.bool_]:
+        """Tell which limits (..., m) [m/s] are larger than told: every wind tried was held.
+
+        The run is then too short to tell, or the object yields into a smaller load.
+        """
+        return np.asarray((speeds >= (1.0 - SAME) * SPAN[1] * self.static) & (self.static > 0.0))
 
 
 def limits(

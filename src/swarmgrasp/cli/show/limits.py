@@ -36,11 +36,15 @@ def show(name: str, found: Limits, terms: Terms) -> None:
     rows = []
     for i in range(0, len(found.bearings), step):
         speeds = [float(each[i]) for each in (static, found.steady, gusty)]
-        shares = [f"{v / speeds[0]:.3f}" if speeds[0] else "" for v in speeds[1:]]
-        factor = f"{(speeds[0] / speeds[2]) ** 2:.2f}" if speeds[2] else ""
-        rows.append(
-            [bare(found.bearings[i], tell), *(f"{v / scale:.4g}" for v in speeds), *shares, factor]
-        )
+        more = ["", *(">" * bool(found.exceeds(each)[i]) for each in (found.steady, gusty))]
+        less = "<" * bool(more[2])
+        told = [f"{sign}{v / scale:.4g}" for sign, v in zip(more, speeds, strict=True)]
+        shares = [
+            f"{sign}{v / speeds[0]:.3f}" if speeds[0] else ""
+            for sign, v in zip(more[1:], speeds[1:], strict=True)
+        ]
+        factor = f"{less}{(speeds[0] / speeds[2]) ** 2:.2f}" if speeds[2] else ""
+        rows.append([bare(found.bearings[i], tell), *told, *shares, factor])
     report.table(columns, rows, "bearings")
     report.blank()
     duration = found.simulation.duration
@@ -61,10 +65,26 @@ def _headline(found: Limits, gusty: NDArray[np.float64], known: NDArray[np.bool_
     """Say how far what is simulated is from what statics says."""
     if not known.all():
         return "statics holds no wind from every bearing"
-    steady = found.steady / found.static
-    shares = gusty / found.static
     word = "gusts" if found.simulation.weather.gusts != "none" else "a steady wind, noisy sensors"
+    steady, more = (_shares(found, speeds) for speeds in (found.steady, gusty))
+    short = ""
+    if found.exceeds(found.steady).any() or found.exceeds(gusty).any():
+        short = f"; {span(found.simulation.duration)} are too short to tell them all"
     return (
-        f"simulated, {steady.min():.3f} to {steady.max():.3f} of the static limits are held in a "
-        f"steady wind, {shares.min():.3f} to {shares.max():.3f} in {word}"
+        f"simulated, {steady} of the static limits are held in a steady wind, {more} in "
+        f"{word}{short}"
     )
+
+
+def _shares(found: Limits, speeds: NDArray[np.float64]) -> str:
+    """Say between which parts of the static limits some are; above the most that was tried, more.
+
+    Parameters
+    ----------
+    found : Limits
+    speeds : (m,) [m/s]
+    """
+    shares, exceeds = speeds / found.static, found.exceeds(speeds)
+    if exceeds.all():
+        return f"more than {shares.min():.3f}"
+    return f"{shares.min():.3f} to {'more than ' * bool(exceeds.any())}{shares.max():.3f}"

@@ -81,10 +81,13 @@ class Table:
         'tug,share [%]\nAjax,12.3\n'
         >>> Table("winds", [Column("[m/s]"), Column("[m/s]")], [["3", "4"]]).csv_text()
         '[m/s],[m/s] (2)\n3,4\n'
+        >>> Table("blanks", [Column("after [s]"), Column("what")], [["", "lost"]]).csv_text()
+        'after [s],what\n,lost\n'
         """
         names, cells = [column.name for column in self.columns], [list(row) for row in self.rows]
         for k, name in enumerate(names):
-            if cells and all(row[k].endswith(PERCENT) or not row[k] for row in cells):
+            column = [row[k] for row in cells if row[k]]
+            if column and all(cell.endswith(PERCENT) for cell in column):
                 names[k] = f"{name} [%]"
                 for row in cells:
                     row[k] = row[k].removesuffix(PERCENT)
