@@ -11,6 +11,8 @@ from matplotlib.figure import Figure
 from shown import assert_same, assert_within
 from swarmgrasp import plot
 from swarmgrasp.cli import main
+from swarmgrasp.plot import sheet_of_run
+from swarmgrasp.simulation.export import gif
 
 DOCS = Path(__file__).parent.parent / "docs"
 PAGES = sorted([*DOCS.glob("*.md"), *DOCS.glob("how-to/*.md")])
@@ -30,12 +32,14 @@ def test_the_code_of_a_page_prints_what_it_shows(page):
         assert_same(shown, printed.getvalue())
 
 
-@pytest.mark.parametrize("page", ["tutorial", "how-to/ten-questions"])
+@pytest.mark.parametrize("page", ["simulation", "tutorial", "how-to/ten-questions"])
 def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch, capsys):
     """They run one after the other, in one folder, with the files that the page shows."""
     monkeypatch.chdir(tmp_path)
     for slow in ("plan", "forces_plan", "capability_diagram"):  # tested where they are at home
         monkeypatch.setattr(plot, slow, lambda *_, **__: Figure())
+    monkeypatch.setattr(sheet_of_run, "run_sheet", lambda *_, **__: Figure())
+    monkeypatch.setattr(gif, "write_gif", lambda _, path, **__: path)
     text = (DOCS / f"{page}.md").read_text("utf-8")
     for name, written in re.findall(r"```yaml\n# (\S+)\n(.*?)```", text, re.DOTALL):
         Path(name).write_text(written)

@@ -9,6 +9,9 @@ from swarmgrasp.swarm import Swarm
 from swarmgrasp.terms import Terms
 from swarmgrasp.words import digits, percent
 
+ROUNDING = 1e-9
+"""Of the object's extent, or of a radian: a motion that is none."""
+
 
 def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
     """Write a judgement for people."""
@@ -41,8 +44,9 @@ def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
     report.table(columns, [
         [
             percent(trial.factor), "yes" if trial.is_held else "no",
-            force.part(trial.net, size).split()[0], f"{trial.distance / length.metres:.2g}",
-            f"{math.degrees(trial.turn):.2g}",
+            force.part(trial.net, size).split()[0],
+            f"{_seen(trial.distance, swarm.outline.extent) / length.metres:.2g}",
+            f"{math.degrees(_seen(trial.turn, 1.0)):.2g}",
         ]
         for trial in found.trials
     ], "disturbances")  # fmt: skip
@@ -50,3 +54,8 @@ def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
     report.note("Left over: force and torque that act on the object at the start, in the metric.")
     for note in (metric_note(swarm, tell), *tell.notes()):
         report.note(note)
+
+
+def _seen(moved: float, whole: float) -> float:
+    """Return how far something moved; what is rounding beside the whole is nothing."""
+    return moved if moved > ROUNDING * whole else 0.0
