@@ -44,7 +44,7 @@ def test_columns_are_the_robots_that_they_stand_for() -> None:
         other = ask(question_of(message.doc, message.speech), None)
         assert other.values == one.values
         assert other.newcomer == one.newcomer
-        known = robots if names else [str(i) for i in range(1, 9)]
+        known = robots if names else [f"R{i}" for i in range(1, 9)]
         assert list(other.problem.swarm.names) == known
 
 

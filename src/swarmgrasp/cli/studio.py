@@ -194,7 +194,9 @@ def _scene(file: str, known: "dict[str, Source]") -> "tuple[str, Source]":
     if scenario.answer is not None:
         return name, Source(scenario_text(scenario))
     text = raw.decode("utf-8-sig")
-    return name, Source(text) if file == DASH else Source.beside(text, Path(file).parent)
+    if file == DASH:
+        return name, Source(text, scenario=scenario)
+    return name, Source.beside(text, Path(file).parent, scenario)
 
 
 def _has_display() -> bool:

@@ -23,13 +23,14 @@ class Columns(NamedTuple):
     contacts : (n, 2) [m, m]
     directions : (n,) [rad]
     limits : (n,) [N]
-    names : sequence of str
+    names : sequence of str, optional
+        Left out of those that have none of their own.
     """
 
     contacts: NDArray[np.float64]
     directions: NDArray[np.float64]
     limits: NDArray[np.float64]
-    names: Sequence[str]
+    names: Sequence[str] | None
 
 
 def packed(head: bytes, arrays: Mapping[str, NDArray[np.generic]]) -> bytes:
@@ -58,7 +59,7 @@ def unframed(raw: bytes) -> tuple[bytes, memoryview]:
 
 
 def columns_of(body: memoryview, names: Sequence[str] | None) -> Columns:
-    """Return the robots of a frame's body; without names they are called by their numbers.
+    """Return the robots of a frame's body.
 
     Raises
     ------
@@ -70,5 +71,4 @@ def columns_of(body: memoryview, names: Sequence[str] | None) -> Columns:
         raise msgspec.DecodeError("the columns should have 4 numbers for each robot, and a name")
     numbers = np.frombuffer(body, "<f8").astype(np.float64)
     contacts = numbers[: 2 * count].reshape(count, 2)
-    called = [str(i) for i in range(1, count + 1)] if names is None else names
-    return Columns(contacts, numbers[2 * count : 3 * count], numbers[3 * count :], called)
+    return Columns(contacts, numbers[2 * count : 3 * count], numbers[3 * count :], names)

@@ -14,21 +14,28 @@ from swarmgrasp.scenario import Scenario, example_names, example_text, named_fil
 from swarmgrasp.terms import Frame, Terms
 from swarmgrasp.units import ANGLES, FORCES, LENGTHS, SPEEDS
 
+_TAKES = re.compile(r"\b(file|table)\b")
+"""What a text says that takes something from a file; others need not be looked through."""
 _TITLE = re.compile(r"^name:\s*(.+?)\s*$", re.MULTILINE)
 _KEY = re.compile(r"([\w.-]+): ")
 
 
 @dataclass(frozen=True)
 class Source:
-    """A scene's text, and the files that texts may take from: paths as they say them, and where."""
+    """A scene's text, and the files that texts may take from: paths as they say them, and where.
+
+    `scenario` is what the text says, where that has been read.
+    """
 
     text: str
     files: Mapping[str, Path] = field(default_factory=dict)
+    scenario: Scenario | None = None
 
     @classmethod
-    def beside(cls, text: str, folder: Path) -> "Source":
+    def beside(cls, text: str, folder: Path, scenario: Scenario | None = None) -> "Source":
         """Return the scene of a text in a folder; only the files that it names itself are read."""
-        return cls(text, {path: folder / path for path in named_files(text)})
+        names = named_files(text) if _TAKES.search(text) else ()
+        return cls(text, {path: folder / path for path in names}, scenario)
 
 
 def built_in() -> dict[str, Source]:
@@ -52,7 +59,9 @@ def scene_of(n: int, name: str, source: Source) -> Scene:
     ScenarioInvalid
         If its text has faults.
     """
-    scenario = parse_scenario(source.text, f"{name}.yaml", source.files)
+    scenario = source.scenario
+    if scenario is None:
+        scenario = parse_scenario(source.text, f"{name}.yaml", source.files)
     warnings = tuple(map(_fault, scenario.slips))
     return Scene(n, name, source.text, doc_of(scenario), speech_of(scenario), warnings)
 

@@ -12,6 +12,8 @@ from swarmgrasp.quality import Quality
 from swarmgrasp.swarm import Robot, Swarm
 from swarmgrasp.words import list_words, turned
 
+MOST_MARKED = 300
+"""Names that views mark."""
 MOST_NAMED = 3
 """Robots named in a fact."""
 MOST_NEXT = 3
@@ -174,7 +176,7 @@ class Telling:
         told = [] if found.placement is None else [Fact("proven", "Proven", self._proven(), ())]
         if found.nowhere:
             told.append(Fact("note", "No place", found.nowhere, ()))
-        names = after.facet_robots if after.value > 0.0 else ()
+        names = _few(after.facet_robots) if after.value > 0.0 else ()
         set_by = f", set by {list_words(names)}" if 0 < len(names) <= MOST_NAMED else ""
         if len(found.swarm):
             told.append(Fact("weakest", "Weakest", after.weakest_words + set_by, names))
@@ -254,7 +256,7 @@ class Telling:
         if after.value == 0.0:
             wrench = after.direction / self.found.swarm.scale
         x, y, turn = wrench.tolist()
-        return WeakestTold((x, y, turn), after.facet_robots)
+        return WeakestTold((x, y, turn), _few(after.facet_robots))
 
 
 def do_words(robot: Robot, outline: Outline, figures: Figures) -> str:
@@ -282,6 +284,11 @@ def _figure(
 ) -> Figure:
     """Return a figure in a unit."""
     return Figure(None if before is None else told(before), told(after), unit, words)
+
+
+def _few(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Return names that can be marked one by one; nobody where they are too many."""
+    return names if len(names) <= MOST_MARKED else ()
 
 
 def _all_of(number: int) -> str:

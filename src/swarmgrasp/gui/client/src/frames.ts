@@ -1,6 +1,6 @@
 /* Binary frames: u32 length | JSON head padded with spaces to a multiple of 8 | arrays. */
 
-import type { Doc, Incoming, Outgoing } from "./messages";
+import type { Doc, Incoming, Outgoing, RobotData } from "./messages";
 
 const ARRAYS = {
   f4: Float32Array, f8: Float64Array, i1: Int8Array, i2: Int16Array, u2: Uint16Array, u4: Uint32Array,
@@ -32,13 +32,19 @@ export function decoded(data: string | ArrayBuffer): Incoming {
   return head as unknown as Incoming;
 }
 
-/** What is sent: text, or columns where a document holds many robots. */
+/** Whether contact, direction and limit are all that there is of a robot. */
+function isLine(robot: RobotData): boolean {
+  return !robot.mounted && robot.tolerance === null && robot.reverse_limit === 0 && robot.steers === 0
+    && robot.friction === null && robot.least === 0 && robot.envelope === null && robot.group === ""
+    && robot.sectors === null && robot.body === null && robot.lever === 0;
+}
+
+/** What is sent: text, or columns where a document holds many robots that push along a line each. */
 export function encoded(message: Outgoing): string | ArrayBuffer {
-  if (!("doc" in message) || message.doc.problem.swarm.robots.length <= COLUMNS_FROM) {
-    return JSON.stringify(message);
-  }
+  if (!("doc" in message)) return JSON.stringify(message);
   const { robots } = message.doc.problem.swarm;
-  const plain = robots.every((robot, i) => robot.name === String(i + 1));
+  if (robots.length <= COLUMNS_FROM || !robots.every(isLine)) return JSON.stringify(message);
+  const plain = robots.every((robot, i) => robot.name === `R${i + 1}`);
   const head = {
     ...message,
     doc: withRobots(message.doc, []),

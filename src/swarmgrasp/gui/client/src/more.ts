@@ -71,7 +71,7 @@ export class More {
   place(at: Pair | null): void {
     this.#at = at;
     show(this.node, this.#open && at !== null);
-    put(this.node, { "data-above": at !== null && at[1] > this.node.parentElement!.clientHeight / 2 });
+    if (this.#open) put(this.node, { "data-above": at !== null && at[1] > this.node.parentElement!.clientHeight / 2 });
   }
 
   drawRobot(robot: RobotData, edit: Edit<RobotData>): void {

@@ -147,6 +147,7 @@ export class Store {
     if (seen === null || !("n" in message) || (message.n as number) < this.#oldest) return;
     if (message.kind === "part") this.#part(seen, message);
     else if (message.kind === "empty") {
+      if (seen.empty[message.of] === message.why && seen.parts[message.of] === undefined) return;
       const { [message.of]: _, ...parts } = seen.parts;
       this.#see({ parts, empty: { ...seen.empty, [message.of]: message.why } });
     } else if (message.kind === "refused") this.#see({ refused: message.faults });

@@ -5,6 +5,8 @@ import { el, put, show, write } from "./dom";
 import type { Doc, Fault, Scene } from "./messages";
 
 const PAUSE = 150;
+/** A text that is read for so long is said to be read [ms]. */
+const SLOW = 400;
 /** Height of a line [px]. */
 const LINE = 18;
 
@@ -100,7 +102,9 @@ export class TextPane implements View {
     if (seen === null || this.#sending) return;
     const text = this.source.value;
     this.#sending = true;
+    const slow = window.setTimeout(() => write(this.#where, "reading…"), SLOW);
     const reply = await this.context.talk.request({ kind: "text", text, name: seen.scene.name });
+    clearTimeout(slow);
     this.#sending = false;
     if (this.source.value !== text) return this.#send();
     if (reply.kind === "faults") this.#tell(reply.faults);

@@ -66,7 +66,7 @@ test("points and bearings are told in the file's frame and back", () => {
 });
 
 test("many robots travel as columns, and arrays come back under their names", () => {
-  const many = Array.from({ length: 501 }, (_, i) => robot([i, -i], i / 7, { name: String(i + 1), limit: 2 * i }));
+  const many = Array.from({ length: 501 }, (_, i) => robot([i, -i], i / 7, { name: `R${i + 1}`, limit: 2 * i }));
   const message: Outgoing = { kind: "ask", n: 3, moving: true, doc: doc(many), speech: SILENT };
   const frame = encoded(message) as ArrayBuffer;
   const length = new DataView(frame).getUint32(0, true);
@@ -76,6 +76,8 @@ test("many robots travel as columns, and arrays come back under their names", ()
   const columns = new Float64Array(frame, 4 + length);
   assert.deepEqual([columns[2 * 500], columns[2 * 501 + 7], columns[3 * 501 + 500]], [500, 1, 1000]);
   assert.equal(typeof encoded({ ...message, doc: doc(many.slice(0, 500)) }), "string");
+  const steering = many.map((one, i) => (i === 7 ? { ...one, steers: 0.5 } : one));
+  assert.equal(typeof encoded({ ...message, doc: doc(steering) }), "string");
 });
 
 test("a frame's arrays begin at multiples of eight", () => {

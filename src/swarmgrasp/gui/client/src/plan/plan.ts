@@ -22,6 +22,7 @@ import { figureOf } from "./figures";
 const LOW = 430;
 const LIFT = 44;
 const OVERLAP = 12;
+const BARS = ".inspect:not([hidden]), .inspect-more:not([hidden])";
 /** Room round a knob. */
 const KNOB = 9;
 
@@ -56,6 +57,8 @@ export class Plan implements View {
   #shape: { of: OutlineData; shape: Shape } | null = null;
   #stage: Stage | null = null;
   #focus: string | null = null;
+  /** Where the bars of who is chosen were when the hand last rested: to measure them takes time. */
+  #bars: readonly Box[] = [];
 
   constructor(readonly card: HTMLElement, readonly context: Context) {
     this.push = new PushLayer(context);
@@ -154,10 +157,8 @@ export class Plan implements View {
     } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });
     if (!chosen) return kept;
     for (const { at: [x, y] } of this.handles.knobs) kept.push({ left: x - KNOB, top: y - KNOB, right: x + KNOB, bottom: y + KNOB });
-    for (const { offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight } of this.card.querySelectorAll<HTMLElement>(
-      ".inspect:not([hidden]), .inspect-more:not([hidden])",
-    )) kept.push({ left: left - 8, top: top - 4, right: left + offsetWidth, bottom: top + offsetHeight });
-    return kept;
+    if (!seen.moving) this.#bars = [...this.card.querySelectorAll<HTMLElement>(BARS)].map(boxOfBar);
+    return [...kept, ...this.#bars];
   }
 
   #drawShares(seen: Seen): void {
@@ -167,4 +168,8 @@ export class Plan implements View {
     write(this.#shares, seen.forces!.say);
     put(this.#shares, { class: seen.forces!.held ? "push-words" : "push-words unreached" });
   }
+}
+
+function boxOfBar({ offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight }: HTMLElement): Box {
+  return { left: left - 8, top: top - 4, right: left + offsetWidth, bottom: top + offsetHeight };
 }

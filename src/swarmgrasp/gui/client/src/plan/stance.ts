@@ -18,8 +18,19 @@ export interface Stance {
   readonly off: number;
 }
 
+/** Of robots that stay as they are the stance is worked out once. */
+const known = new WeakMap<Shape, WeakMap<RobotData, Stance>>();
+
 /** The stance of a robot on the outline; at a corner it stands on the side that it is squarer to. */
 export function stanceOf(shape: Shape, robot: RobotData): Stance {
+  let stances = known.get(shape);
+  if (stances === undefined) known.set(shape, stances = new WeakMap());
+  let stance = stances.get(robot);
+  if (stance === undefined) stances.set(robot, stance = newStance(shape, robot));
+  return stance;
+}
+
+function newStance(shape: Shape, robot: RobotData): Stance {
   const near = shape.nearest(robot.contact);
   const edges = [near.edge, near.edge + 1, near.edge - 1 + shape.vertices.length]
     .map((edge) => edge % shape.vertices.length)

@@ -15,6 +15,7 @@ const LIGHT: Triple = [-0.5, 0.62, 0.6];
 const CALM = 0.25;
 const KEY_STEP = 12;
 const MARGIN = 10;
+const SHADES = 48;
 
 export class Body implements View {
   readonly #tile: Tile;
@@ -203,12 +204,13 @@ class Painter {
     const { solid, axes } = this;
     const light = lightOf(axes);
     const many = solid.faces.length > MOST_EDGED;
+    const shades = Array.from({ length: SHADES + 1 }, (_, i) => faint(this.colours.robot, 0.07 + (0.17 * i) / SHADES));
     for (let face = 0; face < solid.faces.length; face++) {
       if (!solid.isFront(face, axes)) continue;
       this.#pen.beginPath();
       this.#trace(face);
       const dark = 1 - Math.max(0, solid.facing(face, light));
-      this.#pen.fillStyle = faint(this.colours.robot, 0.07 + 0.17 * dark);
+      this.#pen.fillStyle = shades[Math.round(SHADES * Math.min(1, dark))]!;
       this.#pen.fill();
       if (!many) continue;
       this.#pen.strokeStyle = faint(this.colours.robot, 0.13);
