@@ -14,8 +14,23 @@ from swarmgrasp.gui.messages import PROTOCOL
 from swarmgrasp.gui.scenes import built_in
 from swarmgrasp.gui.server import Opened, Settings, opened
 
+CROWDS = (600, 10_000)
+"""Robots of the scenes that have many."""
 ANSWERED_WITHIN = 60.0
 """Seconds after which an answer that does not come is a failure."""
+
+
+def crowd(count: int) -> str:
+    """Return the text of a hull with so many robots round it."""
+    edges = "edges: [starboard side, bow, port side, stern]"
+    hull = f"outline: {{vertices: [[-120, -21], [120, -21], [120, 21], [-120, 21]], {edges}}}"
+    rows = [
+        f"  - {{at: {(i + 0.5) * 564 / count:.3f}, direction: inward, limit: {1 + i % 3}}}"
+        for i in range(count)
+    ]
+    newcomer = "newcomer: {name: Idunn, limit: 50, attachment: push, half_angle: 30}"
+    units = "units: {length: m, force: kN, angle: deg}"
+    return "\n".join([f"name: Crowd of {count}", units, hull, "robots:", *rows, newcomer])
 
 
 @contextmanager

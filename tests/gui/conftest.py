@@ -13,7 +13,8 @@ import pytest
 sync_api = pytest.importorskip("playwright.sync_api")
 pytest.importorskip("swarmgrasp.gui.server")
 
-from swarmgrasp.gui.scenes import built_in  # noqa: E402
+from paged import CROWDS, crowd  # noqa: E402
+from swarmgrasp.gui.scenes import Source, built_in  # noqa: E402
 from swarmgrasp.gui.server import Settings, opened  # noqa: E402
 
 CHROMIUM = shutil.which("chromium")
@@ -40,7 +41,8 @@ def sheet(scenario, name, text):
 @contextmanager
 def served(port=0, key="k" * 32) -> Iterator[str]:
     """Serve the built-in scenes; give the link."""
-    settings = Settings(built_in(), "escort-ring", port=port, key=key, reporting=sheet)
+    scenes = {**built_in(), **{f"crowd-{count}": Source(crowd(count)) for count in CROWDS}}
+    settings = Settings(scenes, "escort-ring", port=port, key=key, reporting=sheet)
     studio = opened(settings)
     thread = threading.Thread(target=studio.run, daemon=True)
     thread.start()
@@ -199,6 +201,19 @@ class Window:
         mouse.up()
         for key in keys:
             self.page.keyboard.up(key)
+        return self.rest()
+
+    def swipe(self, selector, right, down):
+        """Drag an element by pixels with a finger."""
+        x, y = self.middle(selector)
+        line = self.context.new_cdp_session(self.page)
+        steps = [(x + right * k / 6, y + down * k / 6) for k in range(7)]
+        for k, (across, along) in enumerate(steps):
+            kind = "touchStart" if k == 0 else "touchMove"
+            points = [{"x": across, "y": along}]
+            line.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        line.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        line.detach()
         return self.rest()
 
     def robot(self, name):

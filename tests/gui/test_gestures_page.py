@@ -114,6 +114,67 @@ def test_the_newcomer_goes_where_another_place_is_told(one):
     assert one.kept(ORIGINS) is None
 
 
+def test_a_thruster_is_dragged_within_the_hull(one):
+    """A mounted one goes where the hand goes, but not out of the hull; keys and numbers move it."""
+    one.open("Drillship thrusters")
+    name = one.page.locator(".robot").first.get_attribute("data-robot")
+
+    def contact():
+        return one.kept("drillship-thrusters")["doc"]["problem"]["swarm"]["robots"][0]["contact"]
+
+    one.drag(f"[data-robot='{name}'] .foot", -30, 0)
+    x, y = contact()
+    one.press("ArrowLeft")
+    assert contact()[0] < x
+    assert abs(contact()[1] - y) < 1e-9
+    one.spin("Second coordinate", 0.05)
+    assert abs(contact()[1] - 0.05) < 1e-9
+    one.drag(f"[data-robot='{name}'] .foot", 0, -400)
+    vertices = load_example("drillship-thrusters").swarm.outline.vertices
+    assert contact()[1] <= max(y for _, y in vertices) + 1e-9
+    assert one.page.locator("#studio.is-refused").count() == 0
+
+
+def test_what_a_tug_steers_is_a_handle_on_either_side(one):
+    """Dragged in fives with Shift, by keys, and as a number; at most all round."""
+    one.open("Harbour tugs")
+    one.focus("[data-robot=Ajax]")
+
+    def steers():
+        doc = one.kept("harbour-tugs")["doc"]
+        return math.degrees(doc["problem"]["swarm"]["robots"][0]["steers"])
+
+    assert one.page.locator(".knob-sector").count() == 2
+    one.drag(".knob-sector >> nth=0 >> .grab", 30, 0, keys=["Shift"])
+    assert steers() != 30.0
+    assert abs(steers() % 5) < 1e-9 or abs(steers() % 5 - 5) < 1e-9
+    one.spin("How far it steers either side", 20)
+    one.focus(".knob-sector >> nth=0")
+    one.press("ArrowUp")
+    assert abs(steers() - 21.0) < 1e-9
+    one.spin("How far it steers either side", 180)
+    assert one.page.locator(".knob-sector").count() == 0
+
+
+def test_a_finger_drags_as_a_mouse_does(window):
+    """On a phone: a tug along its side, the wind on its rose, and taps that choose and let go."""
+    one = window(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    before = one.robot("Carina")
+    one.swipe("[data-robot=Carina] .foot", 0, 60)
+    moved = one.robot("Carina")
+    assert moved != before
+    assert "on starboard side" in moved
+    assert one.page.locator(".inspect").first.is_visible()
+    one.tap(".origin")
+    assert not one.page.locator(".inspect").first.is_visible()
+    one.tap(".grip")
+    one.tap(".tab:text-is('Wind held')")
+    first = one.text(".first")
+    one.swipe(".rose-wind", 30, -14)
+    assert one.text(".first") != first
+    assert one.page.evaluate("scrollY") == 0
+
+
 def test_more_of_a_robot_is_told_in_numbers_and_words(one):
     """Tolerance, body and group of a tug; gaps of a thruster, which stay clear of each other."""
     one.focus("[data-robot=Carina]")

@@ -102,7 +102,10 @@ export class TextPane implements View {
     if (seen === null || this.#sending) return;
     const text = this.source.value;
     this.#sending = true;
-    const slow = window.setTimeout(() => write(this.#where, "reading…"), SLOW);
+    const slow = window.setTimeout(() => {
+      write(this.#where, "reading…");
+      put(this.#where, { "data-calm": true });
+    }, SLOW);
     const reply = await this.context.talk.request({ kind: "text", text, name: seen.scene.name });
     clearTimeout(slow);
     this.#sending = false;
@@ -121,6 +124,7 @@ export class TextPane implements View {
   #tell(faults: readonly Fault[]): void {
     this.#faults = faults;
     const first = faults[0];
+    put(this.#where, { "data-calm": null });
     write(this.#where, first?.line == null ? "" : `line ${first.line}, column ${first.column ?? 1}`);
     put(this.source, { "aria-invalid": faults.length > 0 ? "true" : null });
     this.#list.replaceChildren(...faults.map((fault) => {

@@ -46,8 +46,9 @@ export function scaleOf(robots: readonly RobotData[], screen: Screen): Scale {
   return { largest, longest: screen.width < 520 ? 48 : 62, many: robots.length > NAMES_ONLY };
 }
 
+/** At most half as long again as the longest: a newcomer may be stronger than all of a crowd. */
 export function lengthOf(limit: number, scale: Scale): number {
-  return Math.max(SHORTEST, (limit / scale.largest) * scale.longest);
+  return Math.max(SHORTEST, Math.min(1.5, limit / scale.largest) * scale.longest);
 }
 
 export function figureOf(robot: RobotData, isNew: boolean, shape: Shape, screen: Screen, scale: Scale): Figure {
