@@ -57,8 +57,6 @@ class Settings:
         The address to listen at.
     port : int
         0 for any that is free.
-    names : tuple of str
-        Under which the server is asked, beside those of this machine.
     reporting : callable, optional
         Makes the sheet about a job.
     run : Recorded, optional
@@ -73,7 +71,6 @@ class Settings:
     opens: str
     host: str = "127.0.0.1"
     port: int = 0
-    names: tuple[str, ...] = ()
     reporting: Reporting | None = None
     run: "Recorded | None" = None
     live: "Live | None" = None
@@ -144,10 +141,21 @@ def _sent(plain: Response, packed: Response) -> Callable[[Request], Response]:
     return send
 
 
+def _named(host: str) -> str:
+    """Return an address or a name as links have it."""
+    return f"[{host}]" if ":" in host else host.lower()
+
+
+def _hosts(settings: Settings, port: int) -> frozenset[str]:
+    """Return the names under which the server is asked, each with its port if it is told."""
+    names = {*LOOPBACK, _named(settings.host)}
+    usual = port == (80 if settings.certificate is None else 443)
+    return frozenset(f"{name}:{port}" for name in names) | (names if usual else set())
+
+
 def application(settings: Settings, port: int) -> Starlette:
     """Return the application that is served at a port."""
-    names = {*LOOPBACK, *settings.names}
-    guard = Guard(frozenset(f"{name}:{port}" for name in names), settings.scheme, settings.key)
+    guard = Guard(_hosts(settings, port), settings.scheme, settings.key)
     served = settings.scenes, settings.opens, settings.reporting, settings.run
     desk = Desk(errands_of(*served), settings.live)
     welcome = Welcome(
@@ -224,6 +232,5 @@ def opened(settings: Settings) -> Opened:
         timeout_graceful_shutdown=ENDING, ssl_certfile=settings.certificate,
         ssl_keyfile=settings.private_key,
     )  # fmt: skip
-    shown = "127.0.0.1" if settings.host in {"127.0.0.1", "0.0.0.0", "::"} else settings.host
-    host = f"[{shown}]" if ":" in shown else shown
-    return Opened(Server(config), listening, f"{settings.scheme}://{host}:{port}/#k={settings.key}")
+    link = f"{settings.scheme}://{_named(settings.host)}:{port}/#k={settings.key}"
+    return Opened(Server(config), listening, link)
