@@ -1,5 +1,6 @@
 """What is probably a slip is told, and nothing is told of files that are merely unusual."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -121,6 +122,9 @@ def test_a_robot_with_degrees_is_told_of() -> None:
     outline = Outline([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     with pytest.warns(DirectionWarning, match="the direction 90 rad is 14.3 turns") as caught:
         degrees = Robot((0, -1), 90, name="Ajax")
+    assert [one.filename for one in caught] == [__file__]
+    with pytest.warns(DirectionWarning) as caught:
+        replace(degrees, direction=80)
     assert [one.filename for one in caught] == [__file__]
     again = Swarm(outline, [degrees, Robot((0, 1), 9.0, name="Boreas")]).without("Boreas")
     assert again.robots[0].direction == 90.0

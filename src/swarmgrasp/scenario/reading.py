@@ -2,9 +2,9 @@
 
 from codecs import BOM_UTF8
 from pathlib import Path
-from warnings import warn
 
 from swarmgrasp.answer_file import LARGEST_FILE as LARGEST_ANSWER
+from swarmgrasp.callers import warn_caller
 from swarmgrasp.errors import FileFault, ScenarioInvalid, ScenarioWarning, refuse
 from swarmgrasp.files import read_fault
 from swarmgrasp.ranges import path_faults
@@ -47,7 +47,7 @@ def load_scenario(path: str | Path) -> Scenario:
     source = str(path)
     scenario = parse_scenario(_bytes_of(path), source, Path(path).parent)
     for warning in scenario.warnings:
-        warn(warning, ScenarioWarning, stacklevel=2)
+        warn_caller(warning, ScenarioWarning)
     return scenario
 
 

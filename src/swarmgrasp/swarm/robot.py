@@ -1,12 +1,10 @@
 """Robots in contact with the object, and the newcomer looking for a place."""
 
 import math
-import sys
 from dataclasses import dataclass
-from types import FrameType
 from typing import Literal, get_args
-from warnings import warn
 
+from swarmgrasp.callers import warn_caller
 from swarmgrasp.errors import DirectionWarning, RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_simple
@@ -175,12 +173,12 @@ class Robot(Plain):
         faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'robot')}: {fault}" for fault in faults)
-        if abs(self.direction) > TURNED and not _is_ours(sys._getframe(2)):
+        if abs(self.direction) > TURNED:
             said = (
                 f"{_called(self.name, 'robot')}: the direction {shown(self.direction)} rad is "
                 f"{abs(self.direction) / math.tau:.3g} turns; for degrees, write math.radians(...)"
             )
-            warn(said, DirectionWarning, stacklevel=3)
+            warn_caller(said, DirectionWarning, is_of_maker=True)
         vars(self).update(
             contact=point,
             direction=float(self.direction),
@@ -585,11 +583,6 @@ def tolerance_faults(tolerance: object, limit: object, mounted: object = False) 
     if tolerance.is_adrift and is_flag(mounted) and mounted:
         faults.append("a mounted robot stays where it is: its tolerance can have no contact")
     return faults
-
-
-def _is_ours(frame: FrameType) -> bool:
-    """Tell whether a call comes from this package."""
-    return str(frame.f_globals.get("__name__")).startswith("swarmgrasp.")
 
 
 def _called(name: str, otherwise: str) -> str:
