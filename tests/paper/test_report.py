@@ -1,6 +1,7 @@
 import re
 import sys
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 from matplotlib.figure import Figure
@@ -13,7 +14,9 @@ from swarmgrasp.paper import report, sections
 from swarmgrasp.paper.measured import measure
 from swarmgrasp.paper.sizes import FULL, QUICK, Size
 from swarmgrasp.paper.studies.gains import gain_of
+from swarmgrasp.paper.theory import THEORY
 
+ROOT = Path(__file__).parent.parent.parent
 SMALL = Size("small", 400, 10, (5, 15, 25), (50,), 1, 10, 12, 1000)
 TINY = Size("tiny", 20, 2, (5, 10), (12,), 1, 2, 2, 50)
 
@@ -22,6 +25,9 @@ def test_every_statement_of_the_report_holds():
     """The report's own sentences and checks, on few draws; what hangs on times is left out."""
     found = measure(Runner(), SMALL, seed=1)
     assert len(found.every) > 30
+    theory = (ROOT / "docs" / "theory.md").read_text("utf-8")
+    assert all(f"**({label})**" in theory for label in THEORY)
+    assert all(one.rests_on and {*one.rests_on} <= {*THEORY} for one in found.every)
     assert [one.text for one in found.every if not (one.holds or one.is_timing)] == []
     assert not any("nan" in one.text or "inf" in one.text for one in found.every)
 
@@ -31,11 +37,12 @@ class Page(HTMLParser):
 
     def __init__(self):
         super().__init__()
-        self.sources, self.open = [], []
+        self.sources, self.names, self.open = [], set(), []
 
     def handle_starttag(self, tag, attrs):
         """Note a tag."""
         self.sources += [value for name, value in attrs if name in ("src", "href")]
+        self.names |= {value for name, value in attrs if name == "id"}
         if tag not in ("meta", "img"):
             self.open.append(tag)
 
@@ -61,11 +68,15 @@ def test_a_report_is_whole_and_refers_to_nothing_else(tmp_path, monkeypatch):
     parser = Page()
     parser.feed(page)
     assert parser.open == []
-    assert all(source.startswith("data:image/png;base64,") for source in parser.sources)
+    links = {source for source in parser.sources if source.startswith("#")}
+    assert links == {f"#{name}" for name in parser.names}
+    rest = {*parser.sources} - links
+    assert all(source.startswith("data:image/png;base64,") for source in rest)
     assert "not so in this run:</b> Two and two are five &amp; &lt;more&gt;." in page
     text = (folder / "paper.md").read_text("utf-8")
     pictures = re.findall(r"\]\(([^)]+)\)", text)
-    assert set(pictures) == {path.name for path in written.paths if path.suffix == ".png"}
+    assert {*pictures} - links == {path.name for path in written.paths if path.suffix == ".png"}
+    assert all(f'<a id="{link[1:]}"></a>' in text for link in links)
     assert "✗ not so in this run: Two and two are five &amp; &lt;more>." in text
 
 

@@ -17,12 +17,13 @@ MOST_WHOLE = 20
 """Rows up to which a table is not broken across printed pages."""
 STYLE = """
 :root { color-scheme: light dark; --ink: #222; --soft: #6e6e6e; --line: #ddd; --paper: #fff;
-  --good: #00775a; --caution: #8a5a00; --bad: #b34700; }
+  --good: #00775a; --caution: #8a5a00; --bad: #b34700; --link: #0060a8; }
 @media screen and (prefers-color-scheme: dark) { :root { --ink: #e4e4e4; --soft: #a2a2a2;
-  --line: #454545; --paper: #181a1c; --good: #4cc9a4; --caution: #e8b04a; --bad: #ff9a5c; } }
+  --line: #454545; --paper: #181a1c; --good: #4cc9a4; --caution: #e8b04a; --bad: #ff9a5c;
+  --link: #7cc0ff; } }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
   max-width: 46em; margin: 2em auto; padding: 0 1em; overflow-wrap: break-word; }
-h1, h2, h3 { line-height: 1.2; }
+h1, h2, h3 { line-height: 1.2; } a { color: var(--link); }
 h2 { margin-top: 2em; border-top: 1px solid var(--line); padding-top: 1em; }
 h3 { font-size: 1em; margin: 1.5em 0 0.5em; }
 figure { margin: 1.5em 0; } img, svg { max-width: 100%; height: auto; }
@@ -143,16 +144,35 @@ class Findings:
 
     def markdown(self) -> str:
         """Return them as Markdown."""
-        return "\n".join(f"- {_mark(s)} {_escaped(s.text)}" for s in self.statements)
+        links = (" ".join(f"[{label}](#{label})" for label in s.rests_on) for s in self.statements)
+        rows = zip(self.statements, links, strict=True)
+        return "\n".join(f"- {_mark(s)} {_escaped(s.text)} {link}".rstrip() for s, link in rows)
 
     def html(self) -> str:
         """Return them as HTML."""
         rows = [
             f'<li class="{"holds" if one.holds else "fails"}"><b>{_mark(one)}</b> '
-            f"{_safe(one.text)}</li>"
+            f"{_safe(one.text)}{''.join(map(_link, one.rests_on))}</li>"
             for one in self.statements
         ]
         return "\n".join(['<ul class="checks">', *rows, "</ul>"])
+
+
+@dataclass(frozen=True)
+class Labelled:
+    """Sentences with labels that statements of the page lead to."""
+
+    sentences: Mapping[str, str]
+
+    def markdown(self) -> str:
+        """Return them as Markdown."""
+        rows = self.sentences.items()
+        return "\n\n".join(f'<a id="{label}"></a>**({label})** {_escaped(s)}' for label, s in rows)
+
+    def html(self) -> str:
+        """Return them as HTML."""
+        rows = self.sentences.items()
+        return "\n".join(f'<p id="{label}"><b>({label})</b> {_safe(s)}</p>' for label, s in rows)
 
 
 @dataclass(frozen=True)
@@ -239,7 +259,7 @@ class Drawing:
         return f"<figure>{self.svg}{below}</figure>"
 
 
-Part = Heading | Paragraph | Points | Facts | Findings | Table | Drawing
+Part = Heading | Paragraph | Points | Facts | Findings | Labelled | Table | Drawing
 """What is whole in itself."""
 Block = Part | Picture
 
@@ -272,6 +292,11 @@ def html_part(blocks: Sequence[Part]) -> str:
     """Return blocks as HTML that can stand on a page of others."""
     body = (block.html() for block in blocks)
     return "\n".join(['<div class="swarmgrasp">', f"<style>{PART}</style>", *body, "</div>"])
+
+
+def _link(label: str) -> str:
+    """Return a link to what has a label."""
+    return f' <a href="#{label}">{label}</a>'
 
 
 def _mark(statement: Statement) -> str:

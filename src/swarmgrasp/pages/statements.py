@@ -20,11 +20,14 @@ class Statement:
         Whether what it says besides the numbers is so in this run.
     is_timing : bool
         Whether that hangs on how busy the machine is.
+    rests_on : tuple of str
+        Labels of what of the theory it is about, which stand on the same page.
     """
 
     text: str
     holds: bool
     is_timing: bool = False
+    rests_on: tuple[str, ...] = ()
 
 
 def percent(share: float) -> str:

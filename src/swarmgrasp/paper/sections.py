@@ -1,12 +1,13 @@
 """The sections of the report: what is said, tabled and drawn."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import date
 
 import numpy as np
 from numpy.typing import NDArray
 
-from swarmgrasp.pages.page import Block, Findings, Heading, Paragraph, Picture, Table
+from swarmgrasp.pages.page import Block, Findings, Heading, Labelled, Paragraph, Picture, Table
 from swarmgrasp.pages.statements import largest, median, newtons, percent, seconds
 from swarmgrasp.paper import pictures
 from swarmgrasp.paper.draws import BREADTH, FREE, LENGTH, NEWCOMERS, NORMAL, pulling, rectangle
@@ -18,6 +19,7 @@ from swarmgrasp.paper.studies.misprints import ROBOTS as MISPRINTED
 from swarmgrasp.paper.studies.misprints import statements as misprint_statements
 from swarmgrasp.paper.studies.relaxation import COUNTS
 from swarmgrasp.paper.studies.speed import Speeds, objective_cost
+from swarmgrasp.paper.theory import THEORY
 from swarmgrasp.placement import place
 from swarmgrasp.plot import plan, wrench_sets
 
@@ -30,7 +32,7 @@ def sections(found: Measured) -> list[Block]:
     """Return the whole report."""
     parts: Sequence[Callable[[Measured], list[Block]]] = (
         _opening, _published, _construction, _examples, _speed, _cross_section, _relaxation,
-        _plateaus, _misprints, _method,
+        _plateaus, _misprints, _theory, _method,
     )  # fmt: skip
     return [block for part in parts for block in part(found)]
 
@@ -130,8 +132,8 @@ def _construction(found: Measured) -> list[Block]:
         Picture(
             "paper-fig-2.png",
             pictures.construction(found.steps),
-            "Wrench sets of one to six robots. Red: the segment of the robot that has just come; "
-            "black: the set before; cross: the origin; blue: the largest ball about it.",
+            "Wrench sets of one to six robots, to one scale. Red: the segment of the last robot; "
+            "dark: the set before it; cross: the origin; blue: the largest ball about it.",
         ),
         Findings(found.statements["construction"]),
     ]
@@ -318,10 +320,8 @@ def _misprints(found: Measured) -> list[Block]:
         "sets": found.statements["cross-section"][-1],
         "cost": objective_cost(int(found.speeds.robots[-1])),
     }
-    rows = [
-        [e.where, e.printed, e.meant, f"{'✓' if said[key].holds else '✗'} {said[key].text}"]
-        for key, e in ERRATA.items()
-    ]
+    rows = [[e.where, e.printed, e.meant] for e in ERRATA.values()]
+    follows = [replace(said[key], text=f"{e.where}: {said[key].text}") for key, e in ERRATA.items()]
     return [
         Heading("Misprints, and what comes of them"),
         Paragraph(
@@ -329,7 +329,21 @@ def _misprints(found: Measured) -> list[Block]:
             f"{found.size.misprints} draws of {MISPRINTED} robots, with a newcomer that may push "
             f"{FREE}."
         ),
-        Table(["where", "printed", "meant", "what comes of it"], rows, numbers=()),
+        Table(["where", "printed", "meant"], rows, numbers=()),
+        Findings(follows),
+    ]
+
+
+def _theory(found: Measured) -> list[Block]:
+    """Say what the statements rest on."""
+    used = {label for one in found.every for label in one.rests_on}
+    return [
+        Heading("What it rests on"),
+        Paragraph(
+            "The labels at the statements lead here. The proofs stand on the page Theory of the "
+            "documents, under the same labels."
+        ),
+        Labelled({label: said for label, said in THEORY.items() if label in used}),
     ]
 
 

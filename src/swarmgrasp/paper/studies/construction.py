@@ -36,11 +36,13 @@ def statements(steps: list[Swarm]) -> list[Statement]:
             f"In {DIRECTIONS} random directions the wrench set of the {len(last)} robots reaches "
             "as far as their segments do together: it is their Minkowski sum.",
             bool(np.allclose(alone, together, rtol=ROUNDING)),
+            rests_on=("T1",),
         ),
         Statement(
             f"The closest of its {len(mesh.faces)} faces is {newtons(closest, 4)} from the origin, "
             "which is the radius of the largest ball inside, and the quality; with one robot less "
             f"it is {newtons(earlier[-1], 4)}, and with fewer 0.",
             abs(closest - value) <= ROUNDING * len(last) and max(earlier[:-1]) == 0.0,
+            rests_on=("T1", "T2"),
         ),
     ]

@@ -177,11 +177,13 @@ def statements(found: Section, seed: int, segments: int) -> list[Statement]:
             apart <= ROUNDING
             and all(_one_way(row) for row in found.brackets)
             and int(np.abs(np.diff(found.reached.astype(int))).sum()) <= 2,
+            rests_on=("T5",),
         ),
         Statement(
             f"On none of {segments} random segments is the quality between the ends below that at "
             "the lower end: the superlevel sets are convex.",
             dip <= ROUNDING,
+            rests_on=("T5",),
         ),
     ]
 

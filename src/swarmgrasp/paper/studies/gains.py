@@ -129,17 +129,20 @@ def statements(found: Gains, example: Example) -> list[Statement]:
             f"{newtons(gain)}; the paper's goes from {newtons(example.before)} to "
             f"{newtons(example.after)}, a gain of {newtons(theirs)}.",
             abs(before[k] - example.before) <= NEAR,
+            rests_on=("T1", "T2"),
         ),
         Statement(
             f"A newcomer that may push in any direction does better than the best along the normal "
             f"on {percent(float(np.mean(found.after[FREE] > after * (1.0 + 1e-3))))} of the draws, "
             "and worse on none.",
             bool((found.after[FREE] >= after * (1.0 - 2.0 * GAP)).all()),
+            rests_on=("T8",),
         ),
         Statement(
             f"All {2 * len(before)} placements behind this picture come with a proof that no "
             f"robot does better by more than {GAP:.0e} of the quality.",
             found.proven,
+            rests_on=("T10",),
         ),
     ]
 
@@ -155,12 +158,14 @@ def _before_nothing(found: Gains, example: Example) -> list[Statement]:
             f"Most draws of {found.robots} robots do not hold the object, as in the paper: "
             f"{percent(float(np.mean(none)))} of {len(none)} have quality 0.",
             bool(np.mean(none) > 0.5),
+            rests_on=("T2",),
         ),
         Statement(
             f"Of these, a newcomer along the normal brings {percent(len(helped) / len(after))} to "
             f"force closure, with a median quality of {newtons(median(helped))}. The paper's "
             f"{newtons(example.after)} is nothing unusual: {percent(below)} of them stay below.",
             0.05 < below < 0.95,
+            rests_on=("T9",),
         ),
     ]
 
@@ -178,6 +183,7 @@ def _before_something(found: Gains, example: Example) -> list[Statement]:
             f"theirs: {percent(reach)} of {len(before)} reach {newtons(example.before)}. The "
             f"median is {newtons(median(before))}.",
             reach < 0.25,
+            rests_on=("T2",),
         ),
         Statement(
             f"On the {len(gains)} draws nearest to that, which have {newtons(low)} to "
@@ -185,5 +191,6 @@ def _before_something(found: Gains, example: Example) -> list[Statement]:
             f"{newtons(gains.max())}; the paper's gained "
             f"{newtons(example.after - example.before)}.",
             bool(gains.min() <= example.after - example.before <= gains.max()),
+            rests_on=("T9",),
         ),
     ]

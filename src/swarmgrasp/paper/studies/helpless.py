@@ -39,6 +39,7 @@ def _shares(found: dict[int, Gains]) -> Statement:
         f"{listed([percent(v) for v in free])} of the draws of {listed(list(found))} robots; none "
         f"along the normal does on {listed([percent(v) for v in normal])}.",
         all(0.0 < one <= other for one, other in zip(free, normal, strict=True)),
+        rests_on=("T17",),
     )
 
 
@@ -55,6 +56,7 @@ def _why(found: dict[int, Gains]) -> Statement:
         f"{'all' if explained == count else explained} are equally weak in two opposite "
         "directions: what helps one way cannot help the other.",
         0 < explained <= count,
+        rests_on=("T17",),
     )
 
 
@@ -79,6 +81,7 @@ def _balanced(seed: int) -> Statement:
         f"On none of {BALANCED} random balanced swarms, {held} of them holding the object, does "
         "any newcomer raise the quality.",
         held > 0 and not any(answer.improves for answer in answers),
+        rests_on=("T17",),
     )
 
 
@@ -105,4 +108,5 @@ def _square() -> Statement:
         abs(fifth.quality_before - known) <= 1e-9
         and not fifth.improves
         and sixth.quality > known + 0.01,
+        rests_on=("T17",),
     )

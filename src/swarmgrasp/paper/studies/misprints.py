@@ -130,12 +130,14 @@ def statements(found: Misprints) -> dict[str, Statement]:
             f"{count} draws the two differ by {found.mirrored.max():.0e} N at most. But the moment "
             "printed beside it belongs to another force.",
             bool(found.mirrored.max() <= 1e-12),
+            rests_on=("T1",),
         ),
         "loop": Statement(
             f"The loop is never entered: {found.loop_queries.max()} queries on all draws. The "
             "starting direction, attached, brings "
             f"{percent(gained)} of the gain that the best robots bring.",
             bool(found.loop_queries.max() == 0) and gained < 0.999,
+            rests_on=("T5",),
         ),
         "midpoint": Statement(
             f"The bisection does not end within {MOST_QUERIES} queries on "
@@ -143,11 +145,13 @@ def statements(found: Misprints) -> dict[str, Statement]:
             "Q_upper.",
             bool(stuck[helped].all())
             and bool(np.allclose(found.midpoint_share[stuck], 1.0 / 3.0, atol=1e-6)),
+            rests_on=("T5",),
         ),
         "torque": Statement(
             "It matters on some draws only: without a lower bound on the torque Algorithm 1 "
             f"promises more than the cylinder allows on {percent(float(np.mean(over)))} of them, "
             f"by {newtons(max(largest(found.torque), 0.0))} at most.",
             not over.all(),
+            rests_on=("T7",),
         ),
     }

@@ -130,6 +130,7 @@ def statements(found: dict[int, Plateaus]) -> list[Statement]:
             f"{percent(median(normal[normal > 0.0]))} of the boundary in the median and "
             f"{percent(largest(normal))} at most.",
             bool((free > 0.0).any() and (normal > 0.0).any()),
+            rests_on=("T5", "T9"),
         )
     ]
 

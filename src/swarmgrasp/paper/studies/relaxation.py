@@ -172,10 +172,12 @@ def _bounds(found: Relaxations) -> list[Statement]:
             "is at least what the best robot attains, as it should be for a larger set, and "
             "Algorithm 1 promises no more.",
             max(below, over) <= ROUNDING and gaps <= GAP,
+            rests_on=("T7", "T10"),
         ),
         Statement(
             "On none of them does the robot that Algorithm 1 attaches exceed our upper bound.",
             above <= ROUNDING,
+            rests_on=("T10",),
         ),
     ]
 
@@ -190,6 +192,7 @@ def _unreal(found: Relaxations) -> Statement:
         f"No robot at all can make the relaxed optimum come true on {first} of the draws of "
         f"{listed(list(found))} robots, and none along the normal on {second}.",
         all(0.0 < one <= other for one, other in zip(free, normal, strict=True)),
+        rests_on=("T7",),
     )
 
 
@@ -204,6 +207,7 @@ def _phantoms(found: Relaxations) -> Statement:
         f"the median, and {percent(largest(free))} at worst; and none along the normal delivers "
         f"{percent(median(normal))} and {percent(largest(normal))}.",
         0.05 < largest(free) <= largest(normal),
+        rests_on=("T7",),
     )
 
 
@@ -218,6 +222,7 @@ def _nothing_there(found: Relaxations) -> Statement:
         f"A gain is promised where no robot brings any on {counts[FREE]} of all {total} draws for "
         f"robots free in their direction, and on {counts[NORMAL]} for those along the normal.",
         counts[FREE] <= counts[NORMAL],
+        rests_on=("T7", "T17"),
     )
 
 
@@ -233,6 +238,7 @@ def _missed(found: Relaxations) -> Statement:
         f" of the draws of {listed(list(found))} robots, by {newtons(worst)} at worst. {flat} of "
         f"these {count} draws have quality 0 before, where it may find no way up from its start.",
         2 * flat >= count > 0,
+        rests_on=("T5",),
     )
 
 
@@ -244,6 +250,7 @@ def _iterations(found: Relaxations) -> Statement:
         f"{listed([f'{step:.0f}' for step in steps])} on average, each of which costs more the "
         "more there are.",
         max(steps) < 2.0 * min(steps),
+        rests_on=("T2",),
     )
 
 
@@ -259,4 +266,5 @@ def _lost(found: Relaxations) -> Statement:
         f"gain there in the median and {percent(largest(lost[0]))} at worst; along the normal on "
         f"{second}, and {percent(median(lost[1]))} and {percent(largest(lost[1]))}.",
         min(largest(one) for one in lost) > 0.05,
+        rests_on=("T7", "T8"),
     )

@@ -89,6 +89,7 @@ def statements(found: Speeds) -> list[Statement]:
             f"{seconds(ours[-1])}.",
             bool(ours[-1] < theirs[-1] < published),
             is_timing=True,
+            rests_on=("T9", "T11"),
         ),
         Statement(
             f"On every configuration the certified optimum is faster than Algorithm 1, by a factor "
@@ -96,6 +97,7 @@ def statements(found: Speeds) -> list[Statement]:
             "median.",
             slowest > 1.0,
             is_timing=True,
+            rests_on=("T9", "T11"),
         ),
         Statement(
             f"From {found.robots[0]} to {n} robots the median time grows as N to the power "
@@ -105,6 +107,7 @@ def statements(found: Speeds) -> list[Statement]:
             f"{seconds(fits['worst'])} for its best, median and worst times.",
             max(growth, their_growth) < 2.0,
             is_timing=True,
+            rests_on=("T9", "T11"),
         ),
         _own_times(),
         objective_cost(n),
@@ -127,6 +130,7 @@ def statements_beyond(found: Speeds, beyond: Speeds) -> list[Statement]:
             f"{seconds(theirs)} in the median, and the certified optimum {seconds(ours)}.",
             ours < theirs,
             is_timing=True,
+            rests_on=("T12",),
         )
     ]
 
@@ -141,6 +145,7 @@ def _own_times() -> Statement:
         f"The times the paper gives for its examples, over N², are {' and '.join(parts)}: above "
         f"its median of {TIME_FITS['median']} s, and within its best and worst.",
         all(low <= TIME_FITS["median"] <= e.seconds / e.robots**2 <= high for e in EXAMPLES),
+        rests_on=("T11",),
     )
 
 
@@ -153,4 +158,5 @@ def objective_cost(most: int) -> Statement:
         f"robots in general position and {spaced(terms[1])} with twice as many, "
         f"{terms[1] / terms[0]:.1f} times more: it grows as N³, not as N².",
         terms == [n**2 * (n - 1) for n in (most, 2 * most)],
+        rests_on=("T2",),
     )
