@@ -14,7 +14,7 @@ ASKED = {
     "place": ["deck-barge"],
     "place together": ["deck-barge", "--robots", "2", "--together"],
     "move": ["deck-barge"],
-    "count": ["deck-barge", "--quality", "600e3"],
+    "count": ["deck-barge", "--quality", "600kN"],
     "quality": ["rectangle-5"],
     "forces": ["deck-barge", "--wrench", "300kN", "0", "0"],
     "capability": ["supply-vessel", "--step", "30"],

@@ -100,7 +100,7 @@ def browser():
 
 
 # Of what a page has kept only its key is left, each time that it is loaded.
-FORGETTING = """{
+FORGETTING = """if (location.protocol !== "about:") {
   const key = localStorage.getItem("swarmgrasp key");
   localStorage.clear();
   if (key !== null) localStorage.setItem("swarmgrasp key", key);
@@ -267,7 +267,7 @@ def one(browser, link, lent, request):
     if lent:
         lent[0].page.mouse.up()
         lent[0].page.mouse.move(0, 0)
-        lent[0].page.reload()
+        lent[0].page.goto(link)
         lent[0].rest()
     else:
         page = browser.new_context(**WIDE).new_page()
@@ -275,6 +275,7 @@ def one(browser, link, lent, request):
         lent.append(Window(page, link))
     failed = request.session.testsfailed
     yield lent[0]
+    lent[0].page.goto("about:blank")  # an open line would go on beside tests of other rooms
     complaints = lent[0].complaints
     if complaints or request.session.testsfailed > failed:
         lent.pop().context.close()
