@@ -20,6 +20,24 @@ ASKED = {
     "quality by a criterion": ["quality", "rectangle-15", "--losing", 1, "--sensitivities"],
     "forces": ["forces", "pontoon", "--wrench", 500, 0, -100, "--load", 0, 30, 0],
     "forces along": ["forces", "pontoon", "--wrenches", "wrenches.csv"],
+    "run": [
+        "simulate",
+        "supply-vessel",
+        "--wind",
+        10,
+        "--from",
+        60,
+        "--for",
+        3,
+        "--losing",
+        "bow tunnel 1@1",
+        "--within",
+        50,
+        "--turn",
+        90,
+    ],
+    "winds": ["simulate", "model-ship", "--for", 0.5, "--capability", "--turn", 2],
+    "judgement": ["judge", "model-ship", "--mass", 30],
     "capability": ["capability", "model-ship", "--step", 30, "--losing", 2],
 }
 
@@ -58,8 +76,8 @@ def test_every_command_that_reads_a_question_is_asked():
     """But those without an answer file: of pictures, of many runs, and of checks."""
     asked = {arguments[0] for arguments in ASKED.values()}
     assert asked == {command.__name__ for command in COMMANDS} - {
-        "agent", "convert", "examples", "judge", "paper", "plot", "report", "schema", "simulate",
-        "studio", "study", "verify",
+        "agent", "convert", "examples", "paper", "plot", "report", "schema", "studio", "study",
+        "verify",
     }  # fmt: skip
 
 

@@ -10,7 +10,7 @@ from swarmgrasp.cli.criteria import criterion_of, losing_faults
 from swarmgrasp.cli.dash import Dashed
 from swarmgrasp.cli.deliver import deliver
 from swarmgrasp.cli.inputs import blaming, json_faults, output_faults, read_scenario
-from swarmgrasp.cli.question import missing, tell_omitted
+from swarmgrasp.cli.question import asked_before, missing, tell_omitted
 from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:
@@ -113,6 +113,10 @@ def _hull(scenario: "Scenario", file: str, mass: float | None) -> "Hull":
 
     if mass is not None:
         return Hull.ashore(scenario.swarm.outline, mass)
+    before = asked_before(scenario, "judgement").get("hull")
+    if before is not None:
+        with blaming(file):
+            return Hull.from_data(before)
     if scenario.simulation is not None:
         return scenario.simulation.hull
     environment = scenario.environment

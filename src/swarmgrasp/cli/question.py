@@ -25,6 +25,9 @@ ABOUT = {
     "capability numbers": "the weather held",
     "thrust use": "thrust use",
     "capability with newcomer": "the largest wind held",
+    "run": "what becomes of the object in weather",
+    "winds": "the largest wind held",
+    "judgement": "quality",
 }
 """What the questions in answer files are about, by kind of answer."""
 CALLED = {

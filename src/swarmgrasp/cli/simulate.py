@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
@@ -19,7 +19,7 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.lasting import INTERRUPTED
 from swarmgrasp.cli.progress import shown_progress
-from swarmgrasp.cli.question import missing
+from swarmgrasp.cli.question import asked_before, missing
 from swarmgrasp.cli.running import STEPS, run_of, write_files
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.weather import AS_FILED, Streams
@@ -27,6 +27,8 @@ from swarmgrasp.cli.wording import FILE, Wording
 from swarmgrasp.ranges import MOST_SEED
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from swarmgrasp.environment import Environment
     from swarmgrasp.scenario import Scenario
     from swarmgrasp.simulation.actuator import Actuator
@@ -119,6 +121,7 @@ def simulate(
         faults += [f"{each} is of a run, and --capability makes none" for each, given in
                    others.items() if given]  # fmt: skip
     scenario = read_scenario(file, faults)
+    capability = capability or bool(asked_before(scenario, "winds"))
     _check_packages(log, mcap)
     terms = wording.terms(scenario)
     told = {option: amount.value(terms) for option, amount in asked_for.items()}
@@ -129,8 +132,14 @@ def simulate(
     asked = _changed(asked, file, told.get("--for"), seed, losing or [], is_quiet=capability)
     from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within, verdict_of
 
-    far = told.get("--within", usual_within(scenario.swarm.outline))
-    limit = told.get("--turn", USUAL_TURN)
+    before = _limits_before(scenario)
+    usual = usual_within(scenario.swarm.outline), USUAL_TURN
+    far, limit = (
+        told.get(option, before.get(key, default))
+        for option, key, default in zip(
+            ("--within", "--turn"), ("within", "within_turn"), usual, strict=True
+        )
+    )
     if capability:
         return _capability(
             scenario.name,
@@ -195,6 +204,12 @@ def _loss_faults(losing: list[str]) -> list[str]:
             f"--losing is {text}; it should be a robot or group and a time, such as Castor@60"
         ]  # fmt: skip
     return faults
+
+
+def _limits_before(scenario: "Scenario") -> "Mapping[str, Any]":
+    """Return within what the object was to be held in the answer that a scenario was read from."""
+    winds, run = asked_before(scenario, "winds"), asked_before(scenario, "run")
+    return winds or run.get("verdict", {})
 
 
 def _check_packages(log: Path | None, mcap: Path | None) -> None:

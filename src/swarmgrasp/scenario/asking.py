@@ -11,6 +11,7 @@ from swarmgrasp.plain import read
 from swarmgrasp.quality import Criterion
 from swarmgrasp.ranges import plain_name, shown
 from swarmgrasp.scenario.scenario import Scenario
+from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.swarm import Swarm
 
 _OPTIONS = {
@@ -70,9 +71,14 @@ def scenario_of(document: dict[str, Any], source: str) -> Scenario:
         If it holds no question, or one that has faults; all of them are told, each with its key.
     """
     faults: list[str] = []
-    problem = _read(Problem, document, "problem", faults)
+    simulation = _read(Simulation, document, "simulation", faults)
+    problem = simulation.problem if simulation else _read(Problem, document, "problem", faults)
+    judged = document.get("quality")
+    if isinstance(judged, dict):
+        document = {**judged, **document}
     swarm = problem.swarm if problem else _read(Swarm, document, "swarm", faults)
     environment = _read(Environment, document, "environment", faults)
+    environment = simulation.environment if simulation else environment
     criterion = problem.criterion if problem else _read(Criterion, document, "criterion", faults)
     if criterion is None:
         terms: dict[str, Any] = Criterion().to_data()
@@ -99,6 +105,7 @@ def scenario_of(document: dict[str, Any], source: str) -> Scenario:
         no_go=problem.no_go if problem else (),
         spacing=problem.spacing if problem else 0.0,
         environment=environment,
+        simulation=simulation,
         criterion=criterion,
         answer=document,
     )
