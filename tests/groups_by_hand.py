@@ -98,7 +98,7 @@ class World:
             case mb.Tell(to, slots):
                 data = sl.encode(slots)
                 peers = self.chosen([n for n in self.members if n != name], to)
-                self.deliver(name, data, peers, mb.Told(name, sl.decode(data)))
+                self.deliver(name, data, peers, mb.SlotsTold(name, sl.decode(data)))
             case mb.Wonder():
                 peers = self.chosen([n for n in self.members if n != name], ev.ANYONE)
                 self.deliver(name, b"?", peers, mb.Wondered(name))

@@ -186,7 +186,7 @@ def test_several_newcomers_follow_each_other() -> None:
 
 
 def test_nobody_to_place_and_nowhere_to_go_are_judged_all_the_same() -> None:
-    """Without a newcomer, and with no zone, the robots that are there are told of."""
+    """Without a newcomer, and with no zone, the robots that are there are told."""
     scene = scene_of(1, "escort-ring", built_in()["escort-ring"])
     value = quality(
         load_example("escort-ring").swarm, **load_example("escort-ring").criterion.terms

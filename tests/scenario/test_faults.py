@@ -374,7 +374,7 @@ def test_any_mutation_of_an_example_loads_or_is_refused(rng: random.Random) -> N
 
 
 def test_every_required_key_has_a_stand_in_and_a_remedy() -> None:
-    """One that is missing is told of, and what else is wrong is looked for all the same."""
+    """One that is missing is told, and what else is wrong is looked for all the same."""
     models, required = [ScenarioFile], set()
     for model in models:
         for name, info in model.model_fields.items():

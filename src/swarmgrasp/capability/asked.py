@@ -29,7 +29,7 @@ HELD = 1e-9
 STRAIGHT = 1e-9
 """Angle [rad] by which forces may lie on more than half a turn's other side, for rounding."""
 
-STEP = math.radians(5.0)
+APART = math.radians(5.0)
 """Between the bearings looked at by default [rad]: half of what DNV-ST-0111 asks for."""
 
 
@@ -137,7 +137,7 @@ def asked_of(
     SwarmInvalid
         If the swarm is no `Swarm`.
     """
-    found = array_of(np.arange(0.0, 2.0 * math.pi - 1e-9, STEP) if bearings is None else bearings)
+    found = array_of(np.arange(0.0, 2.0 * math.pi - 1e-9, APART) if bearings is None else bearings)
     wanted = np.zeros(0) if found is None else found
     faults = kind_faults(environment, Environment, "Environment(wind)")
     if wanted.ndim != 1 or not len(wanted):

@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from swarmgrasp.scenario import Scenario
     from swarmgrasp.terms import Terms
 
-STEP = 5.0
-"""Degrees between the bearings unless told otherwise."""
 WINDS, NUMBERS, USE, JOINED = (
     "capability", "capability numbers", "thrust use", "capability with newcomer"
 )  # fmt: skip
@@ -117,7 +115,7 @@ def capability(
 
     bearings = before.get("bearings") if step is None else None
     if bearings is None:
-        apart = STEP if step is None else degrees(_step(step).value(terms))
+        apart = None if step is None else _step(step).value(terms)
         bearings = bearings_apart(apart, scenario.terms.frame.heading)
     speed = before.get("speed", 0.0) if use is None else speed_given("--use", use).value(terms)
     look = drawing.look(scenario.name, terms)
@@ -132,20 +130,24 @@ def _step(text: str) -> Amount:
     return Amount("--step", text, "angle", radians(1.0 - 1e-9), radians(90.0 + 1e-9))
 
 
-def bearings_apart(step: float = STEP, heading: float | None = None) -> "NDArray[np.float64]":
+def bearings_apart(
+    step: float | None = None, heading: float | None = None
+) -> "NDArray[np.float64]":
     """Return bearings (m,) [rad], clockwise from the bow, from all round.
 
     Parameters
     ----------
-    step : float [deg]
-        Between them.
+    step : float, optional [rad]
+        Between them; the usual one when left out.
     heading : float, optional [rad]
         The true bearing of the bow: the true bearings are round numbers then.
     """
     import numpy as np
 
-    off = degrees(heading or 0.0)
-    return np.asarray(np.radians((np.arange(0.0, 360.0 - 1e-9, step) - off) % 360.0))
+    from swarmgrasp.capability.asked import APART
+
+    apart, off = degrees(step or APART), degrees(heading or 0.0)
+    return np.asarray(np.radians((np.arange(0.0, 360.0 - 1e-9, apart) - off) % 360.0))
 
 
 class _Asked(NamedTuple):

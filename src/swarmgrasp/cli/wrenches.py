@@ -152,12 +152,12 @@ def read_wrenches(path: Path) -> Wrenches:
 def _wrenches(cells: Cells, source: Source) -> Wrenches | None:
     """Return the wrenches of a table; None after a fault."""
     names = wrench_names(*COLUMNS)
-    called = [names.get(heading.name, "") for heading in cells.headings]
+    called = [names.get(head.name, "") for head in cells.heads]
     for name in COLUMNS:
         if called.count(name) != 1:
             many = "two columns" if name in called else "no column"
             source.fault(f"has {many} {name}; its first line should name fx, fy and tz once", 1)
-    chosen = [heading for heading in cells.headings if heading.name in names]
+    chosen = [head for head in cells.heads if head.name in names]
     check_units(chosen, {name: OF[part] for name, part in names.items()}, source)
     if source.faults:
         return None
@@ -170,5 +170,5 @@ def _wrenches(cells: Cells, source: Source) -> Wrenches | None:
                 source.fault(f"{name} should be a finite number (got {shown(row.cells[k])})",
                              row.line)  # fmt: skip
         rows.append((values[0], values[1], values[2]))
-    units = tuple(cells.headings[k].unit for k in at)
+    units = tuple(cells.heads[k].unit for k in at)
     return Wrenches(source.path, [row.line for row in cells.rows], rows, units)

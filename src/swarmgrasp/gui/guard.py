@@ -14,7 +14,7 @@ RATE, BURST = 200.0, 400.0
 """Messages a second, and at once; those beyond are dropped."""
 MOST_WINDOWS = 64
 LIMITS = Limits(MOST_BYTES, int(RATE), MOST_TEXT, MOST_ROBOTS_SHOWN)
-"""What a page is told of these."""
+"""What a page says of these."""
 HELLO_WITHIN = 3.0
 """Seconds that a window has to show its key."""
 KEY_BYTES = 16

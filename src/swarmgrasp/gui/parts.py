@@ -54,7 +54,7 @@ class Nothing(Exception):
 
 @dataclass(frozen=True)
 class Sheet:
-    """What is told of one ask.
+    """What one ask is answered.
 
     Attributes
     ----------
@@ -220,7 +220,7 @@ def slopes(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     if criterion.worst_case:
         raise Nothing("Slopes are of robots whose poses are known.")
     if len(swarm) > MOST_LOST or not len(swarm):
-        raise Nothing("Slopes are told of few robots.")
+        raise Nothing("Slopes are shown of few robots only.")
     try:
         rates = sensitivities(swarm, **criterion.terms)
     except ForceSetUnsupported as error:

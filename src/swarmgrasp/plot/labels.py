@@ -46,7 +46,7 @@ ROUND: Final = np.array([(math.cos(a), math.sin(a)) for a in np.arange(0.0, math
 TAG: Final = 6.5
 """Size of the numbers that stand for labels without room [pt]."""
 
-STEP: Final = 0.7
+GRID: Final = 0.7
 """Distance between the places tried all over the page, in heights of the label."""
 
 
@@ -265,8 +265,8 @@ class Page:
     def _anywhere(self, anchor: Vector, size: Vector, most: float) -> list[Choice]:
         """Return the best place on the page for a label far from its anchor, if below a price."""
         taken, frame = self._taken(), self.ax.bbox
-        x = np.arange(frame.x0 + size[0] / 2.0, frame.x1 - size[0] / 2.0, STEP * size[1])
-        y = np.arange(frame.y0 + size[1] / 2.0, frame.y1 - size[1] / 2.0, STEP * size[1])
+        x = np.arange(frame.x0 + size[0] / 2.0, frame.x1 - size[0] / 2.0, GRID * size[1])
+        y = np.arange(frame.y0 + size[1] / 2.0, frame.y1 - size[1] / 2.0, GRID * size[1])
         centres = np.column_stack([part.ravel() for part in np.meshgrid(x, y, indexing="ij")])
         beyond = np.maximum(np.abs(centres - anchor) - size / 2.0, 0.0)
         gaps = np.hypot(*beyond.T) / self.point_size

@@ -35,7 +35,7 @@ JUMP = 1e-3
 """Difference of the two, relative to the larger, that is a jump."""
 FAN = 64
 """Corners that stand for a whole force set, of a robot that can do nothing along a normal."""
-STEP = 1e-7
+NUDGE = 1e-7
 """Relative change of a robot; what its forces do is linear in it up to the square of that."""
 TIED = 1e-8
 """Relative difference of two normals' values that is none."""
@@ -337,17 +337,17 @@ def _changes(swarm: Swarm) -> Iterator[tuple[int, int, Array, ForceSets]]:
     """Yield a kind after the contact, a way, the steps (n,), and the sets once all have changed."""
     columns, envelopes = swarm.columns, swarm.rare.envelopes
     for way, sign in enumerate((-1.0, 1.0)):
-        turn = np.full(len(swarm), STEP)
+        turn = np.full(len(swarm), NUDGE)
         kinds: tuple[tuple[int, dict[str, Any], Array], ...] = (
-            (1, {"directions": columns.directions + sign * STEP}, turn),
-            (2, {"limits": columns.limits * (1.0 + sign * STEP)}, STEP * columns.limits),
+            (1, {"directions": columns.directions + sign * NUDGE}, turn),
+            (2, {"limits": columns.limits * (1.0 + sign * NUDGE)}, NUDGE * columns.limits),
             (
                 3,
-                {"reverse_limits": columns.reverse_limits * (1.0 + sign * STEP)},
-                STEP * np.maximum(columns.reverse_limits, 1e-300),
+                {"reverse_limits": columns.reverse_limits * (1.0 + sign * NUDGE)},
+                NUDGE * np.maximum(columns.reverse_limits, 1e-300),
             ),
-            (4, _opened(columns, sign * STEP, -1.0), turn),
-            (5, _opened(columns, sign * STEP, 1.0), turn),
+            (4, _opened(columns, sign * NUDGE, -1.0), turn),
+            (5, _opened(columns, sign * NUDGE, 1.0), turn),
         )
         for kind, changed, steps in kinds:
             yield kind, way, steps, force_sets_of(columns._replace(**changed), envelopes, {})

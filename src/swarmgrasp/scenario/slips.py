@@ -1,8 +1,8 @@
 """What a file says that is no fault, and is probably not what its writer means.
 
-Each slip is told once, at the first place where it shows, with what to do about it. None is told of
-a file that is merely unusual: what is looked for is what follows from one slip and hardly from
-anything else.
+Each slip is told once, at the first place where it shows, with what to do about it. A file that is
+merely unusual has none: what is looked for is what follows from one slip and hardly from anything
+else.
 """
 
 import math

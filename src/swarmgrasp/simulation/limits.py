@@ -15,7 +15,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told
 from swarmgrasp.ranges import array_of, call_faults, items, kind_faults, number, shown
 from swarmgrasp.simulation.plant import MOST_STEPS
-from swarmgrasp.simulation.simulate import Course, Progress
+from swarmgrasp.simulation.simulate import Course, RunProgress
 from swarmgrasp.simulation.simulation import Simulation, seed_faults
 from swarmgrasp.simulation.station import StationKeeping
 from swarmgrasp.simulation.verdict import TURN_WITHIN, USUAL, USUAL_TURN, WITHIN
@@ -84,7 +84,7 @@ def limits(
     within: float = USUAL,
     within_turn: float = USUAL_TURN,
     gap: float = 0.002,
-    progress: Progress = None,
+    progress: RunProgress = None,
 ) -> Limits:
     """Find the largest wind that simulated robots hold the object against, at every bearing.
 
@@ -149,7 +149,7 @@ class _Trials:
 
     def __init__(
         self, simulation: Simulation, bearings: Array, seeds: tuple[int, ...], within: float,
-        within_turn: float, gap: float, progress: Progress,
+        within_turn: float, gap: float, progress: RunProgress,
     ) -> None:  # fmt: skip
         self._bearings, self._seeds = bearings, seeds
         self._within, self._within_turn, self._gap = within, within_turn, gap

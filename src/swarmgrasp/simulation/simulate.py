@@ -21,7 +21,7 @@ from swarmgrasp.simulation.station import Controller, Known, Look, StationKeepin
 from swarmgrasp.simulation.weather import SENSORS, Mean, Streams, generator_of, mean_of
 
 Array = NDArray[np.float64]
-Progress = Callable[[float], object] | None
+RunProgress = Callable[[float], object] | None
 Sink = Callable[[Run], object] | None
 
 BLOCK = 64
@@ -45,7 +45,7 @@ def simulate(
     every: int = 10,
     most: int = MOST_INSTANTS,
     sink: Sink = None,
-    progress: Progress = None,
+    progress: RunProgress = None,
 ) -> Run:
     """Run a simulation, once for each of some seeds.
 
@@ -194,7 +194,7 @@ class Course:
         states[:, 2], streams[:, :2] = headings, air
         return self._bare.wind(states, streams)
 
-    def run(self, progress: Progress) -> Run:
+    def run(self, progress: RunProgress) -> Run:
         """Go on to the end, or until stopped from the keyboard."""
         number = 0
         try:

@@ -77,7 +77,7 @@ class Verdict(Frozen, Told):
         gusts.
     largest_share : (runs,)
         Of any robot at any instant kept.
-    travel : (runs,) [1/s]
+    activity : (runs,) [1/s]
         How much the robots' forces change, of their limits in a second, at the mean of the robots.
     use : (runs,)
         The mean share of the robots.
@@ -95,7 +95,7 @@ class Verdict(Frozen, Told):
     spreads: Array
     margins_over_spread: Array
     largest_share: Array
-    travel: Array
+    activity: Array
     use: Array
     least_excess: float
 

@@ -4,7 +4,7 @@ from msgspec.structs import replace
 
 import swarmgrasp as sg
 from groups_by_hand import begun
-from swarmgrasp.agents.groups.member import Tell, Told
+from swarmgrasp.agents.groups.member import SlotsTold, Tell
 from swarmgrasp.agents.protocol import events as ev
 from swarmgrasp.agents.protocol.record import Phase
 
@@ -96,6 +96,6 @@ def test_what_no_sound_robot_tells_is_reported():
     slot = world.members["G00N00"].slots.get(0)
     newer, none = (replace(slot, sequence=9), replace(slot, group=7))
     watcher = world.members["G01N01"]
-    effects = watcher.handle(world.clock, Told("G00N01", (none, newer)))
+    effects = watcher.handle(world.clock, SlotsTold("G00N01", (none, newer)))
     assert [e.what for e in effects if isinstance(e, ev.Report)] == ["refused"]
     assert watcher.slots.get(0) == newer

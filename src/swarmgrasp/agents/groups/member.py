@@ -40,7 +40,7 @@ LATE = 3
 
 
 @dataclass(frozen=True)
-class Told:
+class SlotsTold:
     """Slots came in from a robot."""
 
     sender: str
@@ -99,7 +99,7 @@ class Look:
     message: Seek | Elsewhere
 
 
-MemberEvent = Event | Told | Wondered | Sought | Heard
+MemberEvent = Event | SlotsTold | Wondered | Sought | Heard
 MemberEffect = Effect | Within | Tell | Wonder | Look
 
 
@@ -172,7 +172,7 @@ class Member:
         self._time.advance(clock)
         now, out = self._time.now, list[MemberEffect]()
         match event:
-            case Told(sender, slots):
+            case SlotsTold(sender, slots):
                 out += self._take(sender, slots)
                 self._ready_by = min(self._ready_by, now)
             case Wondered(sender):

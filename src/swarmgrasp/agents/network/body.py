@@ -165,7 +165,7 @@ class Pose:
 class RealBody:
     """A robot that its own software drives.
 
-    Its orders are numbered; what is told of an order that has been replaced is not heeded.
+    Its orders are numbered; reports on an order that has been replaced are not heeded.
     """
 
     repeats = True

@@ -50,7 +50,7 @@ from swarmgrasp.files import read_fault, write_whole
 AT_ONCE = 64
 """Items of the queue that are taken before what they lead to is sent."""
 MOST_TOLD = 4
-"""Reports that an operator is told of."""
+"""Reports that an operator gets."""
 MOST_STATE = 64 << 20
 """Bytes of a state."""
 

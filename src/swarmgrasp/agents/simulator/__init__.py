@@ -14,13 +14,13 @@ from swarmgrasp.agents.simulator.faults import (
 )
 from swarmgrasp.agents.simulator.group_world import GroupWorld
 from swarmgrasp.agents.simulator.outcome import Census, Outcome
-from swarmgrasp.agents.simulator.shrink import MOST_RUNS, shrink
+from swarmgrasp.agents.simulator.shrink import MOST_SCHEDULES, shrink
 from swarmgrasp.agents.simulator.simulate import mission_of, simulate
 from swarmgrasp.agents.simulator.world import World, settings_of
 
 __all__ = [
     "FLAT",
-    "MOST_RUNS",
+    "MOST_SCHEDULES",
     "RANGES",
     "Book",
     "Broken",

@@ -368,7 +368,7 @@ class Book:
                 for name in (first.name, second.name):
                     about = {(first.name, second.name), (second.name, first.name)}
                     if not any((name, "too close", each) in self._told for each in about):
-                        raise Broken("pairs are told of", f"{pair}, and {name} does not say so")
+                        raise Broken("pairs are reported", f"{pair}, and {name} does not say so")
 
     def places(self) -> tuple[tuple[str, Place], ...]:
         """Return the robots that hold the object, in the order of their tickets."""

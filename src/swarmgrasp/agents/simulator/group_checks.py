@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from swarmgrasp.agents.groups import GroupPlanner, Member, Parts, Slot, Slots
-from swarmgrasp.agents.groups.member import Heard, Sought, Tell, Told, Wondered
+from swarmgrasp.agents.groups.member import Heard, SlotsTold, Sought, Tell, Wondered
 from swarmgrasp.agents.protocol import Place, Planner, Settings
 from swarmgrasp.agents.protocol import events as ev
 from swarmgrasp.agents.protocol.order import in_order
@@ -211,7 +211,7 @@ def _within(node: Node, event: Any) -> ev.Event:
     match event:
         case Heard(group, received):
             return received if group == _member(node).group else ev.Tick()
-        case Told() | Wondered() | Sought():
+        case SlotsTold() | Wondered() | Sought():
             return ev.Tick()
         case _:
             return event  # type: ignore[no-any-return]

@@ -140,7 +140,7 @@ class GroupWorld(World):
                 self._post(node, data, self._chosen(node, others, to), mb.Heard(group, received))
             case mb.Tell(to, slots):
                 data = sl.encode(slots)
-                told = mb.Told(node.name, sl.decode(data))
+                told = mb.SlotsTold(node.name, sl.decode(data))
                 self._post(node, data, self._chosen(node, self._others(node), to), told)
             case mb.Look(to, message):
                 data = encode_seeking(message)

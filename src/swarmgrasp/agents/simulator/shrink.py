@@ -7,7 +7,7 @@ from swarmgrasp.agents.simulator.faults import LASTING, Fault, Schedule, What
 from swarmgrasp.agents.simulator.outcome import Outcome
 from swarmgrasp.errors import ScheduleInvalid
 
-MOST_RUNS = 600
+MOST_SCHEDULES = 600
 """Schedules that are tried at most."""
 
 
@@ -38,7 +38,7 @@ def shrink(
     while found:
         found = False
         for smaller in _smaller(outcome.schedule):
-            if runs >= MOST_RUNS:
+            if runs >= MOST_SCHEDULES:
                 return outcome
             runs += 1
             if told is not None:

@@ -142,7 +142,7 @@ def simulate(
                 break
     last = done[-1]
     if shrink and last.broken:
-        with shown_progress(simulator.MOST_RUNS, "shrinking") as told:
+        with shown_progress(simulator.MOST_SCHEDULES, "shrinking") as told:
             last = simulator.shrink(last, run, told)
     from swarmgrasp.cli.show.simulation import document_of, show
 

@@ -105,8 +105,8 @@ def _facts(run: Run, verdict: Verdict, tell: Telling) -> list[tuple[str, str]]:
         ("Margin", margin),
         (
             "Thrust",
-            f"largest share {share:.2f} of a limit, {use:.2f} at the mean; forces travel "
-            f"{digits(float(verdict.travel[0]), float(verdict.travel[0]), 2)} limits a second",
+            f"largest share {share:.2f} of a limit, {use:.2f} at the mean; forces change by "
+            f"{digits(float(verdict.activity[0]), float(verdict.activity[0]), 2)} limits a second",
         ),
     ]
     if math.isfinite(verdict.least_excess):

@@ -19,7 +19,7 @@ from swarmgrasp.placement.together.stands import Ground, Stands
 from swarmgrasp.quality.weakest import MARGINAL
 
 Array = NDArray[np.float64]
-Progress = Callable[[float, float], object]
+SearchProgress = Callable[[float, float], object]
 MOST_STARTS = 2
 """Places where newcomers have gathered that are climbed from."""
 SEED = 17
@@ -91,7 +91,7 @@ class JointSearch:
         if found.quality > self.best.quality:
             self.best = found
 
-    def run(self, progress: Progress | None = None) -> None:
+    def run(self, progress: SearchProgress | None = None) -> None:
         """Search until it is over, or the budget is spent: on answers and on the bound in turn.
 
         Parameters

@@ -13,7 +13,7 @@ from swarmgrasp.placement.together.stands import Ground
 Array = NDArray[np.float64]
 PIECE, START, END, LOW, HIGH = range(5)
 """Columns of a box: its piece, its arc lengths [m] and its directions [rad], from and to."""
-STEP = 0.2
+WIDEST_ARC = 0.2
 """Widest arc of directions [rad] that three wrenches span: they are 0.5 % longer than its own."""
 THIN = 1e-9
 """Width of an interval of directions [rad], or of contacts relative to the perimeter, that is none.
@@ -62,7 +62,7 @@ class Region:
     @cached_property
     def hull(self) -> Hull:
         """What spans it."""
-        return self.finer_hull(STEP)
+        return self.finer_hull(WIDEST_ARC)
 
     def finer_hull(self, step: float) -> Hull:
         """Return what spans it, from arcs of at most so many radians.

@@ -16,10 +16,10 @@ from swarmgrasp.scenario.document import Node, read_document
 from swarmgrasp.scenario.faults import Faults
 from swarmgrasp.scenario.imports.cells import (
     Cells,
-    Heading,
+    ColumnHead,
     Row,
     check_units,
-    heading_of,
+    head_of,
     read_cells,
     wrench_names,
 )
@@ -95,7 +95,7 @@ def is_allocation_file(path: Path) -> bool:
         return True
     if suffix in (".csv", ".tsv", ".txt"):
         cells = read_cells(quiet, width=1)
-        is_wide = cells is not None and not cells.headings and len(cells.rows) in (3, 6)
+        is_wide = cells is not None and not cells.heads and len(cells.rows) in (3, 6)
         return cells is not None and (
             is_allocation(cells) or (is_wide and len(cells.rows[0].cells) > 3)
         )
@@ -114,24 +114,24 @@ def is_allocation_file(path: Path) -> bool:
 
 
 def is_allocation(cells: Cells) -> bool:
-    """Tell whether a table is an allocation matrix by its headings, or by those of its rows.
+    """Tell whether a table is an allocation matrix by its heads, or by those of its rows.
 
     Columns x, y and n are those of surveyed points unless limits stand beside them.
     """
-    above = [heading.name for heading in cells.headings]
-    return _are_axes(above) or _are_axes([_heading_of(row).name for row in cells.rows])
+    above = [head.name for head in cells.heads]
+    return _are_axes(above) or _are_axes([_head_of(row).name for row in cells.rows])
 
 
 def _are_axes(names: list[str]) -> bool:
-    """Tell whether headings can only be those of a matrix."""
+    """Tell whether heads can only be those of a matrix."""
     called = {_CALLED.get(name) for name in names}
     sure = {_CALLED.get(name) for name in names if name not in _OF_POINTS}
     return called >= set(AXES) and bool(sure & {*AXES, "limit", "least"})
 
 
-def _heading_of(row: Row) -> Heading:
+def _head_of(row: Row) -> ColumnHead:
     """Return what a line of a table is called, by its first cell."""
-    return heading_of(row.cells[0])
+    return head_of(row.cells[0])
 
 
 def _of_numpy(source: Source) -> Matrix | None:
@@ -203,12 +203,12 @@ def _of_table(source: Source, unit: str) -> Matrix | None:
     cells = read_cells(source, width=1)
     if cells is None:
         return None
-    if not cells.headings and all(math.isnan(cells.number(row.cells[0])) for row in cells.rows):
+    if not cells.heads and all(math.isnan(cells.number(row.cells[0])) for row in cells.rows):
         return _by_rows(source, cells, unit)
-    if not cells.headings:
+    if not cells.heads:
         columns = [f"column {k + 1}" for k in range(len(cells.rows[0].cells))]
         return _checked(source, _numbers(source, cells, cells.rows, columns))
-    above = [_CALLED.get(heading.name, "") for heading in cells.headings]
+    above = [_CALLED.get(head.name, "") for head in cells.heads]
     if set(AXES) <= set(above):
         return _by_columns(source, cells, above, unit)
     return _by_rows(source, cells, unit)
@@ -217,15 +217,15 @@ def _of_table(source: Source, unit: str) -> Matrix | None:
 def _by_columns(source: Source, cells: Cells, above: list[str], unit: str) -> Matrix | None:
     """Read a table of a thruster a line."""
     before = len(source.faults)
-    check_units(cells.headings, _KINDS, source)
-    strange = [h.name for h, known in zip(cells.headings, above, strict=True) if not known]
+    check_units(cells.heads, _KINDS, source)
+    strange = [h.name for h, known in zip(cells.heads, above, strict=True) if not known]
     twice = {name for name in above if name and above.count(name) > 1}
     for name in (*strange, *sorted(twice)):
         source.fault(f"has a column {name!r} too many; known: name, Fx, Fy, Mz, limit, least", 1)
     if strange or twice or len(source.faults) > before:
         return None
     lists = {name: [row.cells[k] for row in cells.rows] for k, name in enumerate(above)}
-    units = {name: h.unit for name, h in zip(above, cells.headings, strict=True)}
+    units = {name: h.unit for name, h in zip(above, cells.heads, strict=True)}
     at = [above.index(axis) for axis in AXES]
     lines = [Row(row.line, [row.cells[k] for k in at]) for row in cells.rows]
     numbers = _numbers(source, cells, lines, [axis.capitalize() for axis in AXES])
@@ -237,14 +237,14 @@ def _by_rows(source: Source, cells: Cells, unit: str) -> Matrix | None:
     """Read a table of a line each for Fx, Fy and Mz, the first cell saying which."""
     held, units, before = dict[str, Row](), dict[str, str](), len(source.faults)
     for row in cells.rows:
-        heading = _heading_of(row)
-        called = _CALLED.get(heading.name, "")
+        head = _head_of(row)
+        called = _CALLED.get(head.name, "")
         if called in ("", "name") or called in held:
             known = "Fx, Fy, Mz, limit and least, each once"
             source.fault(f"a row is called {row.cells[0]!r}; known: {known}", row.line)
             continue
-        check_units([heading], _KINDS, source, row.line)
-        held[called], units[called] = row, heading.unit
+        check_units([head], _KINDS, source, row.line)
+        held[called], units[called] = row, head.unit
     missing = [axis.capitalize() for axis in AXES if axis not in held]
     if missing:
         source.fault(f"has no row {', '.join(missing)}")
@@ -253,7 +253,7 @@ def _by_rows(source: Source, cells: Cells, unit: str) -> Matrix | None:
     lines = [Row(held[axis].line, held[axis].cells[1:]) for axis in AXES]
     columns = [f"column {k + 2}" for k in range(len(lines[0].cells))]
     found = _checked(source, _numbers(source, cells, lines, columns))
-    names = [heading.name for heading in cells.headings][1:]
+    names = [head.name for head in cells.heads][1:]
     lists = {name: row.cells[1:] for name, row in held.items()}
     return found and _whole(cells, found, lists, units, names or None, unit)
 

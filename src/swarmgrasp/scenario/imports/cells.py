@@ -18,7 +18,7 @@ _NUMBER = re.compile(r"[-+\u2212]?(\d+[.,]?\d*|[.,]\d+)([eE][-+]?\d+)?")
 _COMMA = re.compile(r"[-+\u2212]?\d*,\d+([eE][-+]?\d+)?(\s*[^\d\s,;][^,;]*)?")
 """A number with a decimal comma, perhaps with its unit."""
 _UNIT = re.compile(r"(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\))")
-"""A heading with its unit in brackets."""
+"""A head with its unit in brackets."""
 MOST_CELLS = 200
 """Columns of a table."""
 
@@ -31,7 +31,7 @@ class Row(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Heading:
+class ColumnHead:
     """What stands above a column.
 
     Attributes
@@ -52,13 +52,13 @@ class Cells:
 
     Attributes
     ----------
-    headings : tuple of Heading
+    heads : tuple of ColumnHead
         None at all if the first line holds numbers.
     rows : list of Row
     has_decimal_comma : bool
     """
 
-    headings: tuple[Heading, ...]
+    heads: tuple[ColumnHead, ...]
     rows: list[Row]
     has_decimal_comma: bool
 
@@ -109,7 +109,7 @@ def read_cells(source: Source, *, width: int = 2, most: int = MOST_ROWS) -> Cell
         return None
     found = Cells((), rows, has_comma)
     if not any(_NUMBER.fullmatch(cell) for cell in rows[0].cells):
-        found = Cells(tuple(map(heading_of, rows[0].cells)), rows[1:], has_comma)
+        found = Cells(tuple(map(head_of, rows[0].cells)), rows[1:], has_comma)
         if not found.rows:
             source.fault("has a header and no rows", rows[0].line)
             return None
@@ -128,61 +128,59 @@ def wrench_names(*parts: str) -> dict[str, str]:
     return {name: part for part, names in zip(parts, _WRENCH, strict=True) for name in names}
 
 
-def heading_of(cell: str) -> Heading:
-    """Return a heading, its unit in brackets apart."""
+def head_of(cell: str) -> ColumnHead:
+    """Return a head, its unit in brackets apart."""
     found = _UNIT.fullmatch(cell)
     if found is None:
-        return Heading(cell.strip().lower())
-    return Heading(found[1].strip().lower(), (found[2] or found[3] or "").strip())
+        return ColumnHead(cell.strip().lower())
+    return ColumnHead(found[1].strip().lower(), (found[2] or found[3] or "").strip())
 
 
 def column(cells: Cells, names: Sequence[str], source: Source, said: str) -> int | None:
     """Return which column has one of some names, the first of them first; None after a fault."""
-    called = [heading.name for heading in cells.headings]
+    called = [head.name for head in cells.heads]
     for name in names:
         if name in called:
             return called.index(name)
-    known = ", ".join(repr(heading.name) for heading in cells.headings)
+    known = ", ".join(repr(head.name) for head in cells.heads)
     source.fault(f"has no column of {said}, called {names[0]}; its columns are {known}", 1)
     return None
 
 
-def check_headings(cells: Cells, known: Sequence[str], source: Source) -> None:
+def check_heads(cells: Cells, known: Sequence[str], source: Source) -> None:
     """Note the columns that nobody asked for, and those that stand twice."""
     seen: set[str] = set()
-    for heading in cells.headings:
-        if heading.name not in known:
-            source.fault(
-                f"unknown column {shown(heading.name)}{nearest_name(heading.name, known)}", 1
-            )
-        elif heading.name in seen:
-            source.fault(f"there are two columns called {shown(heading.name)}; keep one", 1)
-        seen.add(heading.name)
+    for head in cells.heads:
+        if head.name not in known:
+            source.fault(f"unknown column {shown(head.name)}{nearest_name(head.name, known)}", 1)
+        elif head.name in seen:
+            source.fault(f"there are two columns called {shown(head.name)}; keep one", 1)
+        seen.add(head.name)
 
 
 def check_units(
-    headings: Sequence[Heading], kinds: Mapping[str, str], source: Source, line: int = 1
+    heads: Sequence[ColumnHead], kinds: Mapping[str, str], source: Source, line: int = 1
 ) -> None:
-    """Note units in headings that are none of what their columns, or lines, measure.
+    """Note units in heads that are none of what their columns, or lines, measure.
 
     Parameters
     ----------
-    headings : sequence of Heading
+    heads : sequence of ColumnHead
     kinds : mapping of str to str
         What they measure, by their names; others measure nothing.
     source : Source
     line : int
         In which they stand.
     """
-    for heading in headings:
-        kind = kinds.get(heading.name, "")
-        if heading.unit and not kind:
-            source.fault(f"{shown(heading.name)} has no unit; leave it out", line)
-        elif heading.unit:
+    for head in heads:
+        kind = kinds.get(head.name, "")
+        if head.unit and not kind:
+            source.fault(f"{shown(head.name)} has no unit; leave it out", line)
+        elif head.unit:
             try:
-                quantity(f"1 {heading.unit}", kind)
+                quantity(f"1 {head.unit}", kind)
             except QuantityInvalid as error:
-                source.fault(f"{shown(heading.name)}: {'; '.join(error.faults)}", line)
+                source.fault(f"{shown(head.name)}: {'; '.join(error.faults)}", line)
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
@@ -219,7 +217,7 @@ def _split(line: str, separator: str) -> list[str]:
 
 def _is_even(cells: Cells, width: int, source: Source, separator: str) -> bool:
     """Tell whether all lines have as many cells, at least a number; note those that do not."""
-    wanted = len(cells.headings) or len(cells.rows[0].cells)
+    wanted = len(cells.heads) or len(cells.rows[0].cells)
     if not width <= wanted <= MOST_CELLS:
         said = (
             f"has {wanted} cells; a line should have {width} to {MOST_CELLS}, apart by , ; or tabs"

@@ -22,7 +22,7 @@ def read_csv_outline(source: Source) -> Hull | None:
     if cells is None:
         return None
     at, said = (0, 1), list[str]()
-    if cells.headings:
+    if cells.heads:
         x, y = column(cells, _X, source, "x"), column(cells, _Y, source, "y")
         if x is None or y is None:
             return None
@@ -32,14 +32,14 @@ def read_csv_outline(source: Source) -> Hull | None:
     points = [_point(cells, row, at, source) for row in cells.rows]
     if any(point is None for point in points):
         return None
-    others = [heading.name for i, heading in enumerate(cells.headings) if i not in at]
+    others = [head.name for i, head in enumerate(cells.heads) if i not in at]
     if others:
         said.append(f"The columns {', '.join(others)} are left out.")
-    unit = cells.headings[at[0]].unit if cells.headings else ""
-    if cells.headings and cells.headings[at[1]].unit != unit:
+    unit = cells.heads[at[0]].unit if cells.heads else ""
+    if cells.heads and cells.heads[at[1]].unit != unit:
         source.fault("the columns x and y are in different units; give both in one", 1)
         return None
-    if cells.headings and cells.headings[at[0]].name in _DEGREES:
+    if cells.heads and cells.heads[at[0]].name in _DEGREES:
         unit = "deg"
     kept, is_ring = opened([point for point in points if point is not None])
     lines = tuple(row.line for row in cells.rows)[: len(kept)]

@@ -4,7 +4,7 @@ import math
 
 from swarmgrasp.ranges import shown
 from swarmgrasp.scenario.document import Node
-from swarmgrasp.scenario.imports.cells import check_headings, check_units, read_cells, wrench_names
+from swarmgrasp.scenario.imports.cells import check_heads, check_units, read_cells, wrench_names
 from swarmgrasp.scenario.imports.source import Source
 
 _CALLED = {
@@ -21,24 +21,24 @@ COLUMNS = ("speed", "bearing", "fx", "fy", "mz")
 def read_loads(source: Source) -> list[Node] | None:
     """Read the rows of a load table, as a document has them; None after a fault.
 
-    A unit in a heading, as in "Fx [kN]", is that of its numbers. Without a header there are five
+    A unit in a head, as in "Fx [kN]", is that of its numbers. Without a header there are five
     columns, in this order.
     """
     cells = read_cells(source, width=5)
     if cells is None:
         return None
     before = len(source.faults)
-    check_headings(cells, list(_CALLED), source)
-    check_units(cells.headings, {name: _KINDS[column] for name, column in _CALLED.items()}, source)
-    called = [_CALLED.get(h.name, h.name) for h in cells.headings] or list(COLUMNS)
+    check_heads(cells, list(_CALLED), source)
+    check_units(cells.heads, {name: _KINDS[column] for name, column in _CALLED.items()}, source)
+    called = [_CALLED.get(h.name, h.name) for h in cells.heads] or list(COLUMNS)
     missing = [name for name in COLUMNS if name not in called]
     if missing and len(source.faults) == before:
         source.fault(f"has no column {', '.join(missing)}", 1)
-    if len(called) > len(COLUMNS) or (not cells.headings and len(cells.rows[0].cells) > 5):
+    if len(called) > len(COLUMNS) or (not cells.heads and len(cells.rows[0].cells) > 5):
         source.fault(f"should have five columns, {', '.join(COLUMNS)}", 1)
     if len(source.faults) > before:
         return None
-    units = [heading.unit for heading in cells.headings] or [""] * len(COLUMNS)
+    units = [head.unit for head in cells.heads] or [""] * len(COLUMNS)
     order = [called.index(name) for name in COLUMNS]
     rows: list[Node] = []
     for row in cells.rows:

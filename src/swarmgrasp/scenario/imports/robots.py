@@ -4,7 +4,7 @@ import re
 from typing import Any
 
 from swarmgrasp.scenario.document import Node, resolve
-from swarmgrasp.scenario.imports.cells import Cells, Row, check_headings, check_units, read_cells
+from swarmgrasp.scenario.imports.cells import Cells, Row, check_heads, check_units, read_cells
 from swarmgrasp.scenario.imports.source import Source
 
 KEYS = (
@@ -28,18 +28,18 @@ _WHOLE = re.compile(r"[0-9]+")
 def read_robots(source: Source) -> list[Node] | None:
     """Read robots as the items of a document's list; None after a fault.
 
-    Empty cells are keys left out. A unit in a heading, as in "limit [kN]", is that of its numbers.
+    Empty cells are keys left out. A unit in a head, as in "limit [kN]", is that of its numbers.
     """
     cells = read_cells(source)
     if cells is None:
         return None
-    if not cells.headings:
+    if not cells.heads:
         source.fault(f"needs a header that names its columns; known: {', '.join(KEYS)}", 1)
         return None
     before = len(source.faults)
-    check_headings(cells, KEYS, source)
-    check_units(cells.headings, _KINDS, source)
-    names = [heading.name for heading in cells.headings]
+    check_heads(cells, KEYS, source)
+    check_units(cells.heads, _KINDS, source)
+    names = [head.name for head in cells.heads]
     for name in names:
         other = _BOTH.get(name)
         if other and other not in names:
@@ -57,8 +57,8 @@ def _robot(cells: Cells, row: Row, source: Source) -> Node:
     """Return a robot as a mapping of a document."""
     mark: Any = (row.line, 0, str(source.path))
     held = {
-        heading.name: _value(cells, cell, heading.name, heading.unit, mark)
-        for heading, cell in zip(cells.headings, row.cells, strict=True)
+        head.name: _value(cells, cell, head.name, head.unit, mark)
+        for head, cell in zip(cells.heads, row.cells, strict=True)
         if cell
     }
     for key, parts in (("contact", ("x", "y")), ("limit", ("least", "limit"))):

@@ -62,7 +62,7 @@ class Story(Study):
             "number", "", "margin at the start over the standard deviation of the gusts' load"
         ),
         "use": Column("number", "", "mean share of the robots"),
-        "travel": Column("number", "1/s", "limits that the robots' forces pass in a second"),
+        "activity": Column("number", "1/s", "limits that the robots' forces pass in a second"),
     }
 
     def __post_init__(self) -> None:
@@ -101,7 +101,7 @@ class Story(Study):
             "margin_over_spread": np.where(np.isfinite(told.margins_over_spread),
                                            told.margins_over_spread, np.nan),
             "use": told.use,
-            "travel": told.travel,
+            "activity": told.activity,
         }  # fmt: skip
 
     def find(self, ask: Ask, terms: Terms = SI) -> Findings:
