@@ -1,6 +1,7 @@
 """A recorded run comes to the page from either of its files, number by number."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from swarmgrasp.errors import SimulationInvalid
 from swarmgrasp.gui.runs import read_run
 from swarmgrasp.simulation.export.player import player_data, write_player
 from swarmgrasp.simulation.record import read_log, write_log
-from swarmgrasp.terms import SI
+from swarmgrasp.terms import SI, Terms
 
 
 @pytest.fixture(scope="module")
@@ -34,11 +35,27 @@ def test_both_files_tell_the_same_run(run, tmp_path):
     off = np.array(data["poses"]) - np.array(data["references"])
     far = np.hypot(off[:, 0], off[:, 1]).max()
     assert told["first"]["good"] is bool(far <= told["within"] and abs(off[:, 2]).max() < 0.08)
-    assert told["happenings"] == data["happenings"]
+    for one, other in zip(told["happenings"], data["happenings"], strict=True):
+        assert one == {key: other[key] for key in ("time", "kind", "robot", "words")}
     for name in ("times", "poses", "references", "wind", "water", "shortfalls", "forces"):
         assert np.array_equal(told[name], np.array(data[name], np.float32))
     angles = np.array(data["angles"], float).astype(np.float32)
     assert np.array_equal(told["angles"], angles, equal_nan=True)
+
+
+def test_what_happens_is_told_in_the_terms_of_the_scene(run, tmp_path):
+    """From numbers, where there are some; a run that lacks one of them is none."""
+    first, *others = run.happenings
+    aim = {"x": 3.048, "y": 0.0, "heading": 0.0}
+    path = tmp_path / "run.json"
+    moved = replace(run, happenings=(replace(first, kind="aim", numbers=aim), *others))
+    told = unframed(read_run(write_player(moved, path)).told(1, Terms("ft")))
+    words = [happening["words"] for happening in told["happenings"]]
+    assert words[0] == "the object is to move to (10, 0) ft, heading 0 deg"
+    assert words[1:] == [happening.words for happening in others]
+    path.write_text(path.read_text().replace('"x":3.048,', ""))
+    with pytest.raises(SimulationInvalid, match="is no run"):
+        read_run(path)
 
 
 def test_a_log_gives_the_run_back(run, tmp_path):

@@ -19,8 +19,10 @@ from swarmgrasp.gui.sending import framed
 from swarmgrasp.outline import Outline
 from swarmgrasp.simulation.export.player import player_data
 from swarmgrasp.simulation.record import read_log
+from swarmgrasp.simulation.sentences import sentence
 from swarmgrasp.simulation.verdict import USUAL_TURN, usual_within
-from swarmgrasp.terms import Terms
+from swarmgrasp.telling import Telling
+from swarmgrasp.terms import SI, Terms
 
 LARGEST = 64_000_000
 """Bytes of a run in JSON."""
@@ -39,6 +41,22 @@ class PlayedRobot(Struct, frozen=True, forbid_unknown_fields=True):
     there: tuple[Pair, ...]
 
 
+class PlayedHappening(Struct, frozen=True, forbid_unknown_fields=True):
+    """Something that happened, in words, or in numbers that make them: see `Happening`."""
+
+    time: float
+    kind: str
+    robot: str
+    words: str
+    numbers: dict[str, float] = {}
+
+    def told(self, tell: Telling) -> RunHappening:
+        """Return it in the terms of a scene."""
+        numbers = self.numbers
+        words = sentence(self.kind, self.robot, numbers, tell) if numbers else self.words
+        return RunHappening(self.time, self.kind, self.robot, words)
+
+
 class Played(Struct, frozen=True, forbid_unknown_fields=True):
     """What `swarmgrasp simulate --player` writes."""
 
@@ -47,7 +65,7 @@ class Played(Struct, frozen=True, forbid_unknown_fields=True):
     outline: tuple[Pair, ...]
     robots: tuple[PlayedRobot, ...]
     routes: tuple[RunRoute, ...]
-    happenings: tuple[RunHappening, ...]
+    happenings: tuple[PlayedHappening, ...]
     times: tuple[float, ...]
     poses: tuple[Triple, ...]
     references: tuple[Triple, ...]
@@ -68,7 +86,8 @@ class Recorded:
     def told(self, n: int, terms: Terms) -> bytes:
         """Return the run as one binary frame, with its verdict in the terms of a scene."""
         played, columns = self.played, self._columns()
-        within = usual_within(Outline(played.outline))
+        outline = Outline(played.outline)
+        within, tell = usual_within(outline), Telling.of(terms, outline.extent, [])
         first, second = _verdict(columns, within, terms)
         angles = columns["angles"]
         sent = {route.robot for route in played.routes}
@@ -81,7 +100,7 @@ class Recorded:
         )  # fmt: skip
         head = RunTold(
             n, self.name, first, second, played.seed, within, USUAL_TURN, played.outline, robots,
-            played.routes, played.happenings, (),
+            played.routes, tuple(each.told(tell) for each in played.happenings), (),
         )  # fmt: skip
         return framed(head, columns)
 
@@ -153,7 +172,9 @@ def _played(path: Path, read: Callable[[], Played]) -> Played:
     """Return what a reader gives, if it is a run whose columns go together."""
     try:
         played = read()
-    except (msgspec.DecodeError, RecursionError) as error:
+        for happening in played.happenings:
+            happening.told(Telling.of(SI, 1.0, []))
+    except (msgspec.DecodeError, KeyError, RecursionError) as error:
         raise SimulationInvalid(
             f"{path}: is no run, as `swarmgrasp simulate --player` writes it: {error}"
         ) from None

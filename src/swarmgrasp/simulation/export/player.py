@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from swarmgrasp.files import write_whole
-from swarmgrasp.plain import plain
+from swarmgrasp.plain import picked, plain
 from swarmgrasp.simulation.export.scene import Film
 from swarmgrasp.simulation.run import Run
 
@@ -34,9 +34,10 @@ def player_data(run: Run, *, index: int = 0, most: int = MOST) -> dict[str, Any]
     dict
         `outline` (k, 2) from the origin; `robots`, each with `name`, `contact` (2,), `limit` and
         the times `there` [from, to]; `routes` of those that were sent; `happenings`, each with
-        `time`, `kind`, `robot` and `words`; and columns of m instants: `times`, `poses` (m, 3),
-        `references` (m, 3), `wind` and `water` (m, 2), `shortfalls` (m,), `forces` and `angles`
-        (m, n). Of a robot that is not there the force is 0 and the angle null.
+        `time`, `kind`, `robot`, `words` and `numbers`, as `Happening` has them; and columns of m
+        instants: `times`, `poses` (m, 3), `references` (m, 3), `wind` and `water` (m, 2),
+        `shortfalls` (m,), `forces` and `angles` (m, n). Of a robot that is not there the force is 0
+        and the angle null.
     """
     film = Film(run, index)
     chosen = list(film.picked(most))
@@ -68,7 +69,7 @@ def player_data(run: Run, *, index: int = 0, most: int = MOST) -> dict[str, Any]
             for route in film.routes
         ],
         "happenings": [
-            {"time": h.time, "kind": h.kind, "robot": h.robot, "words": h.words}
+            {**picked(h, "time", "kind", "robot", "words"), "numbers": dict(h.numbers)}
             for h in run.happenings
         ],
         "times": run.times[chosen].tolist(),
