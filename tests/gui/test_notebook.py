@@ -37,6 +37,10 @@ def page() -> Page:
 
 def test_the_kernel_answers_as_the_server_does(page: Page) -> None:
     """All parts at rest; a problem that was dragged comes back."""
+    scenario = load_example("deck-barge")
+    best = sg.place(scenario.problem())
+    assert page.widget.quality == pytest.approx(best.quality, rel=1e-9)  # before it is shown
+    assert page.widget.place == best.place
     (welcome,) = page.say(kind="hello", key="", protocol=PROTOCOL)
     (scene,) = page.say(kind="open", n=1, name=welcome["opens"])
     ask = {"kind": "ask", "n": 2, "doc": scene["doc"], "speech": scene["speech"]}
@@ -45,8 +49,6 @@ def test_the_kernel_answers_as_the_server_does(page: Page) -> None:
     assert {"answer", "mesh", "capability", "losses", "landscape", "proof"} <= {
         one.get("name") for one in told
     }
-    scenario = load_example("deck-barge")
-    best = sg.place(scenario.problem())
     assert page.widget.quality == pytest.approx(best.quality, rel=1e-9)
     assert page.widget.place == best.place
     seen = []
@@ -61,6 +63,8 @@ def test_the_kernel_answers_as_the_server_does(page: Page) -> None:
 def test_faults_come_back_and_the_widget_lives(page: Page) -> None:
     """A message that is none, and a document that is refused."""
     assert page.say(kind="dance")[0]["kind"] == "error"
+    (told,) = page.say(kind="run", n=9, name="run")
+    assert (told["kind"], told["n"]) == ("error", 9)
     (scene,) = page.say(kind="open", n=1, name="deck-barge")
     scene["doc"]["problem"]["spacing"] = -1.0
     ask = {"kind": "ask", "n": 2, "moving": True, "doc": scene["doc"], "speech": scene["speech"]}

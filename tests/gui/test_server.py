@@ -123,6 +123,14 @@ def test_hostile_messages_get_a_word_and_the_window_lives(serving: Opened) -> No
         assert window.ask(scene)["answer"]["after"] == before
 
 
+def test_what_nobody_here_answers_is_said_so(serving: Opened) -> None:
+    """A run where none is played, and a sheet where none is made: the page waits for neither."""
+    with Window(serving) as window:
+        welcome = window.hello()
+        assert (welcome["run"], welcome["reports"]) == (None, False)
+        assert window.request(kind="run", name="run")["say"] == "This cannot be asked here."
+
+
 def test_robots_of_one_name_are_refused(serving: Opened) -> None:
     """The fault says which."""
     with Window(serving) as window:

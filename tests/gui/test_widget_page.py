@@ -16,6 +16,8 @@ function model(key) {
   };
   return {
     get: (name) => (name === "height" ? 600 : undefined),
+    set: (name, value) => (window[name] = value),
+    save_changes: () => undefined,
     on: (_, hear) => hearers.add(hear),
     off: (_, hear) => hearers.delete(hear),
     send: async (content, _, buffers) => {
@@ -53,7 +55,10 @@ def notebook(browser, link):
 
 
 def test_two_widgets_do_not_disturb_each_other(notebook):
-    """A key in one changes its own wind; the other keeps its verdict, its choice and its look."""
+    """A key in one changes its own wind; the other keeps its verdict, its choice and its look.
+
+    Keys of theirs are not heard by the notebook.
+    """
 
     def told(name, selector):
         return notebook.locator(f"#{name} {selector}").first.text_content()
@@ -65,6 +70,16 @@ def test_two_widgets_do_not_disturb_each_other(notebook):
     notebook.locator("#two .first.bad").wait_for()
     assert told("two", ".first").startswith("Not held in ")
     assert told("one", ".first") == before
+    notebook.evaluate(
+        """() => {
+          window.heard = [];
+          document.addEventListener("keydown", (event) => window.heard.push(event.key));
+        }"""
+    )
+    for key in ("x", "a", "Escape", "Control+s"):
+        notebook.keyboard.press(key)
+    assert notebook.evaluate("window.answered") > 0
+    assert notebook.evaluate("window.heard") == ["Control", "s"]
     assert notebook.evaluate("localStorage.length") == 0
     family = "[...document.fonts].map((face) => `${face.family} ${face.weight}`).sort()"
     assert notebook.evaluate(family) == ["Inter 400", "Inter 600"]

@@ -25,6 +25,7 @@ from swarmgrasp.gui.turns import ANSWER, Job, Turns
 if TYPE_CHECKING:
     from swarmgrasp.gui.live import Live
 
+NOT_HERE = "This cannot be asked here."
 WORKERS = 2
 """Jobs at once: more would only wait for each other."""
 logger = logging.getLogger(__name__)
@@ -92,6 +93,11 @@ class Desk:
         if overtaken is not None:
             self._start(self._send(window, write_message(Done(overtaken.n))))
         self.pump()
+
+    def refuse(self, window: int, message: Any) -> None:
+        """Say of a message that nobody here answers it."""
+        if hasattr(message, "n"):
+            self._start(self._send(window, write_message(Error(message.n, NOT_HERE))))
 
     def watch(self, window: int, message: Watch) -> None:
         """Begin to tell a window of the agents, or end it."""

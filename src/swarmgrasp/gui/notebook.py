@@ -13,13 +13,14 @@ import traitlets
 from swarmgrasp.environment import Environment
 from swarmgrasp.errors import SwarmGraspError
 from swarmgrasp.gui.asking import Found, ask
+from swarmgrasp.gui.desk import NOT_HERE
 from swarmgrasp.gui.errands import errands_of
 from swarmgrasp.gui.guard import LIMITS
 from swarmgrasp.gui.messages import PROTOCOL, Ask, FromPage, Hello, read_message
 from swarmgrasp.gui.parts import MOVING, NAMED, PARTS, Sheet, tell
 from swarmgrasp.gui.reading import question_of
 from swarmgrasp.gui.replies import Done, Error, Refused, Welcome
-from swarmgrasp.gui.scenes import Source, faults_in, titles
+from swarmgrasp.gui.scenes import Source, doc_of, faults_in, speech_of, titles
 from swarmgrasp.gui.sending import write_message
 from swarmgrasp.gui.telling import Telling
 from swarmgrasp.placement import Problem
@@ -51,9 +52,12 @@ class Studio(anywidget.AnyWidget):
         With the newcomer in its place.
     place : str
         Where that is; "" where there is nobody to place.
+    answered : int
+        Changes when all of that is told, and the hand rests.
     """
 
     _esm = files("swarmgrasp.gui") / "page" / "widget.js"
+    answered = traitlets.Int().tag(sync=True)
     problem = traitlets.Any()
     quality = traitlets.Float().tag(sync=True)
     place = traitlets.Unicode().tag(sync=True)
@@ -61,7 +65,8 @@ class Studio(anywidget.AnyWidget):
     def __init__(self, title: str, text: str) -> None:
         scenario = parse_scenario(text, title)
         super().__init__(problem=scenario.problem())
-        self._scenes: Mapping[str, Source] = {title: Source(text)}
+        self._keep(ask(question_of(doc_of(scenario), speech_of(scenario)), None))
+        self._scenes: Mapping[str, Source] = {title: Source(text, scenario=scenario)}
         self._title = title
         self._errands = errands_of(self._scenes, title)
         self._costs: dict[str, float] = {}
@@ -83,13 +88,15 @@ class Studio(anywidget.AnyWidget):
             self._ask(message)
         elif type(message) in self._errands:
             self._errand(message)
+        elif hasattr(message, "n"):
+            self._say(write_message(Error(message.n, NOT_HERE)))
 
     def _welcome(self) -> Welcome:
         """Return what a page is told first."""
         return Welcome(
             PROTOCOL, version("swarmgrasp"),
             LIMITS, titles(self._scenes),
-            self._title, None, watch=False, demonstration=False,
+            self._title, None, watch=False, demonstration=False, reports=False,
         )  # fmt: skip
 
     def _errand(self, message: Any) -> None:

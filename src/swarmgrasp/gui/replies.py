@@ -28,7 +28,7 @@ class SceneTitle(Part, frozen=True, forbid_unknown_fields=True):
 
 
 class Welcome(_Said, frozen=True):
-    """The answer to the right key."""
+    """The answer to the right key: what there is, and whether it can be asked for."""
 
     protocol: int
     version: str
@@ -38,6 +38,7 @@ class Welcome(_Said, frozen=True):
     run: str | None
     watch: bool
     demonstration: bool
+    reports: bool
 
 
 class Scene(_Said, frozen=True):

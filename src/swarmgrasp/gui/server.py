@@ -163,6 +163,7 @@ def application(settings: Settings, port: int) -> Starlette:
         titles(settings.scenes), settings.opens,
         None if settings.run is None else settings.run.name, watch=settings.live is not None,
         demonstration=settings.live is not None and settings.live.is_demonstration,
+        reports=settings.reporting is not None,
     )  # fmt: skip
     session = Session(guard, desk, welcome)
 

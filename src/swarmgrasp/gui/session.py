@@ -99,6 +99,8 @@ class Session:
             self.desk.order(message)
         elif type(message) in self.desk.errands:
             self.desk.errand(window, message)
+        else:
+            self.desk.refuse(window, message)
 
 
 async def _received(socket: WebSocket) -> str | bytes:

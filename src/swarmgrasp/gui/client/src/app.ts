@@ -30,6 +30,8 @@ export interface Home {
   readonly key: () => string;
   /** The text of the scenario that the page's link carries, or null. */
   readonly linked: () => Promise<string | null>;
+  /** Told when the hand rests and all is answered. */
+  readonly answered?: (n: number) => void;
 }
 
 /** Builds the widget in an element and lets it live there. */
@@ -102,6 +104,7 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
     if (message.kind === "done" || message.kind === "refused" || message.kind === "error") {
       if (talk.idle) painter.owed = false;
       painter.ask();
+      if (talk.idle && message.kind === "done" && store.seen.value?.moving === false) home.answered?.(message.n);
     }
   };
   return context;

@@ -60,7 +60,9 @@ export class Bar implements View {
       iconButton("share", "Copy a link to this", buttons.share), this.textButton,
       iconButton("theme", "Dark or light", buttons.theme), iconButton("help", "Keys", buttons.keys));
     bar.append(this.name, sentence, icons);
-    icons.querySelector(".icon-share")!.parentElement!.classList.add("share-button");
+    const share = icons.querySelector(".icon-share")!.parentElement!;
+    share.classList.add("share-button");
+    show(share, context.root.dataset.home === "page"); // a notebook's address opens nothing of this
     icons.querySelector(".icon-help")!.parentElement!.classList.add("help-button");
   }
 

@@ -43,7 +43,8 @@ function typing(event: KeyboardEvent): boolean {
   return target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type !== "file");
 }
 
-function withControl(event: KeyboardEvent, { store }: Context, { menu }: Parts): (() => void) | null {
+function withControl(event: KeyboardEvent, { store, root }: Context, { menu }: Parts): (() => void) | null {
+  if (root.dataset.home !== "page" && /^[so]$/i.test(event.key)) return null; // the notebook's own
   switch (event.key.toLowerCase()) {
     case "z": return () => (event.shiftKey ? store.redo() : store.undo());
     case "y": return () => store.redo();

@@ -42,13 +42,14 @@ export class Menu {
       if (name === seen?.scene.name) item.setAttribute("aria-current", "true");
       return item;
     });
+    const onPage = this.context.root.dataset.home === "page";
     const files = [
-      this.#item("Open a file…", () => this.open(), "Ctrl O"),
-      this.#item("Save as YAML", () => void this.save(), "Ctrl S"),
-      this.#item("Copy a link", () => void this.share()),
+      this.#item("Open a file…", () => this.open(), onPage ? "Ctrl O" : ""),
+      this.#item("Save as YAML", () => void this.save(), onPage ? "Ctrl S" : ""),
+      ...(onPage ? [this.#item("Copy a link", () => void this.share())] : []),
       this.#item("Picture, SVG", () => void this.picture("svg")),
       this.#item("Picture, PNG", () => void this.picture("png")),
-      this.#item("Report, HTML", () => void this.report()),
+      ...(welcome.value?.reports === true ? [this.#item("Report, HTML", () => void this.report())] : []),
     ];
     this.sheet.open(el("div", { class: "card sheet-card menu-card", role: "menu", "aria-label": "Scenes and files" },
       el("div", { class: "menu-scenes", role: "group", "aria-label": "Scenes" }, ...scenes),

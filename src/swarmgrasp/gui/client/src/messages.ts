@@ -414,7 +414,7 @@ export interface SceneTitle {
   title: string;
 }
 
-/** The answer to the right key. */
+/** The answer to the right key: what there is, and whether it can be asked for. */
 export interface Welcome {
   kind: "welcome";
   protocol: number;
@@ -425,6 +425,7 @@ export interface Welcome {
   run: string | null;
   watch: boolean;
   demonstration: boolean;
+  reports: boolean;
 }
 
 /** One thing that is wrong: at a line and column of the text, or at a key of the document. */

@@ -10,6 +10,8 @@ import type { Wire } from "./wire";
 /** What anywidget gives of a model. */
 interface Model {
   get(name: string): unknown;
+  set(name: string, value: unknown): void;
+  save_changes(): void;
   on(name: string, hear: (content: unknown, buffers: readonly (DataView | ArrayBuffer)[]) => void): void;
   off(name: string, hear: (content: unknown, buffers: readonly (DataView | ArrayBuffer)[]) => void): void;
   send(content: unknown, callbacks?: unknown, buffers?: readonly ArrayBuffer[]): void;
@@ -60,6 +62,14 @@ function setType(document: Document): void {
 
 const HEIGHT = 720;
 
+/** Keys of the page are not those of the notebook, where "x" would cut the cell that the page is in. */
+function keepKeys(host: HTMLElement): void {
+  host.dataset.lmSuppressShortcuts = "true"; // JupyterLab looks at this first
+  host.addEventListener("keydown", (event) => {
+    if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+  });
+}
+
 function render({ model, el: place }: { model: Model; el: HTMLElement }): () => void {
   const document = place.ownerDocument;
   setType(document);
@@ -73,8 +83,15 @@ function render({ model, el: place }: { model: Model; el: HTMLElement }): () => 
   root.style.setProperty("--height", `${Number(model.get("height") ?? HEIGHT)}px`);
   shadow.append(root);
   place.append(host);
+  keepKeys(host);
   const wire = new CommWire(model);
-  mount(root, wire, { storage: null, key: () => "", linked: async () => null });
+  mount(root, wire, {
+    storage: null, key: () => "", linked: async () => null,
+    answered: (n) => { // marimo runs the cells that look at a widget again when its page changes something
+      model.set("answered", n);
+      model.save_changes();
+    },
+  });
   return () => wire.close();
 }
 
