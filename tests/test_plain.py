@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from strategies import problems
 from swarmgrasp import (
@@ -30,6 +31,7 @@ from swarmgrasp import (
 )
 from swarmgrasp.errors import DataInvalid
 from swarmgrasp.outline import Contact
+from swarmgrasp.plain import read
 from swarmgrasp.scenario import example_names, load_example
 
 numbers = st.floats(-1e6, 1e6)
@@ -175,3 +177,14 @@ def test_bounds_of_summaries_are_told():
         assert (told["lower"], told["upper"]) == (bounds.lower, bounds.upper)
         assert told["direction"] == bounds.direction.tolist()
     assert Robot.from_data(placed.to_data()["robot"]) == placed.robot
+
+
+def test_rows_of_numbers_are_read_whatever_numpy_calls_them():
+    """From Python 3.12 on its `NDArray` is a name of its own; here one is made."""
+    typing_extensions = pytest.importorskip("typing_extensions")
+    kept = typing_extensions.TypeVar("kept")
+    named = typing_extensions.TypeAliasType("named", NDArray[kept], type_params=(kept,))
+    faults = []
+    assert read([[1.0, 2.0]], named[np.float64], (), faults) == [[1.0, 2.0]]
+    read([[1.0, "two"]], named[np.float64], (), faults)
+    assert faults == ["should be numbers only; it is 'two'"]

@@ -146,6 +146,23 @@ def _branches(kind: Any) -> tuple[_Branch, ...]:
     return (_Branch(kind, (list,), "a list"),)
 
 
+def origin_of(kind: Any) -> Any:
+    """Return the class of a generic kind, also where a name stands for it, as NumPy's `NDArray`.
+
+    Examples
+    --------
+    >>> origin_of(tuple[float, float])
+    <class 'tuple'>
+    >>> from numpy.typing import NDArray  # a name of its own from Python 3.12 on
+    >>> origin_of(NDArray[np.float64])
+    <class 'numpy.ndarray'>
+    """
+    origin = get_origin(kind)
+    while hasattr(origin, "__value__"):
+        origin = get_origin(origin.__value__)
+    return origin
+
+
 def _is_plain(kind: Any) -> bool:
     """Tell whether a kind is a class of objects that have a plain form."""
     return isinstance(kind, type) and issubclass(kind, Plain)
@@ -207,7 +224,7 @@ def _object(data: dict[str, Any], cls: type, path: _Path, faults: list[str]) -> 
 
 def _list(data: list[Any], kind: Any, path: _Path, faults: list[str]) -> Any:
     """Return a row of values; note what is wrong with it."""
-    if get_origin(kind) is np.ndarray:
+    if origin_of(kind) is np.ndarray:
         strangers = [leaf for leaf in _leaves(data) if not _is_number(leaf)]
         return _note("numbers only", strangers[0], path, faults) if strangers else data
     kinds: Sequence[Any] = get_args(kind)
