@@ -21,6 +21,7 @@ extensions = [
 ]
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 3  # links to headings, as scenario.md#units-and-quantities
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
