@@ -261,6 +261,8 @@ def test_a_scheduler_that_is_gone_breaks_what_it_was_given(plan_of, tmp_path):
             return self
 
         def submit(self, work, *arguments):
+            if self.status == "closed":
+                raise ValueError("Client is closed")
             future = Future()
             if arguments[-1] == 0:
                 future.set_result(work(*arguments))
@@ -276,6 +278,8 @@ def test_a_scheduler_that_is_gone_breaks_what_it_was_given(plan_of, tmp_path):
     with pytest.raises(StudyStopped, match=r"broke: the Dask scheduler is gone; what is done is"):
         run_plan(tmp_path / "a", plan, workers=1, executor=cluster, progress=gone)
     assert plan.missing(tmp_path / "a") == [1, 2, 3, 4]
+    with pytest.raises(StudyStopped, match=r"broke: the Dask scheduler is gone; what is done is"):
+        run_plan(tmp_path / "a", plan, workers=1, executor=cluster)  # which takes no more work
 
 
 @pytest.mark.filterwarnings("default")

@@ -20,6 +20,10 @@ PATIENCE = 10.0
 LOOK = 1.0
 """How often it is looked whether it is still there [s]."""
 
+ENDED = ("closing", "closed")
+"""What a client of Dask says of itself whose scheduler is gone."""
+GONE = "the Dask scheduler is gone"
+
 
 class Machines(NamedTuple):
     """Those of a cluster.
@@ -94,7 +98,12 @@ class Cluster(Executor):
         self, work: Callable[Given, Found], /, *args: Given.args, **kwargs: Given.kwargs
     ) -> Future[Found]:
         """Hand out work."""
-        future: Future[Found] = self._workers.submit(work, *args, **kwargs)
+        try:
+            future: Future[Found] = self._workers.submit(work, *args, **kwargs)
+        except Exception as error:  # of Dask's own make
+            if self._client.status in ENDED:
+                raise BrokenExecutor(GONE) from error
+            raise
         self._given.add(future)
         return future
 
@@ -104,7 +113,7 @@ class Cluster(Executor):
             return True
         for future in list(self._given):
             with suppress(InvalidStateError):  # one that is done
-                future.set_exception(BrokenExecutor("the Dask scheduler is gone"))
+                future.set_exception(BrokenExecutor(GONE))
         return False
 
 
