@@ -1,6 +1,7 @@
 """The server of the page: a few files, and one socket."""
 
 import contextlib
+import functools
 import gzip
 import socket as sockets
 from collections.abc import AsyncIterator, Callable, Iterator, Mapping
@@ -115,30 +116,41 @@ class _Guarded:
         return None
 
 
-def page_files() -> dict[str, tuple[Response, Response]]:
-    """Return the files of the page by their paths, each as it is, and packed."""
+@dataclass(frozen=True)
+class PageFile:
+    """A file of the page: its content and its kind."""
+
+    raw: bytes
+    kind: str
+
+    def response(self, encodings: str) -> Response:
+        """Return the file, packed for those that can unpack it; fonts are packed already."""
+        headers = {**HEADERS, "content-type": self.kind, "vary": "accept-encoding"}
+        if "gzip" in encodings and not self.kind.startswith("font/"):
+            return Response(self._packed, headers=headers | PACKED)
+        return Response(self.raw, headers=headers)
+
+    @functools.cached_property
+    def _packed(self) -> bytes:
+        """The content packed, once it is asked for: the link need not wait for that."""
+        return gzip.compress(self.raw, mtime=0)
+
+
+def page_files() -> dict[str, PageFile]:
+    """Return the files of the page by their paths."""
     found = {}
     for file in (files("swarmgrasp.gui") / "page").iterdir():
         kind = TYPES.get("." + file.name.rpartition(".")[2])
         if kind is not None:
-            raw = file.read_bytes()
-            headers = {**HEADERS, "content-type": kind, "vary": "accept-encoding"}
-            packed = Response(gzip.compress(raw, mtime=0), headers=headers | PACKED)
-            plain = Response(raw, headers=headers)
-            found[f"/{file.name}"] = plain, plain if file.name.endswith(".woff2") else packed
+            found[f"/{file.name}"] = PageFile(file.read_bytes(), kind)
     if "/index.html" in found:
         found["/"] = found["/index.html"]
     return found
 
 
-def _sent(plain: Response, packed: Response) -> Callable[[Request], Response]:
-    """Return what sends a file, packed to those that can unpack it."""
-
-    def send(request: Request) -> Response:
-        """Send it."""
-        return packed if "gzip" in request.headers.get("accept-encoding", "") else plain
-
-    return send
+def _sent(file: PageFile) -> Callable[[Request], Response]:
+    """Return what sends a file."""
+    return lambda request: file.response(request.headers.get("accept-encoding", ""))
 
 
 def _named(host: str) -> str:
@@ -167,7 +179,7 @@ def application(settings: Settings, port: int) -> Starlette:
     )  # fmt: skip
     session = Session(guard, desk, welcome)
 
-    routes = [Route(path, _sent(*both)) for path, both in page_files().items()]
+    routes = [Route(path, _sent(file)) for path, file in page_files().items()]
 
     @contextlib.asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:  # noqa: ARG001

@@ -45,6 +45,7 @@ export class Body implements View {
     const inputs = [mesh, answer, seen.empty.mesh, this.#context.speech.value];
     if (inputs.every((input, i) => input === this.#drawn[i])) return;
     this.#drawn = inputs;
+    const isNew = mesh !== this.#mesh || this.#context.hover.value !== null;
     if (mesh !== this.#mesh) {
       this.#mesh = mesh;
       this.#solid = mesh === undefined ? null : new Solid(mesh, MOST_EDGED);
@@ -52,7 +53,7 @@ export class Body implements View {
     write(this.#why, mesh === undefined ? seen.empty.mesh ?? "" : "");
     put(this.#canvas, { hidden: mesh === undefined });
     this.#tell(mesh);
-    this.#paint();
+    if (isNew) this.#paint();
   }
 
   #tell(mesh: MeshPart | undefined): void {

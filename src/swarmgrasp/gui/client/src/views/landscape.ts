@@ -14,12 +14,17 @@ const DEGREE = Math.PI / 180;
 const [LEFT, TOP, BELOW] = [34, 12, 26];
 const FONT = "11.5px Inter, system-ui, sans-serif";
 
+/** Of the inputs of a drawing, the answer. */
+const ANSWER = 1;
 /** Before the unit of a figure. */
 const UNIT = /\u00a0(?=[^\d]+$)/;
 
 interface Drawn {
   readonly part: LandscapePart;
+  /** The answer that the part came with: it tells what its colours mean. */
   readonly answer: AnswerPart;
+  /** The newcomer as it stands now. */
+  readonly newcomer: RobotData | null;
   readonly shape: Shape;
   readonly axis: Axis;
   readonly columns: readonly Column[];
@@ -66,6 +71,7 @@ export class Landscape implements View {
     const { landscape, answer } = seen.parts;
     const inputs = [landscape, answer, seen.empty.landscape, seen.doc.problem.swarm.outline, this.#context.speech.value];
     if (inputs.every((input, i) => input === this.#inputs[i])) return;
+    const before = this.#inputs;
     this.#inputs = inputs;
     const none = landscape === undefined || answer === undefined;
     write(this.#why, none ? seen.empty.landscape ?? "" : "");
@@ -75,11 +81,17 @@ export class Landscape implements View {
       this.#drawn = null;
       return;
     }
+    // The same values with another answer: in a gesture they come later, or not at all.
+    if (this.#drawn !== null && inputs.every((input, i) => input === before[i] || i === ANSWER)) {
+      this.#drawn = { ...this.#drawn, newcomer: answer.newcomer };
+      this.#paint();
+      return;
+    }
     const shape = new Shape(seen.doc.problem.swarm.outline);
     const width = this.#canvas.clientWidth - LEFT;
     const { problem } = seen.doc;
     const columns = columnsOf(landscape.pieces, shape, LEFT, Math.max(40, width), (piece) => sectorOn(problem, piece));
-    this.#drawn = { part: landscape, answer, shape, axis: axisOf(columns), columns };
+    this.#drawn = { part: landscape, answer, newcomer: answer.newcomer, shape, axis: axisOf(columns), columns };
     this.#coloured = "";
     this.#tell(this.#drawn);
     this.#paint();
@@ -208,7 +220,7 @@ export class Landscape implements View {
 
   /** Where the newcomer stands now. */
   #best(drawn: Drawn): Cursor | null {
-    return drawn.answer.newcomer === null ? null : this.#cursorOf(drawn, drawn.answer.newcomer);
+    return drawn.newcomer === null ? null : this.#cursorOf(drawn, drawn.newcomer);
   }
 
   #marked(drawn: Drawn): Cursor | null {
