@@ -8,7 +8,7 @@ import pytest
 
 from swarmgrasp.placement import Problem, place_sequence
 from swarmgrasp.scenario import parse_scenario
-from swarmgrasp.scenario.fields import FARTHEST, STRONGEST
+from swarmgrasp.scenario.fields import FARTHEST, STRONGEST, WIDEST
 from swarmgrasp.units import PLAIN, canonical
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -35,9 +35,9 @@ def test_the_yaml_of_the_page_runs(text: str) -> None:
 
 def test_the_largest_numbers_are_as_told() -> None:
     """The page and the schema agree."""
-    found = re.search(r"distances up to (\S+), forces up to (\S+), in", PAGE)
+    found = re.search(r"distances up to (\S+), areas up to (\S+), forces up to (\S+), in", PAGE)
     assert found is not None
-    assert [float(number) for number in found.groups()] == [FARTHEST, STRONGEST]
+    assert [float(number) for number in found.groups()] == [FARTHEST, WIDEST, STRONGEST]
 
 
 def test_the_picture_of_the_page_is_what_is_read() -> None:

@@ -296,6 +296,18 @@ def test_a_bad_outline_hides_no_fault_that_needs_no_outline(outline: str) -> Non
     ]
 
 
+def test_an_unread_unit_makes_no_fault_of_what_is_in_another_unit() -> None:
+    """The hull is written in cubits, the robot and the zone in metres too: no size is known."""
+    faults = told(
+        "units: {length: cubit}\n"
+        "outline: {vertices: [[0, 0], [9, 0], [9, 4], [0, 4]], edges: [a, b, c, d]}\n"
+        "robots: [{contact: [9, 0.9 m], direction: 0, limit: -1}]\n"
+        "zones: [{edge: a, from: 2, to: 1.8 m}]\n"
+    )
+    keys = [fault.split(": ")[1] for fault in faults]
+    assert keys == ["units.length", "robots.0.limit"]
+
+
 def test_a_faulty_edge_name_hides_no_place() -> None:
     """Points are still located; only references to edges by name are left alone."""
     text = "outline: {{vertices: [[0, 0], [4, 0], [4, 2], [0, 2]], edges: {}}}\nrobots:\n"

@@ -33,6 +33,14 @@ def test_units_of_wind_and_current() -> None:
     assert (wind.coefficients, found.dynamic_factor) == (BLENDERMANN["ferry"], 1.25)
 
 
+@pytest.mark.parametrize(("unit", "area"), [("mm", 1.2e9), ("cm", 1.2e7), ("m", 1200.0)])
+def test_the_side_of_a_large_ship_may_be_written_in_any_unit(unit: str, area: float) -> None:
+    """1200 square metres are more than a thousand million square millimetres."""
+    wind = f"{{wind: {{vessel: ferry, frontal_area: 1, lateral_area: {area}}}}}"
+    found = environment(wind, f"units: {{length: {unit}}}\n")
+    assert found.wind.lateral_area == pytest.approx(1200.0)
+
+
 def test_what_is_left_out_has_its_published_value() -> None:
     """SI units, still water, DNV's densities and current coefficients, no allowance."""
     found = environment(f"{{wind: {{{WIND}}}, current: {{frontal_area: 1, lateral_area: 2}}}}")

@@ -123,7 +123,7 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
     located: edges then go by their numbers, and rays and nothing else need the origin.
     """
     section = checked.file.outline
-    if not checked.is_sound("outline", "vertices"):
+    if not (checked.is_sound("outline", "vertices") and checked.is_sound("units", "length")):
         return None
     path: Path = ("outline", "vertices")
     try:

@@ -18,6 +18,9 @@ from swarmgrasp.scenario.measures import Measure
 FARTHEST = 1e9
 """Largest coordinate or distance, in the file's unit: beyond it, rounding eats a tolerance."""
 
+WIDEST = 1e15
+"""Largest area, in the square of the file's unit: 1e9 m2 in square millimetres."""
+
 STRONGEST = 1e12
 """Largest force, in the file's unit."""
 
@@ -25,7 +28,7 @@ Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Coordinate = Annotated[Number, Field(ge=-FARTHEST, le=FARTHEST), Measure("length")]
 Distance = Annotated[Number, Field(ge=0, le=FARTHEST), Measure("length")]
 Length = Annotated[Number, Field(gt=0, le=FARTHEST), Measure("length")]
-Area = Annotated[Number, Field(gt=0, le=FARTHEST), Measure("area")]
+Area = Annotated[Number, Field(gt=0, le=WIDEST), Measure("area")]
 Force = Annotated[Number, Field(gt=0, le=STRONGEST), Measure("force")]
 Weight = Annotated[Number, Field(gt=0, le=STRONGEST)]
 Point = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]

@@ -144,7 +144,8 @@ def _is_stretch_said(section: StretchSection, path: Path, checked: Checked, unit
     if section.start == section.end:
         checked.fault((*path, "to"), NO_LENGTH if is_zone else NO_WIDTH)
         return False
-    if section.edge is not None and section.start > section.end:
+    sized = checked.is_sound("units", "length")
+    if sized and section.edge is not None and section.start > section.end:
         said = f"should be less than to, which is {section.end:.9g} {units.length}"
         checked.fault((*path, "from"), said)
         return False
