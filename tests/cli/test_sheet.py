@@ -1,6 +1,7 @@
 """One sheet about one job: its numbers, what it refers to, and what names cannot do to it."""
 
 import json
+import math
 import re
 from html.parser import HTMLParser
 
@@ -9,6 +10,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from swarmgrasp import capability, forces, losses, place_sequence, plot
+from swarmgrasp.capability import asked
 from swarmgrasp.cli import report as command
 from swarmgrasp.environment import KNOT
 from swarmgrasp.placement.stated import placements_in
@@ -75,7 +77,7 @@ class Sheet(HTMLParser):
 @pytest.fixture
 def sheet_of(run, tmp_path, monkeypatch):
     """Write the sheet of a file; return what is on it."""
-    monkeypatch.setattr("swarmgrasp.cli.capability.STEP", 30.0)
+    monkeypatch.setattr(asked, "APART", math.radians(30.0))
     for slow in ("plan", "forces_plan", "capability_diagram"):  # tested where they are at home
         monkeypatch.setattr(plot, slow, lambda *_, **__: Figure())
 
