@@ -38,15 +38,17 @@ def true_robots(time):
 
 
 def measured(robots):
-    """Return tugs as they are measured: near the hull, so moved to the nearest point of it."""
-    robots = list(robots)
-    seen = np.array([robot.contact for robot in robots]) + rng.normal(
-        0.0, NOISE[0], (len(robots), 2)
+    """Return the swarm as it is measured: a little off the hull, so moved to the nearest of it."""
+    contacts = np.array([robot.contact for robot in robots])
+    directions = np.array([robot.direction for robot in robots])
+    return sg.Swarm.from_arrays(
+        outline,
+        contacts + rng.normal(0.0, NOISE[0], contacts.shape),
+        directions + rng.normal(0.0, NOISE[1], directions.shape),
+        sent.limits,
+        characteristic_length=sent.characteristic_length,
+        snap=0.5,
     )
-    _, arcs = outline.nearest(seen)
-    for robot, arc in zip(robots, arcs, strict=True):
-        contact = outline.at_arc_length(float(arc)).point
-        yield replace(robot, contact=contact, direction=robot.direction + rng.normal(0.0, NOISE[1]))
 
 
 def error(robots, shares):
@@ -59,7 +61,7 @@ blind = sg.forces(sent, WANTED).shares  # worked out once
 errors, qualities, short = [], [], 0
 for step in range(STEPS):
     there = list(true_robots(step * PERIOD))
-    swarm = sg.Swarm(outline, measured(there))  # a new one for each look: it takes no time
+    swarm = measured(there)  # a new one for each look: it takes no time
     found = sg.forces(swarm, WANTED)
     short += found.is_degraded
     qualities.append(sg.quality(swarm).value)

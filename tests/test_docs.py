@@ -32,7 +32,9 @@ def test_the_code_of_a_page_prints_what_it_shows(page):
         assert_same(shown, printed.getvalue())
 
 
-@pytest.mark.parametrize("page", ["simulation", "tutorial", "how-to/ten-questions"])
+@pytest.mark.parametrize(
+    "page", ["simulation", "tutorial", "how-to/ten-questions", "how-to/losing", "how-to/capability"]
+)
 def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch, capsys):
     """They run one after the other, in one folder, with the files that the page shows."""
     monkeypatch.chdir(tmp_path)

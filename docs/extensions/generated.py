@@ -16,6 +16,7 @@ from typing import Any
 from sphinx.application import Sphinx
 
 from swarmgrasp.cli import main
+from swarmgrasp.cli.app import WRONG_INPUT
 from swarmgrasp.scenario import scenario_schema
 
 EXAMPLES = {
@@ -24,11 +25,11 @@ EXAMPLES = {
     "count": "count harbour-tugs --quality 400kN",
     "quality": "quality harbour-tugs --losing 1",
     "forces": "forces drillship-azimuths --wrench 1 0 0",
-    "capability": "capability escort-ring --every 30",
+    "capability": "capability escort-ring",
     "simulate": "simulate tugs-and-barge --for 60",
     "study": "study model-ship runs --of gusts --runs 4",
     "verify": "verify answer.json",
-    "judge": "judge rectangle-5",
+    "judge": "judge model-ship",
     "plot": "plot deck-barge plan.png",
     "report": "report escort-ring sheet.html",
     "agents simulate": "agents simulate rectangle-5 --robots 8",
@@ -47,10 +48,12 @@ CONSTANTS = ("src/swarmgrasp", "TOLERANCE", "ROUNDING", "GAP", "FLOOR", "LEAST",
 
 
 def said(command: str) -> str:
-    """Return what a command prints, its complaints included."""
+    """Return what a command prints, its complaints included; it has to know what is asked."""
     printed = io.StringIO()
     with redirect_stdout(printed), redirect_stderr(printed):
-        main(command.split())
+        status = main(command.split())
+    if status == WRONG_INPUT:
+        raise RuntimeError(f"swarmgrasp {command}: {printed.getvalue()}")
     return printed.getvalue().rstrip()
 
 
