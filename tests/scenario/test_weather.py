@@ -7,6 +7,7 @@ import pytest
 from swarmgrasp.environment import BLENDERMANN, KNOT, CurrentCoefficients, Waves, WindCoefficients
 from swarmgrasp.errors import ScenarioInvalid
 from swarmgrasp.scenario import parse_scenario
+from swarmgrasp.units import LENGTHS
 
 HEAD = "outline: {vertices: [[0, 0], [4, 0], [4, 2], [0, 2]]}\nrobots: []\n"
 WIND = "vessel: ferry, frontal_area: 1, lateral_area: 2"
@@ -33,12 +34,17 @@ def test_units_of_wind_and_current() -> None:
     assert (wind.coefficients, found.dynamic_factor) == (BLENDERMANN["ferry"], 1.25)
 
 
-@pytest.mark.parametrize(("unit", "area"), [("mm", 1.2e9), ("cm", 1.2e7), ("m", 1200.0)])
-def test_the_side_of_a_large_ship_may_be_written_in_any_unit(unit: str, area: float) -> None:
-    """1200 square metres are more than a thousand million square millimetres."""
-    wind = f"{{wind: {{vessel: ferry, frontal_area: 1, lateral_area: {area}}}}}"
-    found = environment(wind, f"units: {{length: {unit}}}\n")
+@pytest.mark.parametrize("unit", ["mm", "cm", "m", "in"])
+def test_a_large_ship_in_a_high_sea_may_be_written_in_any_unit(unit: str) -> None:
+    """Her side is more than a thousand million square millimetres, 6 m of sea more than 1000 mm."""
+    one = LENGTHS[unit]
+    found = environment(
+        f"{{wind: {{vessel: ferry, frontal_area: {300 / one**2}, lateral_area: {1200 / one**2}}}, "
+        f"waves: {{height: {6 / one}, period: 9, from: 0}}}}",
+        f"units: {{length: {unit}}}\n",
+    )
     assert found.wind.lateral_area == pytest.approx(1200.0)
+    assert found.waves.height == pytest.approx(6.0)
 
 
 def test_what_is_left_out_has_its_published_value() -> None:

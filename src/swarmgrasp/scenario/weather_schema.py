@@ -5,7 +5,16 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Field
 
 from swarmgrasp.environment import AIR, BLENDERMANN, WATER
-from swarmgrasp.scenario.fields import STRONGEST, Area, Coordinate, Label, Number, Point, Section
+from swarmgrasp.scenario.fields import (
+    STRONGEST,
+    Area,
+    Coordinate,
+    Distance,
+    Label,
+    Number,
+    Point,
+    Section,
+)
 from swarmgrasp.scenario.measures import BEARING, Measure, Row
 
 FASTEST = 1e3
@@ -163,7 +172,7 @@ class WavesSection(Section):
         }
     )
 
-    height: Annotated[Number, Field(ge=0, le=1e3), Measure("length")] | None = Field(
+    height: Distance | None = Field(
         None,
         description="Significant height [units.length]; goes with `period`.",
         examples=[0.5],
