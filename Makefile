@@ -49,6 +49,7 @@ lint: $(VENV)/developing
 docs: $(VENV)/documenting
 	$(BIN)/sphinx-build -q -W --keep-going docs docs/_build/html
 	$(BIN)/python tools/check_site.py docs/_build/html
+	$(BIN)/python tools/browse_site.py docs/_build/html
 
 bench: $(VENV)/benchmarking
 	$(BIN)/python benchmarks/run.py

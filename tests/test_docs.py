@@ -16,6 +16,8 @@ from swarmgrasp.simulation.export import gif
 
 DOCS = Path(__file__).parent.parent / "docs"
 PAGES = sorted([*DOCS.glob("*.md"), *DOCS.glob("how-to/*.md")])
+TOLD = re.compile(r"```console\n\$ swarmgrasp [^\n]*\n(?!\$|```)")
+"""A command with some of what it prints."""
 SHOWN = re.compile(r"```python\n(.*?)```\n\nprints\n\n```text\n(.*?)```", re.DOTALL)
 VERSION = re.compile(r"MuJoCo \d+(\.\d+)+")
 """What judges here may be older or newer."""
@@ -35,7 +37,7 @@ def test_the_code_of_a_page_prints_what_it_shows(page):
 
 
 @pytest.mark.parametrize(
-    "page", ["simulation", "tutorial", "how-to/ten-questions", "how-to/losing", "how-to/capability"]
+    "page", [p for p in PAGES if TOLD.search(p.read_text("utf-8"))], ids=lambda page: page.stem
 )
 def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch, capsys):
     """They run one after the other, in one folder, with the files that the page shows."""
@@ -44,7 +46,7 @@ def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch,
         monkeypatch.setattr(plot, slow, lambda *_, **__: Figure())
     monkeypatch.setattr(sheet_of_run, "run_sheet", lambda *_, **__: Figure())
     monkeypatch.setattr(gif, "write_gif", lambda _, path, **__: path)
-    text = (DOCS / f"{page}.md").read_text("utf-8")
+    text = page.read_text("utf-8")
     for name, written in re.findall(r"```yaml\n# (\S+)\n(.*?)```", text, re.DOTALL):
         Path(name).write_text(written)
     for block in re.findall(r"```console\n(.*?)```", text, re.DOTALL):
