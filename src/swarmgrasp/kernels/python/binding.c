@@ -4,8 +4,14 @@
 
 #include "binding.h"
 
+#ifdef _MSC_VER /* whose C11 has had the keyword for a few years only */
+#define OF_THREAD __declspec(thread)
+#else
+#define OF_THREAD _Thread_local
+#endif
+
 /* The thread's state while what it does leaves the interpreter to others, or NULL. */
-static _Thread_local PyThreadState *away;
+static OF_THREAD PyThreadState *away;
 
 void leave(int is_long) {
     if (is_long)
