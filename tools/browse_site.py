@@ -8,7 +8,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page, Response, Route, sync_playwright
 
 WORDS = {"capability": "environment.html", "with_pose": "api.html", "rosbags": "how-to/ros2.html"}
 """What is searched for, and a page that has to be among what is found."""
@@ -26,7 +26,7 @@ def faults_of(root: Path, page: Page, address: str) -> list[str]:
     faults: list[str] = []
     page.on("pageerror", lambda error: faults.append(f"{page.url}: {error}"))
 
-    def seen(route: object) -> None:
+    def asked(route: Route) -> None:
         """Let through what is asked of the server, and note all else."""
         if route.request.url.startswith((address, "data:")):
             route.continue_()
@@ -34,17 +34,17 @@ def faults_of(root: Path, page: Page, address: str) -> list[str]:
             faults.append(f"{page.url}: asks for {route.request.url}")
             route.abort()
 
-    page.route("**/*", seen)
-    page.on(
-        "response",
-        lambda answer: (
-            faults.append(f"{page.url}: {answer.url} has status {answer.status}")
-            if answer.status >= 400
-            else None
-        ),
-    )
+    def answered(response: Response) -> None:
+        """Note what the server does not have."""
+        if response.status >= 400:
+            faults.append(f"{page.url}: {response.url} has status {response.status}")
+
+    page.route("**/*", asked)
+    page.on("response", answered)
     for path in sorted(root.rglob("*.html")):
-        page.goto(f"{address}/{path.relative_to(root).as_posix()}", wait_until="load", timeout=120_000)
+        page.goto(
+            f"{address}/{path.relative_to(root).as_posix()}", wait_until="load", timeout=120_000
+        )
     for word, wanted in WORDS.items():
         page.goto(f"{address}/search.html?q={word}")
         page.wait_for_selector("#search-results .search-summary", timeout=30_000)
@@ -70,7 +70,7 @@ def main(root: Path) -> int:
         found = faults_of(root, browser.new_page(), f"http://127.0.0.1:{server.server_port}")
         browser.close()
     server.shutdown()
-    print("\n".join(dict.fromkeys(found[:50])))
+    print(*dict.fromkeys(found[:50]), sep="\n", end="\n" if found else "")
     return 1 if found else 0
 
 

@@ -56,5 +56,5 @@ def faults_of(root: Path) -> list[str]:
 
 if __name__ == "__main__":
     found = faults_of(Path(sys.argv[1]).resolve())
-    print("\n".join(found[:50]))
+    print(*found[:50], sep="\n", end="\n" if found else "")
     sys.exit(1 if found else 0)
