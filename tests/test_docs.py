@@ -14,13 +14,15 @@ from swarmgrasp.cli import main
 from swarmgrasp.plot import sheet_of_run
 from swarmgrasp.simulation.export import gif
 
-DOCS = Path(__file__).parent.parent / "docs"
+ROOT = Path(__file__).parent.parent
+DOCS = ROOT / "docs"
 PAGES = sorted([*DOCS.glob("*.md"), *DOCS.glob("how-to/*.md")])
 TOLD = re.compile(r"```console\n\$ swarmgrasp [^\n]*\n(?!\$|```)")
 """A command with some of what it prints."""
 SHOWN = re.compile(r"```python\n(.*?)```\n\nprints\n\n```text\n(.*?)```", re.DOTALL)
 VERSION = re.compile(r"MuJoCo \d+(\.\d+)+")
 """What judges here may be older or newer."""
+PYTHON = re.compile(r"```python\n(.*?)```", re.DOTALL)
 
 
 @pytest.mark.parametrize(
@@ -54,6 +56,22 @@ def test_the_commands_of_a_page_print_what_it_shows(page, tmp_path, monkeypatch,
         assert main(command.removeprefix("$ swarmgrasp ").split()) == 0
         printed = capsys.readouterr().out
         assert_within(*(VERSION.sub("MuJoCo", said) for said in (shown, printed)))
+
+
+def test_the_python_of_readme_and_pages_passes_a_strict_type_checker(tmp_path, monkeypatch):
+    """As it stands: the package is typed all through. Each block of the README is by itself."""
+    api = pytest.importorskip("mypy.api")
+    monkeypatch.chdir(ROOT)
+    shown = {
+        f"README_{k}": code
+        for k, code in enumerate(PYTHON.findall((ROOT / "README.md").read_text("utf-8")))
+    }
+    shown |= {page.stem: "\n".join(PYTHON.findall(page.read_text("utf-8"))) for page in PAGES}
+    paths = [tmp_path / f"{name.replace('-', '_')}.py" for name in shown]
+    for path, code in zip(paths, shown.values(), strict=True):
+        path.write_text(code, "utf-8")
+    said, complained, status = api.run(["--strict", *map(str, paths)])
+    assert (status, complained) == (0, ""), said
 
 
 def test_ten_questions_are_asked_in_their_order():

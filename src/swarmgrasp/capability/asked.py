@@ -47,7 +47,7 @@ class AllRound(Frozen, Answer):
         How many robots, or groups, are lost.
     worst_case : bool
         Whether the robots are in the worst poses that their tolerances allow.
-    failures : tuple of tuple of str
+    failures : sequence of sequence of str
         The worst of them happens before any loss, as in a `Criterion`.
     intact, after_loss : (m,)
         How much all robots, and those left after the worst failure and loss, hold.
@@ -60,7 +60,7 @@ class AllRound(Frozen, Answer):
     bearings: Array
     losing: int
     worst_case: bool
-    failures: tuple[tuple[str, ...], ...]
+    failures: Sequence[Sequence[str]]
     intact: NDArray[Any]
     after_loss: NDArray[Any]
     worst_losses: tuple[tuple[str, ...], ...]
@@ -149,7 +149,7 @@ def asked_of(
     return Asked(
         wanted,
         Criterion(worst_case=worst_case),
-        Criterion(losing=losing, worst_case=worst_case, failures=failures),  # type: ignore[arg-type]
+        Criterion(losing=losing, worst_case=worst_case, failures=failures),
     )
 
 

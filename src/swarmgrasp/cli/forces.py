@@ -111,7 +111,8 @@ def forces(
         rows = asked_before(scenario, "forces along").get("wanted", ())
         lines = range(2, 2 + len(rows))
     tell_omitted(scenario, file, "forces", load=load or weather.given)
-    beside = scenario.criterion.load if load is None else _ours(scenario, held.value(terms))
+    x, y, turn = scenario.criterion.load if load is None else _ours(scenario, held.value(terms))
+    beside = (x, y, turn)
     if len(rows):
         _tell_many(scenario, lines, rows, beside, json, wording)
         return

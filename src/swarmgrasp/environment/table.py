@@ -1,6 +1,7 @@
 """The loads of a wind as somebody measured or computed them: a table by speed and bearing."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -71,8 +72,8 @@ class WindTable(Plain):
     [[0.0, 10000.0, 0.0], [-1125.0, 5000.0, 0.0], [0.0, -10000.0, 0.0]]
     """
 
-    speeds: tuple[float, ...]
-    bearings: tuple[float, ...]
+    speeds: Sequence[float]
+    bearings: Sequence[float]
     loads: tuple[tuple[tuple[float, float, float], ...], ...]
     about: tuple[float, float] | None = None
     speed: float | None = None
@@ -246,7 +247,7 @@ def _triple(row: list[float]) -> tuple[float, float, float]:
     return surge, sway, yaw
 
 
-def _is_of_one_side(bearings: tuple[float, ...]) -> bool:
+def _is_of_one_side(bearings: Sequence[float]) -> bool:
     """Tell whether bearings run from ahead to astern."""
     return len(bearings) > 1 and bearings[0] == 0.0 and abs(bearings[-1] - math.pi) <= SAME_BEARING
 

@@ -1,6 +1,7 @@
 """The question of a placement: swarm, newcomer, and where it may attach."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -46,9 +47,9 @@ class Problem(Frozen, Plain, Visible):
     swarm : Swarm
         The robots already there.
     newcomer : Newcomer
-    zones : tuple of Zone, optional
+    zones : sequence of Zone, optional
         Where the newcomer may attach; None means the whole boundary.
-    no_go : tuple of Stretch
+    no_go : sequence of Stretch
         Where it may not; the ends of a stretch are allowed.
     spacing : float [m]
         Least straight-line distance to the contact of any robot that is not mounted.
@@ -74,8 +75,8 @@ class Problem(Frozen, Plain, Visible):
 
     swarm: Swarm
     newcomer: Newcomer
-    zones: tuple[Zone, ...] | None = None
-    no_go: tuple[Stretch, ...] = ()
+    zones: Sequence[Zone] | None = None
+    no_go: Sequence[Stretch] = ()
     spacing: float = 0.0
     criterion: Criterion = NOMINAL
 

@@ -5,7 +5,7 @@ import math
 from swarmgrasp.environment import KNOT
 from swarmgrasp.plot import style
 from swarmgrasp.quality import Criterion
-from swarmgrasp.quality.criterion import NOMINAL
+from swarmgrasp.quality.criterion import NOMINAL, Load
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.telling import Telling
 from swarmgrasp.units import LENGTHS, SPEEDS
@@ -166,7 +166,7 @@ def _decimals(value: float, digits: int) -> int:
     return max(0, digits - 1 - math.floor(math.log10(value)))
 
 
-def load_sentence(load: tuple[float, float, float], swarm: Swarm) -> str:
+def load_sentence(load: Load, swarm: Swarm) -> str:
     """Write a steady wrench on the object [N, N, N m], by the ways it goes in every frame.
 
     Examples

@@ -1,10 +1,11 @@
 """What is asked of a swarm: more than its quality as it stands."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypedDict, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from swarmgrasp.errors import CriterionInvalid
 from swarmgrasp.plain import Plain
@@ -17,14 +18,18 @@ MOST_LOST = 10**9
 """Robots that may be lost; all there are, if that is more."""
 
 
+Load = Sequence[float] | NDArray[np.float64]
+"""A wrench [N, N, N m], kept as three floats."""
+
+
 class Terms(TypedDict, total=False):
     """The parts of a criterion, as keywords."""
 
     losing: int
     worst_case: bool
-    load: tuple[float, float, float]
+    load: Load
     task: Task | None
-    failures: tuple[tuple[str, ...], ...]
+    failures: Sequence[Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -41,13 +46,13 @@ class Criterion(Plain):
         After the worst loss of so many robots; those of one group are lost as one.
     worst_case : bool
         In the worst poses that the robots' tolerances allow.
-    load : tuple of float [N, N, N m]
+    load : (3,) [N, N, N m]
         A steady wrench that the surroundings exert on the object, such as wind and current,
         about the outline's origin: the margin left around it.
     task : Polytope or Ellipsoid, optional
         Quality is the largest factor by which the task may grow, without a unit. When left out,
         the task is the metric's unit ball, and quality is in newtons.
-    failures : tuple of tuple of str
+    failures : sequence of sequence of str
         After the worst of these failures: each takes robots and groups, by name, before any loss.
 
     Raises
@@ -58,9 +63,9 @@ class Criterion(Plain):
 
     losing: int = 0
     worst_case: bool = False
-    load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    load: Load = (0.0, 0.0, 0.0)
     task: Task | None = None
-    failures: tuple[tuple[str, ...], ...] = ()
+    failures: Sequence[Sequence[str]] = ()
 
     def __post_init__(self) -> None:
         """Check the values."""

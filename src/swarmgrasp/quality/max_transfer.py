@@ -131,7 +131,7 @@ class Quality(Frozen, Answer):
     def failure(self) -> tuple[str, ...]:
         """The worst of the criterion's failures: the names that it takes."""
         worst = self._aim.failure_at(self._normal)
-        return () if worst is None else self.criterion.failures[worst]
+        return () if worst is None else tuple(self.criterion.failures[worst])
 
     @cached_property
     def gone(self) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ from swarmgrasp.environment import Current, Environment, Waves, Wind, WindTable,
 from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.plain import plain
 from swarmgrasp.quality import Criterion, Polytope
+from swarmgrasp.quality.criterion import Load
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.units import NAMED, Units
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Tolerance, Zone
@@ -68,11 +69,12 @@ class FileKeys:
         first, last = map(self.direction, ends)
         return [last, first] if self.units.frame.mirrored else [first, last]
 
-    def wrench(self, wrench: Sequence[float]) -> list[float]:
+    def wrench(self, wrench: Load) -> list[float]:
         """Return a wrench [N, N, N m] in the file's units and frame."""
-        surge, sway = self._turned(wrench[:2])
+        along, across, turn = wrench
+        surge, sway = self._turned((along, across))
         arm = LENGTHS[self.units.length]
-        turn = self._side * wrench[2]
+        turn *= self._side
         return [self.force(surge), self.force(sway), self.force(turn if arm == 1.0 else turn / arm)]
 
     @property

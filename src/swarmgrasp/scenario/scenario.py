@@ -1,6 +1,6 @@
 """What a scenario file comes down to, in SI units."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -32,9 +32,9 @@ class Scenario(Frozen, Visible):
         The object, the metric and the robots already in contact, perhaps none.
     newcomer : Newcomer or None
         The robot to place.
-    zones : tuple of Zone or None
+    zones : sequence of Zone or None
         Where a newcomer may attach; None means the whole boundary.
-    no_go : tuple of Stretch [m, m]
+    no_go : sequence of Stretch
         Stretches of the boundary no newcomer may use.
     spacing : float [m]
         Least distance of a newcomer from the robots already there.
@@ -57,8 +57,8 @@ class Scenario(Frozen, Visible):
     description: str
     swarm: Swarm
     newcomer: Newcomer | None
-    zones: tuple[Zone, ...] | None
-    no_go: tuple[Stretch, ...]
+    zones: Sequence[Zone] | None
+    no_go: Sequence[Stretch]
     spacing: float
     environment: Environment | None = None
     criterion: Criterion = NOMINAL

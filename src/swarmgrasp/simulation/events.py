@@ -201,7 +201,7 @@ class Follow(_Event):
     Attributes
     ----------
     at : float [s]
-    path : tuple of (float, float) [m, m]
+    path : sequence of (float, float) [m, m]
         Corners after the place where it is to be then.
     speed : float [m/s]
         Along the path.
@@ -217,7 +217,7 @@ class Follow(_Event):
     ((50.0, 0.0), (50.0, 20.0))
     """
 
-    path: tuple[tuple[float, float], ...]
+    path: Sequence[tuple[float, float]]
     speed: float
 
     does = "follow"
@@ -312,7 +312,7 @@ def joining_names(
 def event_faults(
     present: Iterable[str],
     groups: Mapping[str, Sequence[str]],
-    events: tuple[Event, ...],
+    events: Sequence[Event],
     newcomer: Newcomer,
     duration: float,
 ) -> list[tuple[Event, str]]:

@@ -1,6 +1,7 @@
 """The question of a run: which object, robots, weather and events."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -66,10 +67,10 @@ class Simulation(Frozen, Plain):
     environment: Environment
     hull: Hull
     actuator: Actuator = field(default_factory=Actuator)
-    actuators: tuple[tuple[str, Actuator], ...] = ()
+    actuators: Sequence[tuple[str, Actuator]] = ()
     weather: Weather = field(default_factory=Weather)
     control: Control = field(default_factory=Control)
-    events: tuple[Event, ...] = ()
+    events: Sequence[Event] = ()
     duration: float = 600.0
     step: float | None = None
     seed: int = 0

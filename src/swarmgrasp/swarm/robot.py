@@ -1,6 +1,7 @@
 """Robots in contact with the object, and the newcomer looking for a place."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, get_args
 
@@ -42,7 +43,7 @@ SHORTEST = 1e-9
 SAME_SIZE = 1e-9
 """Relative difference of two forces that is rounding."""
 
-Envelope = tuple[tuple[float, float], ...]
+Envelope = Sequence[tuple[float, float]]
 
 
 @dataclass(frozen=True)
@@ -79,12 +80,12 @@ class Robot(Plain):
     least : float [N]
         The force, along `direction`, that it always exerts at least: a cable that must stay taut.
         Of one that steers the hull of its forces counts, with less in its middle (T20).
-    envelope : tuple of (float, float) [N, N], optional
+    envelope : sequence of (float, float) [N, N], optional
         The corners of all forces it can exert, along `direction` and to the left of it, instead of
         all the above. `limit` is then that of the largest, and may be left out.
     group : str
         Robots of one group fail together: a switchboard's thrusters, the two lines of a tug.
-    sectors : tuple of (float, float) [rad, rad], optional
+    sectors : sequence of (float, float) [rad, rad], optional
         The directions that it may push in, with gaps between, as of a thruster that must not blow
         at its neighbour: each counter-clockwise from the first to the second, as `direction` is
         counted. They do not overlap; those that touch are one. At any time it pushes in one of
@@ -402,7 +403,7 @@ class Zone(Plain):
         An absolute range of force directions, counter-clockwise from the first to the
         second; whole turns apart they mean any direction, equal ones just that one.
         Further limits whatever the attachment allows.
-    area : tuple of (float, float) [m, m], optional
+    area : sequence of (float, float) [m, m], optional
         Instead of a stretch, for a mounted newcomer: the corners, in order, of an area inside the
         outline; two are a line, and one is a spot.
     name : str
@@ -426,7 +427,7 @@ class Zone(Plain):
     attachment: Attachment | None = None
     half_angle: float | None = None
     directions: tuple[float, float] | None = None
-    area: tuple[tuple[float, float], ...] | None = None
+    area: Sequence[tuple[float, float]] | None = None
     name: str = ""
 
     def __post_init__(self) -> None:

@@ -1,12 +1,13 @@
 """Directions with a gap: the sectors of a thruster that must not blow at its neighbour (T28)."""
 
 import math
+from collections.abc import Sequence
 
 from swarmgrasp.ranges import angles, items, shown
 
 Sector = tuple[float, float]
 """Directions [rad], counter-clockwise from the first to the second, at most a turn apart."""
-Sectors = tuple[Sector, ...]
+Sectors = Sequence[Sector]
 SAME_ANGLE = 1e-9
 """Angle [rad] that counts as none."""
 EXAMPLE = "such as [(0.4, 2.7), (3.5, 5.9)]"

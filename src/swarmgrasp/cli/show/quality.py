@@ -9,6 +9,7 @@ from swarmgrasp.cli.show.report import Column, Mood, Report
 from swarmgrasp.cli.show.sensitivities import show_sensitivities
 from swarmgrasp.quality import Criterion, ForceClosure, Loss, Quality, Sensitivities
 from swarmgrasp.quality import quality as quality_of
+from swarmgrasp.quality.criterion import Load
 from swarmgrasp.scenario import Scenario
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.force_words import force_words
@@ -256,9 +257,9 @@ def _show_losses(
     report.table(columns, rows, "losses")
 
 
-def _parts(swarm: Swarm, wrench: Sequence[float], tell: Telling) -> str:
+def _parts(swarm: Swarm, wrench: Load, tell: Telling) -> str:
     """Return the parts of a wrench [N, N, N m] in words, the torque last."""
-    x, y, turn = tell.wrench(wrench, swarm.characteristic_length)
+    x, y, turn = tell.wrench([*wrench], swarm.characteristic_length)
     return f"{x} along x, {y} along y and {turn}"
 
 

@@ -1,6 +1,7 @@
 """The object and its robots in MuJoCo's own language, MJCF."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
@@ -38,7 +39,7 @@ class Floor(Plain):
     ----------
     friction : float
         Coefficient of dry friction between feet and floor.
-    feet : tuple of (float, float) [m, m]
+    feet : sequence of (float, float) [m, m]
         At least three, in the frame of the outline's vertices. Those that stand evenly about the
         centre of mass bear the same weight.
 
@@ -56,7 +57,7 @@ class Floor(Plain):
     """
 
     friction: float
-    feet: tuple[tuple[float, float], ...]
+    feet: Sequence[tuple[float, float]]
 
     def __post_init__(self) -> None:
         """Check the values."""
