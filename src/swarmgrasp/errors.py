@@ -206,6 +206,10 @@ class DirectionWarning(SwarmGraspWarning):
     """A direction is several turns, as degrees are that are taken for radians."""
 
 
+class FrictionWarning(SwarmGraspWarning):
+    """A coefficient of friction is beyond anything real."""
+
+
 class ScenarioWarning(SwarmGraspWarning):
     """A scenario file says what is probably a slip."""
 

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from swarmgrasp import Outline, Robot, Swarm, quality
+from swarmgrasp import Newcomer, Outline, Robot, Swarm, quality
 from swarmgrasp.cli import main
-from swarmgrasp.errors import DirectionWarning, ScenarioWarning
+from swarmgrasp.errors import DirectionWarning, FrictionWarning, ScenarioWarning
 from swarmgrasp.scenario import example_names, load_example, load_scenario, parse_scenario
 
 CASES = Path(__file__).parents[1] / "data" / "cases"
@@ -128,6 +128,66 @@ def test_a_robot_with_degrees_is_told_of() -> None:
     assert [one.filename for one in caught] == [__file__]
     again = Swarm(outline, [degrees, Robot((0, 1), 9.0, name="Boreas")]).without("Boreas")
     assert again.robots[0].direction == 90.0
+
+
+UNREAL = """
+units: {{length: ft, force: kN}}
+outline: {{vertices: [[0, 0], [40, 0], [40, 20], [0, 20]]}}
+robots: [{{at: 1, limit: 50, friction: {0}, tolerance: {{direction: {1}, least_limit: {2}}}}}]
+tolerance: {{direction: [-{1}, 0], least_limit: {3}}}
+newcomer: {{limit: 5, friction: {0}, attachment: push}}
+environment:
+  wind:
+    coefficients: {{transverse: {4}, bow: 0.7, stern: 0.7}}
+    frontal_area: 1
+    lateral_area: 2
+    density: {5}
+    speed: {6}
+    from: 0
+  current: {{frontal_area: 1, lateral_area: 2, density: {7}, speed: {8}}}
+  waves: {{height: {9}, period: 3, density: {7}}}
+  dynamic_factor: {4}
+"""
+
+
+def test_numbers_beyond_anything_real_are_told() -> None:
+    """Each with its key; nothing is told of what is merely much."""
+    assert slips(UNREAL.format(1.5, 0.5, 3, 1, 2.5, 1.1, 40, 1000, 4, 6)) == []
+    odd = slips(UNREAL.format(900, 3, 0.9, 0.2, 9, 1225, 121, 1.025, 16, 8))
+    told = dict(slip.split(": ", 2)[1:] for slip in odd)
+    assert told.pop("robots.0.friction") == told.pop("newcomer.friction")
+    assert told == {
+        "robots.0.tolerance.direction": "3 rad is 172 deg; for degrees, write 3 deg",
+        "robots.0.tolerance.least_limit": "0.9 kN is 1.8 % of the limit, 50 kN; a share of 0.9 is "
+        "45 kN",
+        "tolerance.direction": "3 rad is 172 deg; for degrees, write 3 deg",
+        "tolerance.least_limit": "0.2 kN is 4 % of the limit, 5 kN; a share of 0.2 is 1 kN",
+        "environment.wind.coefficients.transverse": "9 is beyond any real drag: a flat plate "
+        "across has about 2",
+        "environment.wind.density": "1225 kg/m^3 is no air, which has about 1.226; it is in kg/m^3 "
+        "whatever the units",
+        "environment.wind.speed": "121 m/s is faster than any wind; is it in m/s?",
+        "environment.current.density": "1.025 kg/m^3 is no water, which has about 1026; it is in "
+        "kg/m^3 whatever the units",
+        "environment.current.speed": "16 m/s is faster than any current; is it in m/s?",
+        "environment.waves.density": "1.025 kg/m^3 is no water, which has about 1026; it is in "
+        "kg/m^3 whatever the units",
+        "environment.waves.height": "a sea with a period of 3 s breaks before it is 8 ft high; it "
+        "is at most 6.59 ft then",
+        "environment.dynamic_factor": "multiplies all loads by 9; an allowance is 1 to 1.5",
+    }
+    assert slips(UNREAL.format(1, 0.5, 3, 1, 1, 1, 1, 1e3, 1, 100))[0].endswith("is it in ft?")
+
+
+def test_friction_beyond_anything_real_is_told_where_a_robot_is_made() -> None:
+    """Not where a swarm takes it up, nor of what a file says, which has a slip."""
+    with pytest.warns(FrictionWarning, match="Ajax: the friction 900 is beyond") as caught:
+        finger = Robot((0, -1), 1.5, name="Ajax", friction=900)
+    with pytest.warns(FrictionWarning, match="newcomer: the friction 6 is") as sent:
+        Newcomer(1.0, "push", friction=6)
+    assert [one.filename for one in (*caught, *sent)] == [__file__] * 2
+    assert Swarm(Outline([(-1, -1), (1, -1), (1, 1)]), [finger]).robots[0].friction == 900.0
+    parse_scenario(SQUARE % "" + "  [{at: 5, limit: 5, friction: 900}]")
 
 
 def test_lines_and_bodies_in_the_way_are_told() -> None:

@@ -21,11 +21,10 @@ from swarmgrasp.scenario.quantities import measured
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.scenario.schema import ScenarioFile
 from swarmgrasp.scenario.units import Units
+from swarmgrasp.scenario.unreal import Slip, unreal
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.units import LENGTHS, is_geographic
 from swarmgrasp.words import list_words
-
-Slip = tuple[Path, str]
 
 APART = 500.0
 """How many times as strong as the weakest robot the strongest is where two units are mixed up: a
@@ -68,6 +67,7 @@ def slips_of(checked: Checked, units: Units, scenario: Scenario) -> tuple[FileFa
         *_limits(checked, units),
         *_lines(units, scenario),
         *_bodies(scenario),
+        *unreal(checked, units),
     ):
         found.add(checked.root.find(path).mark, path, sentence)
     return found.listed()

@@ -21,7 +21,7 @@ def check_tolerances(checked: Checked, units: Units) -> None:
     if file.tolerance is not None:
         _check_offsets(file.tolerance, DEFAULT, checked, units)
         _check_default(file.tolerance, checked, units)
-    for section, path in _holders(checked):
+    for section, path in holders(checked):
         if section.tolerance is not None:
             _check_offsets(section.tolerance, (*path, "tolerance"), checked, units)
             _check_own(section, path, checked, units)
@@ -29,7 +29,7 @@ def check_tolerances(checked: Checked, units: Units) -> None:
 
 def check_reaches(checked: Checked, units: Units, perimeter: float) -> None:
     """Note every contact that may lie on more than a whole boundary, given its length [m]."""
-    given = [(section.tolerance, (*path, "tolerance")) for section, path in _holders(checked)]
+    given = [(section.tolerance, (*path, "tolerance")) for section, path in holders(checked)]
     for tolerance, path in [(checked.file.tolerance, DEFAULT), *given]:
         first, last = _ends(None if tolerance is None else tolerance.contact)
         if units.metres(last) - units.metres(first) > perimeter:
@@ -75,7 +75,7 @@ def tolerance_of(
 # -- parts --------------------------------------------------------------------------------
 
 
-def _holders(checked: Checked) -> list[tuple[RobotSection | NewcomerSection, Path]]:
+def holders(checked: Checked) -> list[tuple[RobotSection | NewcomerSection, Path]]:
     """Return the robots and the newcomers, each with its path."""
     file = checked.file
     holders: list[tuple[RobotSection | NewcomerSection, Path]] = []
@@ -134,7 +134,7 @@ def _check_default(default: ToleranceSection, checked: Checked, units: Units) ->
     """Note a default least limit that is more than a robot's limit."""
     asked = [
         (largest(section), path)
-        for section, path in _holders(checked)
+        for section, path in holders(checked)
         if not checked.has(*path, "tolerance") and checked.is_sound(*path, "limit")
     ]
     if default.least_limit is None or not asked:

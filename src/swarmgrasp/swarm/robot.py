@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from swarmgrasp.callers import warn_caller
-from swarmgrasp.errors import DirectionWarning, RobotInvalid, ZoneInvalid
+from swarmgrasp.errors import DirectionWarning, FrictionWarning, RobotInvalid, ZoneInvalid
 from swarmgrasp.outline import Stretch
 from swarmgrasp.outline.polygon import is_simple
 from swarmgrasp.plain import Plain
@@ -38,6 +38,8 @@ RIGHT_ANGLE = math.pi / 2
 
 MOST_FRICTION = 1e6
 """Largest coefficient of friction."""
+ROUGHEST = 5.0
+"""Coefficient of friction beyond anything real: rubber on dry stone has about 1."""
 SHORTEST = 1e-9
 """Least lever of a couple [m], and 1 over the largest."""
 SAME_SIZE = 1e-9
@@ -76,7 +78,7 @@ class Robot(Plain):
         pi for an azimuth thruster, whose direction is then without meaning.
     friction : float, optional
         It is a finger whose normal force, along `direction`, is at most `limit`; the force across
-        it is at most so many times the normal force.
+        it is at most so many times the normal force. More than 5 gives a `FrictionWarning`.
     least : float [N]
         The force, along `direction`, that it always exerts at least: a cable that must stay taut.
         Of one that steers the hull of its forces counts, with less in its middle (T20).
@@ -180,6 +182,9 @@ class Robot(Plain):
                 f"{abs(self.direction) / math.tau:.3g} turns; for degrees, write math.radians(...)"
             )
             warn_caller(said, DirectionWarning, is_of_maker=True)
+        if rough := _roughness(self.friction):
+            said = f"{_called(self.name, 'robot')}: {rough}"
+            warn_caller(said, FrictionWarning, is_of_maker=True)
         vars(self).update(
             contact=point,
             direction=float(self.direction),
@@ -365,6 +370,9 @@ class Newcomer(Plain):
         faults += _body_faults(self.mounted, self.body)
         if faults:
             raise RobotInvalid(f"{_called(self.name, 'newcomer')}: {fault}" for fault in faults)
+        if rough := _roughness(self.friction):
+            said = f"{_called(self.name, 'newcomer')}: {rough}"
+            warn_caller(said, FrictionWarning, is_of_maker=True)
         vars(self).update(
             limit=float(self.limit),
             attachment=str(self.attachment),
@@ -554,6 +562,14 @@ def kind_of_force_faults(reverse_limit: object, friction: object) -> list[str]:
             f"the friction is {shown(friction)}; it should be 0 <= friction <= {MOST_FRICTION:g}"
         )
     return faults
+
+
+def _roughness(friction: float | None) -> str:
+    """Say that nothing has a coefficient of friction; "" if something has."""
+    if friction is None or friction <= ROUGHEST:
+        return ""
+    said = f"the friction {shown(friction)} is beyond anything real"
+    return f"{said}: rubber on dry stone has about 1"
 
 
 def _corners(envelope: object) -> Envelope:
