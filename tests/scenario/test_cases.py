@@ -85,7 +85,8 @@ def test_words_of_others_are_told_by_ours() -> None:
     assert not [fault for fault in faults if fault.startswith("frame")]
     assert told("barge-horsepower") == [
         "1:27: units.force: there is no unit of force 'hp'; known: N, kN, MN, kgf, tf, lbf, kip "
-        "(got 'hp')"
+        "(got 'hp')",
+        "11:62: newcomer.half_angle: should lie in [0, 1.57079633] rad (got 30)",
     ]
 
 

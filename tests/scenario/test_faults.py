@@ -296,6 +296,49 @@ def test_a_bad_outline_hides_no_fault_that_needs_no_outline(outline: str) -> Non
     ]
 
 
+def test_edges_are_judged_before_there_is_an_outline() -> None:
+    """They are there or not, and as long as they are, whatever is wrong with another corner."""
+    outline = "outline: {vertices: [[0, 0], [4, 0], [4, 2 ft], [0, x]], edges: [south, e, n, w]}\n"
+    faults = told(
+        f"{outline}robots: [{{edge: soth, along: 1, direction: 0, limit: 1}}, {{edge: 4, along: 9, "
+        "direction: 0, limit: 1}, {edge: 1, along: 0.7, direction: 0, limit: 1}, {edge: n, "
+        "along: 99, direction: inward, limit: 1}]\n"
+        "zones: [{edge: edge 2}, {edge: south, from: 1, to: 5}, {at: 99}]\n"
+        "no_go: [{edge: 9}]\n"
+    )
+    assert [fault.partition(": ")[2].partition(" (")[0] for fault in faults] == [
+        "outline.vertices.3.1: should be a number",
+        "robots.0.edge: there is no such edge; they run from 0 to 3; did you mean 'south'?",
+        "robots.1.edge: there is no such edge; they run from 0 to 3",
+        "robots.2.along: should lie in [0, 0.6096] m, the length of e",
+        "zones.0.edge: there is no such edge; they run from 0 to 3; known: south, e, n, w",
+        "zones.1.to: should lie in [0, 4] m, the length of south",
+        "no_go.0.edge: there is no such edge; they run from 0 to 3",
+    ]
+
+
+def test_an_unread_unit_hides_no_place_that_is_in_it() -> None:
+    """Plain numbers are compared with plain ones, in what the file calls them."""
+    faults = told(
+        "units: {length: cubit}\n"
+        "outline: {vertices: [[0, 0], [9, 0], [9, 4], [0, 4]], edges: [a, b, c, d]}\n"
+        "robots:\n"
+        "  - {contact: [9, 5], direction: 0, limit: 1}\n"
+        "  - {at: 27, direction: 30, limit: 1, tolerance: {contact: 20}}\n"
+        "  - {edge: e, along: 0.9 m, direction: 0, limit: 1, steers: 30}\n"
+        "zones: [{edge: a, from: 2, to: 1}]\n"
+    )
+    assert [fault.partition(": ")[2].partition(" (")[0] for fault in faults[1:]] == [
+        "robots.0.contact: is off the boundary; the nearest boundary point is [9, 4] cubit on c, "
+        "1 cubit away",
+        "robots.1.at: should lie in [0, 26] cubit, the length of the boundary",
+        "robots.1.tolerance.contact: spans 40 cubit, the whole boundary and more",
+        "robots.2.edge: there is no such edge; they run from 0 to 3; known: a, b, c, d",
+        "robots.2.steers: should lie in [0, 3.14159265] rad, or be any",
+        "zones.0.from: should be less than to, which is 1 cubit",
+    ]
+
+
 def test_an_unread_unit_makes_no_fault_of_what_is_in_another_unit() -> None:
     """The hull is written in cubits, the robot and the zone in metres too: no size is known."""
     faults = told(

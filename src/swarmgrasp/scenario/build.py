@@ -8,6 +8,7 @@ from swarmgrasp.outline import Outline, Stretch
 from swarmgrasp.ranges import plain_name
 from swarmgrasp.scenario.allocation import allocated
 from swarmgrasp.scenario.criteria import check_criterion, criterion_of
+from swarmgrasp.scenario.edges import VERTICES, check_edges, comparable, length_name
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import check_force_sets, forces_of, own_forces_of
 from swarmgrasp.scenario.locate import Locator, Place
@@ -56,9 +57,13 @@ def build(checked: Checked, default_name: str) -> Scenario:
     check_weather(checked)
     _check_simulation(checked, units)
     locator = _locator(checked, units)
+    found = frozenset() if locator is None else comparable(said, checked)
+    if found != said:
+        check_edges(checked, units, said - found)
     if locator is None:
         raise checked.faults.error()
     check_reaches(checked, units, locator.si.perimeter)
+    said = found
     robots, zones = _robots(locator, said), _zones(locator, said)
     robots += _allocated(locator)
     no_go = _no_go(locator, said)
@@ -122,10 +127,10 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
     Names of edges and an origin with faults, noted before, do not keep points from being
     located: edges then go by their numbers, and rays and nothing else need the origin.
     """
-    section = checked.file.outline
-    if not (checked.is_sound("outline", "vertices") and checked.is_sound("units", "length")):
+    section, path = checked.file.outline, VERTICES
+    if not (checked.is_sound(*path) and comparable([path], checked)):
         return None
-    path: Path = ("outline", "vertices")
+    unit = length_name(checked, units)
     try:
         precision = section.precision
         if precision is None:
@@ -133,8 +138,8 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
         plain = Outline(section.vertices, precision=precision)
         if plain.extent < SMALLEST_EXTENT:
             raise OutlineInvalid(
-                f"the outline is {plain.extent:.3g} {units.length} across; it should be at least "
-                f"{SMALLEST_EXTENT:g} {units.length}"
+                f"the outline is {plain.extent:.3g} {unit} across; it should be at least "
+                f"{SMALLEST_EXTENT:g} {unit}"
             )
         path = ("outline", "edges")
         names = _edge_names(checked, len(plain))
@@ -152,9 +157,9 @@ def _locator(checked: Checked, units: Units) -> Locator | None:
         )
     except OutlineInvalid as error:
         for sentence in error.faults:  # Outline speaks of metres
-            checked.fault(path, sentence.replace(") m:", f") {units.length}:"), got=False)
+            checked.fault(path, sentence.replace(") m:", f") {unit}:"), got=False)
         return None
-    return Locator(outline, si, labels, units, checked)
+    return Locator(outline, si, labels, unit, units, checked)
 
 
 def _edge_names(checked: Checked, count: int) -> list[str]:

@@ -109,7 +109,7 @@ def _check_robot(section: RobotSection, path: Path, checked: Checked, units: Uni
     _check_sectors(section, path, checked, units)
     _check_lever(section, path, checked)
     steers, half = section.steers, units.turn(0.5)
-    if isinstance(steers, float) and steers > half and checked.is_sound("units"):
+    if isinstance(steers, float) and steers > half and checked.is_sound("units", "angle"):
         said = f"should lie in [0, {half:.9g}] {units.angle}, or be any"
         checked.fault((*path, "steers"), said)
     limit = section.limit
@@ -166,7 +166,7 @@ def _check_sectors(section: RobotSection, path: Path, checked: Checked, units: U
             checked.fault((*path, key), said)
     if not isinstance(section.limit, float | None):
         checked.fault((*path, "limit"), "should be one limit beside sectors, the same in all")
-    if section.sectors is not None and checked.is_sound("units"):
+    if section.sectors is not None and checked.is_sound("units", "angle"):
         for fault in sector_faults(_sectors(section.sectors, units)):
             said = f"{fault.partition(', ')[0]}; say them as one"
             checked.fault((*path, "sectors"), said, got=False)

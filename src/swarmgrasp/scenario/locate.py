@@ -47,6 +47,8 @@ class Locator:
         The same outline in metres.
     labels : list of str
         The edges' names in the order of the file.
+    unit : str
+        What messages call the file's unit of length.
     units : Units
     checked : Checked
     """
@@ -54,6 +56,7 @@ class Locator:
     outline: Outline
     si: Outline
     labels: list[str]
+    unit: str
     units: Units
     checked: Checked
 
@@ -98,8 +101,7 @@ class Locator:
         (distance,), (arc,) = self.outline.nearest(wanted)
         nearest = self.outline.at_arc_length(min(float(arc), self.outline.perimeter))
         return (
-            f"the nearest boundary point is {self._shown(nearest)}, "
-            f"{distance:.4g} {self.units.length} away"
+            f"the nearest boundary point is {self._shown(nearest)}, {distance:.4g} {self.unit} away"
         )
 
     def _at(self, arc_length: float, path: Path) -> Place | None:
@@ -113,7 +115,9 @@ class Locator:
 
     def _at_angle(self, theta: float, path: Path) -> Place | None:
         """Find the boundary point on the ray from the origin at an angle."""
-        if not (self.checked.is_sound("units") and self.checked.is_sound("outline", "origin")):
+        if not (
+            self.checked.is_sound("units", "angle") and self.checked.is_sound("outline", "origin")
+        ):
             return None
         contacts = self.outline.ray_contacts(self.units.radians(theta))
         if len(contacts) == 1:
@@ -146,7 +150,7 @@ class Locator:
         """Return a contact as messages show it."""
         x, y = contact.point
         where = self.outline.edge_label(contact.edge)
-        return f"[{x:.7g}, {y:.7g}] {self.units.length} on {where}"
+        return f"[{x:.7g}, {y:.7g}] {self.unit} on {where}"
 
     # -- stretches --------------------------------------------------------------------
 
@@ -213,7 +217,7 @@ class Locator:
         if distance <= length + self.outline.tolerance:
             return True
         said = (
-            f"should lie in [0, {length:.9g}] {self.units.length}, the length of "
+            f"should lie in [0, {length:.9g}] {self.unit}, the length of "
             f"{self.outline.edge_label(index)}"
         )
         self.checked.fault(path, said)
@@ -224,7 +228,7 @@ class Locator:
         if value <= self.outline.perimeter + self.outline.tolerance:
             return True
         said = (
-            f"should lie in [0, {self.outline.perimeter:.9g}] {self.units.length}, the length of "
+            f"should lie in [0, {self.outline.perimeter:.9g}] {self.unit}, the length of "
             "the boundary"
         )
         self.checked.fault(path, said)

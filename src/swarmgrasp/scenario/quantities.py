@@ -124,7 +124,7 @@ def precision_of(vertices: Node, units: Units) -> float | None:
         By their decimals in the unit that they are all written in; 0 for several units, which a
         computation mixed. None for plain numbers, of which the outline itself tells.
     """
-    written: list[Any] = [node.value for row in _items(vertices) for node in _items(row)]
+    written: list[Any] = [node.value for row in items_of(vertices) for node in items_of(row)]
     if not any(isinstance(value, str) for value in written):
         return None
     told = [split(value, "length") for value in written]
@@ -135,7 +135,7 @@ def precision_of(vertices: Node, units: Units) -> float | None:
     return written_precision(numbers) * in_unit(f"1 {names.pop()}", "length", units.length)
 
 
-def _items(node: Node) -> list[Node]:
+def items_of(node: Node) -> list[Node]:
     """Return the items of a list."""
     return node.value if isinstance(node.value, list) else []
 

@@ -2,6 +2,7 @@
 
 import math
 
+from swarmgrasp.scenario.edges import comparable, length_name
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.force_sets import largest
 from swarmgrasp.scenario.newcomer_schema import NewcomerSection
@@ -29,12 +30,16 @@ def check_tolerances(checked: Checked, units: Units) -> None:
 
 def check_reaches(checked: Checked, units: Units, perimeter: float) -> None:
     """Note every contact that may lie on more than a whole boundary, given its length [m]."""
-    given = [(section.tolerance, (*path, "tolerance")) for section, path in holders(checked)]
-    for tolerance, path in [(checked.file.tolerance, DEFAULT), *given]:
+    given = {
+        (*path, "tolerance", "contact"): section.tolerance for section, path in holders(checked)
+    }
+    given[*DEFAULT, "contact"] = checked.file.tolerance
+    for path in comparable(given, checked):
+        tolerance = given[path]
         first, last = _ends(None if tolerance is None else tolerance.contact)
         if units.metres(last) - units.metres(first) > perimeter:
-            said = f"spans {last - first:.9g} {units.length}, the whole boundary and more"
-            checked.fault((*path, "contact"), said)
+            unit = length_name(checked, units)
+            checked.fault(path, f"spans {last - first:.9g} {unit}, the whole boundary and more")
 
 
 def tolerance_of(
@@ -99,7 +104,7 @@ def _radians(given: float | list[float] | None, units: Units) -> tuple[float, fl
 def _check_offsets(section: ToleranceSection, path: Path, checked: Checked, units: Units) -> None:
     """Note offsets on the wrong side, and directions more than half a turn off."""
     most = {"contact": math.inf}
-    if checked.is_sound("units"):
+    if checked.is_sound("units", "angle"):
         most["direction"] = units.turn(0.5)
     for key, far in most.items():
         given, here = getattr(section, key), (*path, key)

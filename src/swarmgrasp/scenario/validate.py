@@ -17,8 +17,9 @@ from swarmgrasp.scenario.document import Node
 from swarmgrasp.scenario.faults import Faults, Path
 from swarmgrasp.scenario.hints import key_hint, value_hint
 from swarmgrasp.scenario.newcomer_schema import NewcomerSection
-from swarmgrasp.scenario.quantities import in_numbers
+from swarmgrasp.scenario.quantities import in_numbers, measured
 from swarmgrasp.scenario.schema import ScenarioFile
+from swarmgrasp.units import is_quantity
 
 _AREAS = {"frontal_area": 1.0, "lateral_area": 1.0}
 
@@ -42,6 +43,9 @@ STAND_INS: dict[str, object] = {
     "wind": _AREAS,
 }
 """A legal value for every required key."""
+
+_SIZES = frozenset(("length", "beam", "lever"))
+"""Lengths that have nothing to do with where something is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +80,15 @@ class Checked:
     def is_known(self, *path: str | int) -> bool:
         """Tell whether a mapping is there at all, whatever its keys."""
         return not _within(self.bad, path)
+
+    @cached_property
+    def measures(self) -> dict[Path, set[bool]]:
+        """Whether lengths say their unit, some or all of a part such as ("robots", 0)."""
+        found: dict[Path, set[bool]] = {}
+        for path, node in measured(self.root, ScenarioFile, ("length",)):
+            if path[-1] not in _SIZES:
+                found.setdefault(path[:2], set()).add(is_quantity(node.value))
+        return found
 
     def has(self, *path: str | int) -> bool:
         """Tell whether a key is written in the document, sound or not."""

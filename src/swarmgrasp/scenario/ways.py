@@ -3,6 +3,7 @@
 They run whatever is wrong with the outline, so that its faults hide no others.
 """
 
+from swarmgrasp.scenario.edges import comparable, length_name
 from swarmgrasp.scenario.faults import Path
 from swarmgrasp.scenario.newcomer_schema import NewcomerSection
 from swarmgrasp.scenario.schema import RobotSection, StretchSection, ZoneSection
@@ -144,9 +145,9 @@ def _is_stretch_said(section: StretchSection, path: Path, checked: Checked, unit
     if section.start == section.end:
         checked.fault((*path, "to"), NO_LENGTH if is_zone else NO_WIDTH)
         return False
-    sized = checked.is_sound("units", "length")
-    if sized and section.edge is not None and section.start > section.end:
-        said = f"should be less than to, which is {section.end:.9g} {units.length}"
+    is_turned = section.edge is not None and section.start > section.end
+    if is_turned and comparable([path], checked):
+        said = f"should be less than to, which is {section.end:.9g} {length_name(checked, units)}"
         checked.fault((*path, "from"), said)
         return False
     return True
@@ -199,7 +200,7 @@ def _check_half_angle(
     if half_angle is None:
         return
     right_angle = units.turn(0.25)
-    if not 0.0 <= half_angle <= right_angle and checked.is_sound("units"):
+    if not 0.0 <= half_angle <= right_angle and checked.is_sound("units", "angle"):
         checked.fault(here, f"should lie in [0, {right_angle:.9g}] {units.angle}")
     elif section.attachment not in ("push", "pull") and checked.is_sound(*path, "attachment"):
         said = "goes with attachment: push or pull only; a free one pushes in any direction"
@@ -208,7 +209,7 @@ def _check_half_angle(
 
 def _check_directions(section: ZoneSection, path: Path, checked: Checked, units: Units) -> None:
     """Note a range of directions that spans a full turn."""
-    if section.directions is None or not checked.is_sound("units"):
+    if section.directions is None or not checked.is_sound("units", "angle"):
         return
     first, last = section.directions
     if abs(last - first) >= units.turn(1.0):
