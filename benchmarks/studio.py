@@ -1,13 +1,14 @@
 """How fast the page is: from a drag to what is painted, alone and among many.
 
 Run with `python benchmarks/studio.py`; a browser is Playwright's Chromium, or the one that
-CHROMIUM names. Figures are milliseconds, medians and 95th percentiles.
+CHROMIUM names. It prints the table of docs/studio.md.
 """
 
 import asyncio
 import json
 import math
 import os
+import re
 import shutil
 import statistics
 import subprocess
@@ -30,10 +31,20 @@ from swarmgrasp.gui.scenes import doc_of, speech_of
 from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
 from swarmgrasp.scenario import example_text, parse_scenario, scenario_text
+from swarmgrasp.simulation import Hull, simulate
+from swarmgrasp.simulation.control import Control
+from swarmgrasp.simulation.record import write_log
+from swarmgrasp.simulation.simulation import Simulation
 
 MOVES = 120
+RESTS = 15
 WINDOWS = 20
 FRAME = 1.0 / 60.0
+PLAYERS, PLAYED, INSTANTS = 12, 900.0, 10.0
+"""Robots of the run that is played, its seconds, and instants a second."""
+WATCHED = 10.0
+"""Seconds that it is played for, thirty times as fast as it was."""
+NAMED = re.compile(r'"name":"(\w+)"')
 
 
 @contextmanager
@@ -110,8 +121,12 @@ class Window:
     async def __aexit__(self, *_: object) -> None:
         await self.socket.close()
 
-    async def ask(self, moving: bool) -> float:
-        """Ask with the tug moved; return the seconds to the answer, at rest to the end of all."""
+    async def ask(self, moving: bool) -> dict[str, float]:
+        """Ask with the tug moved; return the seconds until each part came the first time.
+
+        In a gesture what comes behind the answer is left to the next ask; at rest "done" is the
+        end of all.
+        """
         self.n += 1
         robots = self.scene["doc"]["problem"]["swarm"]["robots"]
         robot = robots[len(robots) // 3]
@@ -119,34 +134,50 @@ class Window:
         robot["contact"] = list(self.outline.at_arc_length(arc).point)
         message = {"kind": "ask", "n": self.n, "moving": moving, **self.scene}
         raw = columns(message) if len(robots) > 500 else json.dumps(message)
+        came: dict[str, float] = {}
         begin = time.perf_counter()
         await self.socket.send(raw)
-        while True:
+        while ("answer" if moving else "done") not in came:
             told = await self.socket.recv()
-            head = told if isinstance(told, str) else told[4:200].decode("utf-8", "replace")
-            if f'"n":{self.n}' not in head[:120]:
+            head = (told if isinstance(told, str) else told[4:200].decode("utf-8", "replace"))[:120]
+            if f'"n":{self.n}' not in head:
                 continue
-            if '"refused"' in head[:40]:
-                raise RuntimeError(head)
-            if ('"answer"' in head[:40]) if moving else ('"done"' in head[:40]):
-                return time.perf_counter() - begin
+            if '"refused"' in head:
+                raise RuntimeError(told)
+            name = NAMED.search(head)
+            came.setdefault(name[1] if name else "done", time.perf_counter() - begin)
+        return came
 
 
 async def drag(window: Window, moves: int) -> list[float]:
     """Drag; return the seconds of each answer."""
     times = []
     for _ in range(moves):
-        took = await window.ask(True)
+        took = (await window.ask(True))["answer"]
         times.append(took)
         await asyncio.sleep(max(0.0, FRAME - took))
     return times
 
 
+async def rests(window: Window, times: int) -> list[dict[str, float]]:
+    """Drag a little and rest, so many times; return the seconds of each part each time."""
+    found = []
+    for _ in range(times):
+        await drag(window, 10)
+        found.append(await window.ask(False))
+    return found
+
+
 def told(what: str, times: list[float]) -> None:
-    """Print a row."""
+    """Print a row: milliseconds, their median and their 95th percentile."""
     ordered = sorted(times)
     last = ordered[min(len(ordered) - 1, int(0.95 * len(ordered)))]
-    print(f"{what:44} {1e3 * statistics.median(times):7.1f} {1e3 * last:7.1f}", flush=True)
+    row(what, f"{1e3 * statistics.median(times):.1f}", f"{1e3 * last:.1f}")
+
+
+def row(what: str, value: str, last: str = "") -> None:
+    """Print a row of the table."""
+    print(f"| {what} | {value} | {last} |", flush=True)
 
 
 async def alone(base: str, key: str) -> None:
@@ -156,7 +187,10 @@ async def alone(base: str, key: str) -> None:
             await drag(window, 5)
             told(f"answer, {count} robots", await drag(window, MOVES if count < 1000 else 30))
             if count <= 60:
-                told(f"all parts at rest, {count} robots", [await window.ask(False)])
+                found = await rests(window, RESTS)
+                both = [max(came["capability"], came["losses"]) for came in found]
+                told(f"capability and losses, {count} robots", both)
+                told(f"all parts at rest, {count} robots", [came["done"] for came in found])
 
 
 async def crowd(base: str, key: str) -> None:
@@ -171,58 +205,170 @@ async def crowd(base: str, key: str) -> None:
             await window.__aexit__()
 
 
-STAMPS = """root => {
-  const times = [];
-  let moved = 0;
-  root.addEventListener("pointermove", () => { moved ||= performance.now(); }, true);
-  new MutationObserver(() => {
-    if (moved) times.push(performance.now() - moved);
+STAMPS = """{
+  const painted = (then) => requestAnimationFrame(() => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = then;
+    port2.postMessage(null);
+  });
+  const named = (data) => {
+    const raw = typeof data === "string" ? data
+      : new TextDecoder().decode(new Uint8Array(data, 4, Math.min(200, data.byteLength - 4)));
+    return [/"name":"(\\w+)"/.exec(raw)?.[1], Number(/"n":(\\d+)/.exec(raw)?.[1])];
+  };
+  let [moved, rested, asked] = [0, 0, 0];
+  let owed = new Set();
+  window.answered = [];
+  window.rest = [];
+  window.WebSocket = class extends WebSocket {
+    constructor(...given) {
+      super(...given);
+      this.addEventListener("message", ({ data }) => {
+        const [name, n] = named(data);
+        if (rested === 0 || n !== asked || !owed.delete(name) || owed.size > 0) return;
+        painted(() => {
+          window.rest.push(performance.now() - rested);
+          rested = 0;
+        });
+      });
+    }
+    send(data) {
+      if (typeof data === "string" && data.includes('"moving":false')) asked = named(data)[1];
+      super.send(data);
+    }
+  };
+  addEventListener("pointermove", ({ buttons }) => {
+    moved ||= buttons && performance.now();
+  }, true);
+  addEventListener("pointerup", () => {
+    rested = performance.now();
+    owed = new Set(["capability", "losses"]);
+  }, true);
+  const answered = new MutationObserver(() => {
+    if (moved) window.answered.push(performance.now() - moved);
     moved = 0;
-  }).observe(root, { attributes: true, attributeFilter: ["data-answered"] });
-  window.taken = times;
+  });
+  addEventListener("DOMContentLoaded", () => answered.observe(
+    document.getElementById("studio"), { attributes: true, attributeFilter: ["data-answered"] },
+  ));
 }"""
-"""From the first move that is not answered to the frame in which its answer is painted."""
+"""Of a page: from the first move that is not answered to the frame with its answer, and from when
+the hand lets go to the frame with what it asks for first.
+"""
+FRAMES = """{
+  const ask = window.requestAnimationFrame.bind(window);
+  let [begun, waiting] = [0, false];
+  window.frames_worked = [];
+  const { port1, port2 } = new MessageChannel();
+  port1.onmessage = () => {
+    window.frames_worked.push(performance.now() - begun);
+    waiting = false;
+  };
+  window.requestAnimationFrame = (run) => ask((now) => {
+    if (!waiting) {
+      [begun, waiting] = [performance.now(), true];
+      port2.postMessage(null);
+    }
+    run(now);
+  });
+}"""
+"""Of a page: how long each frame takes it, from its first script to the end of layout and paint."""
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu"]
 RESTED = "#studio[data-done]:not([data-busy])"
+DRAGS = 6
 
 
-def painted(folder: Path) -> None:
-    """Drag in a browser: from the event to the painted answer."""
+@contextmanager
+def browsed() -> Iterator[Any]:
+    """Begin a browser."""
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
         path = os.environ.get("CHROMIUM") or shutil.which("chromium")
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
-        for count in (6, 25, 60):
-            scene = ring(count)
-            file = folder / f"ring-{count}.yaml"
-            file.write_text(text_of(scene))
-            with served(str(file)) as (base, key):
-                page = browser.new_page(viewport={"width": 1440, "height": 900})
-                begin = time.perf_counter()
-                page.goto(f"{base}/#k={key}")
-                page.wait_for_selector("#studio[data-answered]")
-                told(f"first answer painted, {count} robots", [time.perf_counter() - begin])
-                page.wait_for_selector(RESTED)
-                page.locator("#studio").evaluate(STAMPS)
-                name = str(count // 3 + 1)
+        yield browser
+        browser.close()
+
+
+def opened(browser: Any, script: str) -> Any:
+    """Open an empty page that counts by a script."""
+    page = browser.new_page(viewport={"width": 1440, "height": 900})
+    page.add_init_script(script)
+    return page
+
+
+def weighed(browser: Any) -> None:
+    """Count what is fetched to open the page: requests, and bytes with their heads."""
+    with served("escort-ring") as (base, key):
+        page, requests = opened(browser, ""), []
+        page.on("requestfinished", lambda request: requests.append(request))
+        page.goto(f"{base}/#k={key}")
+        page.wait_for_selector(RESTED)
+        sizes = [request.sizes() for request in requests]
+        page.close()
+    size = sum(one["responseBodySize"] + one["responseHeadersSize"] for one in sizes)
+    row("requests of the page", f"{len(requests)}")
+    row("weight of the page [kB]", f"{1e-3 * size:.0f}")
+
+
+def painted(browser: Any, folder: Path) -> None:
+    """Drag in a browser: from the event to the painted answer."""
+    for count in (6, 25, 60):
+        file = folder / f"ring-{count}.yaml"
+        file.write_text(text_of(ring(count)))
+        with served(str(file)) as (base, key):
+            page = opened(browser, STAMPS)
+            begin = time.perf_counter()
+            page.goto(f"{base}/#k={key}")
+            page.wait_for_selector("#studio[data-answered]")
+            told(f"first answer painted, {count} robots", [time.perf_counter() - begin])
+            page.wait_for_selector(RESTED)
+            name, all_parts = str(count // 3 + 1), []
+            for _ in range(DRAGS):
                 box = page.locator(f"[data-robot='{name}'] .foot").bounding_box()
                 assert box is not None
                 x, y = box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"]
                 page.mouse.move(x, y)
                 page.mouse.down()
-                for i in range(MOVES):
+                for i in range(MOVES // DRAGS):
                     page.mouse.move(x + 30.0 * math.sin(0.2 * i), y)
                     time.sleep(FRAME)
                 page.mouse.up()
                 begin = time.perf_counter()
                 page.wait_for_selector(RESTED)
-                rest = time.perf_counter() - begin
-                taken = page.evaluate("window.taken")
-                told(f"drag to painted answer, {count} robots", [1e-3 * t for t in taken])
-                told(f"all parts after the hand rests, {count} robots", [rest])
-                page.close()
-        browser.close()
+                all_parts.append(time.perf_counter() - begin)
+            taken, rest = page.evaluate("[window.answered, window.rest]")
+            told(f"drag to painted answer, {count} robots", [1e-3 * t for t in taken])
+            told(f"capability and losses painted, {count} robots", [1e-3 * t for t in rest])
+            told(f"all parts painted, {count} robots", all_parts)
+            page.close()
+
+
+def played(browser: Any, folder: Path) -> None:
+    """Play a long run, fast: what a frame takes the page."""
+    file, log = folder / "played.yaml", folder / "run.parquet"
+    file.write_text(text_of(ring(PLAYERS)))
+    scenario = parse_scenario(file.read_text())
+    simulation = Simulation(
+        scenario.problem(), scenario.environment,
+        Hull.afloat(scenario.swarm.outline, scenario.environment),
+        control=Control(period=1.0 / INSTANTS), duration=PLAYED,
+    )  # fmt: skip
+    write_log(simulate(simulation, every=1), log)
+    with served(str(file), "--run", str(log)) as (base, key):
+        page = opened(browser, FRAMES)
+        page.goto(f"{base}/#k={key}")
+        page.wait_for_selector("[data-time=run]")
+        page.wait_for_selector(RESTED)
+        for _ in range(3):
+            page.keyboard.press(">")
+        page.evaluate("window.frames_worked.length = 0")
+        page.keyboard.press(" ")
+        time.sleep(WATCHED)
+        frames = page.evaluate("window.frames_worked")
+        page.close()
+    row(f"frames of the player a second, {PLAYERS} robots", f"{len(frames) / WATCHED:.0f}")
+    told(f"work of a frame of the player, {PLAYERS} robots", [1e-3 * t for t in frames])
 
 
 def text_of(scene: dict[str, Any]) -> str:
@@ -235,14 +381,17 @@ def text_of(scene: dict[str, Any]) -> str:
 
 def main() -> None:
     """Measure everything."""
-    print(f"{'':44} {'median':>7} {'95 %':>7}   [ms]")
+    row("what", "median [ms]", "95 % [ms]")
+    row("---", "---", "---")
     begin = time.perf_counter()
     with served("escort-ring") as (base, key):
         told("link printed", [time.perf_counter() - begin])
         asyncio.run(alone(base, key))
         asyncio.run(crowd(base, key))
-    with TemporaryDirectory() as folder:
-        painted(Path(folder))
+    with TemporaryDirectory() as folder, browsed() as browser:
+        weighed(browser)
+        painted(browser, Path(folder))
+        played(browser, Path(folder))
 
 
 if __name__ == "__main__":

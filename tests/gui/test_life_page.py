@@ -1,5 +1,6 @@
 """Work is never lost: text, links, files, reloads, two windows, and a server that goes away."""
 
+import json
 import re
 
 from swarmgrasp.gui.scenes import doc_of
@@ -105,6 +106,29 @@ def test_a_server_that_comes_back_finds_everything_still_there(window, comes_and
     one.rest()
     assert one.kept("escort-ring")["doc"]["problem"]["criterion"]["losing"] == 0
     assert "with all nine working" in one.text(".answer")
+
+
+def test_a_line_that_falls_while_a_scene_is_opened_opens_it_once(window):
+    """What was asked is asked again, and not twice: the second would begin the history anew."""
+    opened = []
+
+    def tap(line):
+        server = line.connect_to_server()
+
+        def up(frame):
+            message = json.loads(frame)
+            if message["kind"] == "open":
+                opened.append(message["n"])
+                if len(opened) == 1:
+                    line.close(code=1011)
+                    return
+            server.send(frame)
+
+        line.on_message(up)
+
+    one = window(lambda page: page.route_web_socket("**/ws", tap))
+    assert one.text(".scene-title") == "Escort ring"
+    assert opened == [1, 1]
 
 
 def test_pictures_and_the_report_stand_by_themselves(one):

@@ -54,16 +54,16 @@ def test_a_place_is_kept_for_answers_while_parts_run() -> None:
     assert (job.window, job.kind) == (1, ANSWER)
 
 
-def test_a_coarse_part_is_left_out_where_the_finer_one_is_cheap() -> None:
+def test_a_finer_part_that_is_cheap_takes_the_place_of_the_coarse_one() -> None:
     """At rest, once it is known what the finer one takes; one that was dear comes last."""
     turns = Turns(workers=2, finer={"rose": "rose, fine"})
     turns.join(0)
     for number, cost, kinds in (
-        (1, 0.001, ["rose", "rose, fine"]),
-        (2, 2 * CHEAP, ["rose, fine"]),
-        (3, 0.001, ["rose", "rose, fine"]),
+        (1, 0.001, ["rose", "losses", "rose, fine"]),
+        (2, 2 * CHEAP, ["rose, fine", "losses"]),
+        (3, 0.001, ["rose", "losses", "rose, fine"]),
     ):
-        turns.ask(0, number, False, ["rose", "rose, fine"])
+        turns.ask(0, number, False, ["rose", "losses", "rose, fine"])
         assert [kind for _, kind, _ in play(turns, cost=cost)] == [ANSWER, *kinds]
     turns.ask(0, 4, False, ["rose"])
     assert [kind for _, kind, _ in play(turns)] == [ANSWER, "rose"]

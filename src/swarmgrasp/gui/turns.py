@@ -69,8 +69,8 @@ class Turns:
     workers : int
         Jobs at once, at least 2: one of them is kept for answers.
     finer : mapping of str to str, optional
-        Parts that say the same more finely: at rest the coarse one is left out where the finer one
-        was cheap.
+        Parts that say the same more finely: at rest the finer one, where it was cheap, takes the
+        place of the coarse one.
     """
 
     def __init__(self, workers: int = 2, finer: Mapping[str, str] | None = None) -> None:
@@ -196,19 +196,15 @@ class Turns:
                 part = current.parts.pop(0)
                 if current.is_moving and not _is_cheap(holder, part, now):
                     continue
-                if not current.is_moving and self._is_needless(holder, part):
-                    continue
+                finer = self.finer.get(part)
+                if finer in current.parts and holder.costs.get(finer, math.inf) <= CHEAP:
+                    current.parts.remove(finer)
+                    part = finer
                 holder.is_busy = True
                 current.passed_by = 0
                 self._windows.move_to_end(number)
                 return Job(number, part, current.work)
         return None
-
-    def _is_needless(self, holder: _Window, part: str) -> bool:
-        """Tell whether the finer part comes anyway, and soon."""
-        finer = self.finer.get(part)
-        assert holder.current is not None
-        return finer in holder.current.parts and holder.costs.get(finer, math.inf) <= CHEAP
 
 
 def _is_cheap(holder: _Window, part: str, now: float) -> bool:

@@ -94,7 +94,7 @@ export function mount(root: HTMLElement, wire: Wire, home: Home): Context {
   talk.exchanged = () => painter.ask();
   talk.hear = (message) => {
     if (message.kind === "welcome") {
-      if (store.seen.value === null) void opening.first(message.opens, home.linked);
+      void opening.first(message.opens, home.linked);
       return;
     }
     if (message.kind === "error" && message.n === null) context.toast(message.say);

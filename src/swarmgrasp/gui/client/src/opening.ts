@@ -11,6 +11,7 @@ export class Opening {
   readonly #saved: Autosave;
   #timer = 0;
   #warned = false;
+  #begun = false;
 
   constructor(readonly context: Context, storage: Storage | null) {
     this.#saved = new Autosave(storage);
@@ -21,18 +22,21 @@ export class Opening {
     window.addEventListener("pagehide", () => this.#keep());
   }
 
-  /** Opens what the link holds, else the scene of that name. */
+  /** Opens what the link holds, else the scene of that name; once, however often the line falls meanwhile. */
   async first(opens: string, linked: () => Promise<string | null>): Promise<void> {
+    if (this.#begun) return;
+    this.#begun = true;
     const text = await linked().catch(() => {
       this.context.toast("The link's scenario cannot be read; this is the usual scene.");
       return null;
     });
-    if (text === null || !(await this.read(text, "link"))) await this.open(opens);
+    this.#begun = (text !== null && (await this.read(text, "link"))) || (await this.open(opens));
   }
 
-  async open(name: string): Promise<void> {
+  /** Opens a scene; tells whether there is one of that name. */
+  async open(name: string): Promise<boolean> {
     this.#keep();
-    this.#opened(await this.context.talk.request({ kind: "open", name }));
+    return this.#opened(await this.context.talk.request({ kind: "open", name }));
   }
 
   /** Reads a scenario as a scene of its own; tells whether it is one. */
