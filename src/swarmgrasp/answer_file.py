@@ -12,6 +12,7 @@ from swarmgrasp.errors import AnswerInvalid, refuse
 from swarmgrasp.files import MOST_DEPTH, read_fault, target_faults, write_whole
 from swarmgrasp.plain import Answer
 from swarmgrasp.ranges import kind_faults, name_faults, path_faults
+from swarmgrasp.terms import SI, Terms
 from swarmgrasp.verify.digest import digest_of
 
 REVISION = 3
@@ -21,7 +22,9 @@ LARGEST_FILE = 50_000_000
 """Bytes; an answer for 1 000 robots takes about 0.2 MB."""
 
 
-def document_of(answer: Answer, name: str = "", date: datetime | None = None) -> dict[str, Any]:
+def document_of(
+    answer: Answer, name: str = "", date: datetime | None = None, terms: Terms = SI
+) -> dict[str, Any]:
     """Return an answer as the plain data of an answer file.
 
     Parameters
@@ -33,16 +36,23 @@ def document_of(answer: Answer, name: str = "", date: datetime | None = None) ->
     date : datetime, optional
         When it was found, with its time zone; now when left out, or what the environment variable
         SOURCE_DATE_EPOCH says [s since 1970], which makes files reproducible.
+    terms : Terms
+        In which commands tell it; its numbers are in SI units all the same.
     """
     faults = kind_faults(answer, Answer, "place(...)") + name_faults(name)
     if date is not None:
         faults += kind_faults(date, datetime, "datetime.now(UTC)")
+    faults += kind_faults(terms, Terms, "Terms(...)")
     refuse((AnswerInvalid, faults))
-    return sealed(answer.kind, answer.to_data(), name, date)
+    return sealed(answer.kind, answer.to_data(), name, date, terms)
 
 
 def sealed(
-    kind: str, content: dict[str, Any], name: str = "", date: datetime | None = None
+    kind: str,
+    content: dict[str, Any],
+    name: str = "",
+    date: datetime | None = None,
+    terms: Terms = SI,
 ) -> dict[str, Any]:
     """Return the content of an answer file with what it is, who made it when, and its digest."""
     document = {
@@ -51,6 +61,7 @@ def sealed(
         "version": version("swarmgrasp"),
         "date": (date or _now()).astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
         "units": UNITS,
+        **({} if terms == SI else {"terms": terms.to_data()}),
         **content,
     }
     return {**document, "digest": digest_of(document)}
@@ -67,7 +78,11 @@ def document_text(document: dict[str, Any]) -> str:
 
 
 def write_answer(
-    path: str | Path, answer: Answer, name: str = "", date: datetime | None = None
+    path: str | Path,
+    answer: Answer,
+    name: str = "",
+    date: datetime | None = None,
+    terms: Terms = SI,
 ) -> None:
     """Write an answer to a JSON file, whole or not at all.
 
@@ -76,15 +91,16 @@ def write_answer(
     path : str or Path
     answer : Answer
         Of any kind: a `Placement` or several in a row, a `Quality`, a `Move` and so on.
-    name, date
-        The file's own entries: a title, and when the answer was found; now when left out, or what
-        the environment variable SOURCE_DATE_EPOCH says.
+    name, date, terms
+        The file's own entries: a title, when the answer was found, now when left out, or what the
+        environment variable SOURCE_DATE_EPOCH says, and in which terms commands tell it, such as
+        `Scenario.terms`.
 
     Raises
     ------
     AnswerInvalid
-        If the answer, the path, the name or the date is none, or the path's folder may not be
-        written to.
+        If the answer, the path, the name, the date or the terms are none, or the path's folder
+        may not be written to.
     OSError
         If the file cannot be written for another reason.
 
@@ -101,7 +117,7 @@ def write_answer(
     'swarmgrasp placements 3'
     """
     refuse((AnswerInvalid, path_faults(path) or target_faults(Path(path))))
-    write_whole(path, document_text(document_of(answer, name, date)).encode())
+    write_whole(path, document_text(document_of(answer, name, date, terms)).encode())
 
 
 def read_answer(path: str | Path) -> dict[str, Any]:

@@ -50,6 +50,34 @@ def test_a_good_answer_is_verified(run, answer):
     assert "Metric: force weights 1 and 1, characteristic length" in said
 
 
+def test_an_answer_is_told_in_the_units_and_the_frame_of_its_file(run, tmp_path):
+    """They are kept in the answer, whose numbers are SI's; every command reads them again."""
+    barge = tmp_path / "barge.yaml"
+    barge.write_text(
+        "units: {length: ft, force: tf, angle: deg}\nframe: NED\nwords: tug\n"
+        "outline: {vertices: [[-130, -33], [130, -33], [130, 33], [-130, 33]]}\n"
+        "robots: []\nspacing: 15\nnewcomer: {name: Ajax, limit: 40, attachment: push}\n"
+        "criterion: {load: [1, 2, 30]}\n"
+    )
+    path = tmp_path / "answer.json"
+    assert run("place", barge, "--json", path)[0] == 0
+    said = run("verify", path)[1]
+    assert "Question  a tug of 40 tf, pushing within 90 deg of the normal; the whole" in said
+    assert "spacing 15 ft\n" in said
+    assert "beside a load of 1.0000 tf, 2.0000 tf and 30.00 tf ft\n" in said
+    assert re.search(r"Ajax      at \(\S+ \S+\) ft, ", said)
+    assert "Frame: x forward, y to starboard, as in the file" in said
+    assert "a tug of 392.27 kN" in run("verify", path, "--units", "si")[1]
+    assert "bearing" in run("verify", path, "--bearings")[1]
+    assert "out of reach by 2.2472 tf" in run("quality", path)[1]
+    document = json.loads(path.read_text())
+    document["terms"]["length"] = "cubit"
+    path.write_text(json.dumps(document | {"digest": digest_of(document)}))
+    status, _, complaints = run("verify", path)
+    assert (status, complaints.count("\n")) == (2, 1)
+    assert f"{path}: terms: the unit of length is 'cubit'; it should be one of m, " in complaints
+
+
 def test_standard_input_and_json(run, answer, monkeypatch):
     """`place --json - | verify - --json -` works."""
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(answer.read_bytes())))

@@ -274,7 +274,9 @@ def _deliver(
         """Draw if that is wanted."""
         return [] if plot is None else [found.draw(plot)]
 
-    document, terms = document_of(found.answer, asked.scenario.name), wording.terms(asked.scenario)
+    scenario = asked.scenario
+    document = document_of(found.answer, scenario.name, terms=scenario.terms)
+    terms = wording.terms(scenario)
     deliver(json, document, lambda: found.show(terms), draw, csv=wording.csv)
 
 

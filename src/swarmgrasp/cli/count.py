@@ -111,7 +111,7 @@ def count(
 
     deliver(
         json,
-        document_of(found, scenario.name),
+        document_of(found, scenario.name, terms=scenario.terms),
         lambda: show(weather.title(scenario, terms), found, terms, is_stopped=stopped),
         lambda: picture_of_plan(plot, scenario, found.answer or (), criterion, look),
         csv=wording.csv,

@@ -73,7 +73,7 @@ def tell_for_capability(
     answers = Placements([found.placement])
     deliver(
         json,
-        document_of(found, scenario.name),
+        document_of(found, scenario.name, terms=scenario.terms),
         lambda: show(scenario.name, found, terms),
         lambda: (
             pictures(plot, scenario, answers, found.placement.problem.criterion, look)

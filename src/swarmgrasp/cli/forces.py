@@ -168,7 +168,9 @@ def _tell_one(
         """Tell the forces."""
         show(scenario, found, terms, free=asked.free, times=times, nearest=nearest)
 
-    deliver(json, document_of(found, scenario.name), tell, draw, csv=wording.csv)
+    deliver(
+        json, document_of(found, scenario.name, terms=scenario.terms), tell, draw, csv=wording.csv
+    )
 
 
 def _ours(scenario: "Scenario", wrench: Triple) -> Triple:
@@ -235,7 +237,7 @@ def _tell_many(
         else:
             show(scenario.name, found, lines, terms)
 
-    deliver(json, document_of(found, scenario.name), tell, write)
+    deliver(json, document_of(found, scenario.name, terms=scenario.terms), tell, write)
 
 
 def _option_faults(

@@ -93,7 +93,12 @@ def judge(
     terms = wording.terms(scenario)
     deliver(
         json,
-        sealed("judgement", {**found.to_data(), "agrees": bool(found)}, scenario.name),
+        sealed(
+            "judgement",
+            {**found.to_data(), "agrees": bool(found)},
+            scenario.name,
+            terms=scenario.terms,
+        ),
         lambda: show(scenario.name, scenario.swarm, found, terms),
         lambda: [] if mjcf is None else [_written(scenario, hull, mjcf)],
         csv=wording.csv,

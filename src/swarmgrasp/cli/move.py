@@ -89,7 +89,7 @@ def move(
     look = drawing.look(scenario.name, terms)
     deliver(
         json,
-        document_of(found, scenario.name),
+        document_of(found, scenario.name, terms=scenario.terms),
         lambda: show(weather.title(scenario, terms), found, terms),
         lambda: picture_of_plan(plot, scenario, found, criterion, look),
         csv=wording.csv,

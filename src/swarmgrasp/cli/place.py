@@ -173,7 +173,7 @@ def _tell_sequence(
     look, weather = drawing.look(scenario.name, terms), weather_of(scenario, terms)
     deliver(
         json,
-        document_of(answers, scenario.name),
+        document_of(answers, scenario.name, terms=scenario.terms),
         lambda: show(scenario.name, answers, terms, survey, at_once, count, weather),
         lambda: pictures(_beside(plot), scenario, answers, criterion, look) if plot else [],
         csv=wording.csv,
@@ -215,7 +215,7 @@ def _tell_together(
     look, weather = drawing.look(scenario.name, terms), weather_of(scenario, terms)
     deliver(
         json,
-        document_of(found, scenario.name),
+        document_of(found, scenario.name, terms=scenario.terms),
         lambda: show(scenario.name, found, terms, is_stopped=stopped, weather=weather),
         lambda: pictures_together(_beside(plot), scenario, found, look) if plot else [],
         csv=wording.csv,

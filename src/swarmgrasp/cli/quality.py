@@ -104,7 +104,7 @@ def quality(
     terms = wording.terms(scenario)
     deliver(
         json,
-        sealed(found.kind, told, scenario.name),
+        sealed(found.kind, told, scenario.name, terms=scenario.terms),
         lambda: show(scenario, found, lost, slopes, terms, alone),
         lambda: picture_of_plan(plot, scenario, (), criterion, drawing.look(scenario.name, terms)),
         csv=wording.csv,

@@ -182,11 +182,11 @@ def _solved(
     verdict, document = None, scenario.answer
     if document is None and scenario.newcomer is not None:
         answers = solve(scenario, file)
-        document = document_of(answers, scenario.name, day)
+        document = document_of(answers, scenario.name, day, scenario.terms)
     if document is None:
         with blaming(file):
             found = quality(scenario.swarm, **scenario.criterion.terms)
-        document = document_of(found, scenario.name, day)
+        document = document_of(found, scenario.name, day, scenario.terms)
     else:
         with blaming(file):
             verdict = verify_document(dict(document))
@@ -278,7 +278,7 @@ def _placed(job: _Job, terms: "Terms") -> list["Section"]:
     answer = section(
         "Answer", lambda: show(scenario.name, job.answers, terms, weather=weather), drawn
     )
-    return [answer, section("Check", lambda: show_verdict("Answer", document, verdict))]
+    return [answer, section("Check", lambda: show_verdict("Answer", document, verdict, terms))]
 
 
 def _quality(job: _Job, terms: "Terms") -> "Section":

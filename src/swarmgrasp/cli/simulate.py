@@ -142,7 +142,7 @@ def simulate(
     )
     if capability:
         return _capability(
-            scenario.name,
+            scenario,
             asked,
             far,
             limit,
@@ -160,7 +160,7 @@ def simulate(
     look = drawing.look(name, terms)
     deliver(
         json,
-        sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name),
+        sealed("run", {**run.summary(), "verdict": verdict.to_data()}, name, terms=scenario.terms),
         lambda: show(name, run, verdict, terms),
         lambda: write_files(run, verdict, log, plot, look, gif, mcap, player),
         csv=wording.csv,
@@ -312,7 +312,7 @@ def _of_those_there(asked: "Simulation", events: "list[Event]") -> "tuple[Named,
 
 
 def _capability(
-    name: str,
+    scenario: "Scenario",
     asked: "Simulation",
     within: float,
     turn: float,
@@ -338,8 +338,8 @@ def _capability(
         from swarmgrasp.plot import save
         from swarmgrasp.plot.limits import limits_diagram
 
-        return [save(limits_diagram(found, **drawing.look(name, terms)), plot)]
+        return [save(limits_diagram(found, **drawing.look(scenario.name, terms)), plot)]
 
-    document = sealed("winds", found.to_data(), name)
-    deliver(json, document, lambda: show(name, found, terms), draw, csv=csv)
+    document = sealed("winds", found.to_data(), scenario.name, terms=scenario.terms)
+    deliver(json, document, lambda: show(scenario.name, found, terms), draw, csv=csv)
     return 0

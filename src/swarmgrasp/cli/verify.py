@@ -2,7 +2,7 @@
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from swarmgrasp.cli.dash import DASH, Dashed
 from swarmgrasp.cli.deliver import deliver
@@ -12,12 +12,16 @@ from swarmgrasp.cli.inputs import (
     read_stdin,
     source_of,
 )
+from swarmgrasp.cli.wording import AS_FILED, Phrasing
 from swarmgrasp.errors import AnswerInvalid, SwarmGraspError
+
+if TYPE_CHECKING:
+    from swarmgrasp.terms import Terms
 
 REFUSED = 1
 
 
-def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
+def verify(answer: Dashed, /, *, json: Dashed | None = None, phrasing: Phrasing = AS_FILED) -> int:
     """Check an answer of `swarmgrasp place --json`, trusting nothing.
 
     Recomputed from the file, by code that shares nothing with the search, are: that every
@@ -31,7 +35,7 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
     Parameters
     ----------
     answer
-        Answer in JSON, or "-" for standard input.
+        Answer in JSON, or "-" for standard input. Told in the units of the file that it answers.
     json
         Also write the verdict to this .json file; "-" prints it and nothing else.
     """
@@ -48,14 +52,31 @@ def verify(answer: Dashed, /, *, json: Dashed | None = None) -> int:
 
     name = source_of(answer)
     try:
+        terms = phrasing.of(_terms(document))
         verdict = verify_document(document)
     except AnswerInvalid as error:
         raise AnswerInvalid(f"{name}: {fault}" for fault in error.faults) from None
     told = {**verdict.to_data(), "gap": largest_gap(document, verdict)}
     deliver(
-        json, sealed("verdict", told, str(document["name"])), lambda: show(name, document, verdict)
+        json,
+        sealed("verdict", told, str(document["name"])),
+        lambda: show(name, document, verdict, terms),
     )
     return 0 if verdict else REFUSED
+
+
+def _terms(document: dict[str, Any]) -> "Terms":
+    """Return the terms in which an answer is told; an answer of Python may have none."""
+    from swarmgrasp.plain import read
+    from swarmgrasp.terms import SI, Terms
+
+    faults: list[str] = []
+    found: Terms | None = None
+    if document.get("terms") is not None:
+        found = read(document["terms"], Terms, ("terms",), faults)
+    if faults:
+        raise AnswerInvalid(faults)
+    return found or SI
 
 
 def _read(answer: str) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from swarmgrasp.ranges import plain_name, shown
 from swarmgrasp.scenario.scenario import Scenario
 from swarmgrasp.simulation.simulation import Simulation
 from swarmgrasp.swarm import Swarm
+from swarmgrasp.terms import SI, Terms
 
 _OPTIONS = {
     "asked_effort": (int, "a whole number"),
@@ -81,9 +82,10 @@ def scenario_of(document: dict[str, Any], source: str) -> Scenario:
     environment = simulation.environment if simulation else environment
     criterion = problem.criterion if problem else _read(Criterion, document, "criterion", faults)
     if criterion is None:
-        terms: dict[str, Any] = Criterion().to_data()
-        terms |= {key: document[key] for key in terms if key in document}
-        criterion = _read(Criterion, {"criterion": terms}, "criterion", faults)
+        asked: dict[str, Any] = Criterion().to_data()
+        asked |= {key: document[key] for key in asked if key in document}
+        criterion = _read(Criterion, {"criterion": asked}, "criterion", faults)
+    terms = _read(Terms, document, "terms", faults)
     faults += (
         f"{key}: should be {words}; it is {shown(document[key])}"
         for key, (kind, words) in _OPTIONS.items()
@@ -107,6 +109,7 @@ def scenario_of(document: dict[str, Any], source: str) -> Scenario:
         environment=environment,
         simulation=simulation,
         criterion=criterion,
+        terms=terms or SI,
         answer=document,
     )
 

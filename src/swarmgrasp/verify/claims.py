@@ -378,6 +378,8 @@ class Claims(_Form):
     version: str
     date: str
     units: Literal["SI: m, N, N m, rad"]
+    terms: dict[str, Any] | None = None
+    """In which commands tell the answer: nothing is computed from them."""
     problem: ProblemClaim
     placements: list[PlacementClaim] = Field(min_length=1)
     digest: str

@@ -304,12 +304,14 @@ class Report:
 
 def metric_note(swarm: "Swarm", tell: "Telling") -> str:
     """Say by what metric wrenches are compared."""
-    a1, a2 = swarm.force_weights
-    length = swarm.characteristic_length / tell.length.metres
-    return (
-        f"Metric: force weights {a1:g} and {a2:g}, characteristic length {length:.6g} "
-        f"{tell.length.name}."
-    )
+    return metric_words(swarm.force_weights, swarm.characteristic_length, tell)
+
+
+def metric_words(weights: Sequence[float], length: float, tell: "Telling") -> str:
+    """Say by what metric wrenches are compared, of its force weights and its length [m]."""
+    a1, a2 = weights
+    told = f"{length / tell.length.metres:.6g} {tell.length.name}"
+    return f"Metric: force weights {a1:g} and {a2:g}, characteristic length {told}."
 
 
 def told_written(paths: Iterable[str | Path], *, aside: bool = False) -> None:

@@ -3,13 +3,13 @@
 import math
 from typing import Any
 
-from swarmgrasp.cli.show.report import Report
+from swarmgrasp.cli.show.report import Report, metric_words
 from swarmgrasp.swarm import Newcomer, Robot
 from swarmgrasp.swarm.force_words import force_words, newcomer_words
 from swarmgrasp.telling import Telling
-from swarmgrasp.terms import SI
+from swarmgrasp.terms import Terms
 from swarmgrasp.verify import Verdict
-from swarmgrasp.words import TIMES, Unit, list_words, machine_words, percent
+from swarmgrasp.words import TIMES, Unit, list_words, percent
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -35,9 +35,9 @@ def gap_of(quality: float, bound: float) -> float:
     return (bound - quality) / quality if quality > 0.0 else math.inf
 
 
-def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
+def show(name: str, document: dict[str, Any], verdict: Verdict, terms: Terms) -> None:
     """Write a verdict for people."""
-    report = Report()
+    report, tell = Report(), _telling(document["problem"], terms)
     if verdict:
         report.headline(f"{name}: verified", "good")
     else:
@@ -46,7 +46,7 @@ def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
             report.sentence(f"- {fault}")
         return
     report.blank()
-    report.facts(_questions(document["problem"]) + _answers(document, verdict))
+    report.facts(_questions(document["problem"], tell) + _answers(document, verdict, tell))
     report.blank()
     report.sentence(
         "Recomputed from the file alone: digest, contacts, directions, zones, qualities, and "
@@ -58,28 +58,26 @@ def show(name: str, document: dict[str, Any], verdict: Verdict) -> None:
         "Checked is the answer to the question in the file, not whether the file asks your "
         "question; reasons given in words are not checked."
     )
-    metric = document["problem"]["swarm"]
-    a1, a2 = metric["force_weights"]
-    report.note(
-        f"Metric: force weights {a1:g} and {a2:g}, characteristic length "
-        f"{metric['characteristic_length']:.6g} m."
-    )
+    swarm = document["problem"]["swarm"]
+    report.note(metric_words(swarm["force_weights"], swarm["characteristic_length"], tell))
+    for note in tell.notes():
+        report.note(note)
 
 
-def _telling(problem: dict[str, Any]) -> Telling:
+def _telling(problem: dict[str, Any], terms: Terms) -> Telling:
     """Choose how to tell the answer to a problem: with the prefix of the limits."""
     limits = [robot["limit"] for robot in problem["swarm"]["robots"]]
-    return Telling.of(SI, 1.0, [problem["newcomer"]["limit"], *limits])
+    vertices = problem["swarm"]["outline"]["vertices"]
+    extent = math.dist(*(map(of, zip(*vertices, strict=True)) for of in (min, max)))
+    return Telling.of(terms, extent, [problem["newcomer"]["limit"], *limits])
 
 
-def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]]:
+def _answers(document: dict[str, Any], verdict: Verdict, tell: Telling) -> list[tuple[str, str]]:
     """Return as facts where each robot goes, its quality, and the bound recomputed."""
     problem, facts = document["problem"], list[tuple[str, str]]()
-    tell = _telling(problem)
     unit = Unit(1.0, TIMES) if problem["criterion"]["task"] else tell.force
     for claim, bound in zip(document["placements"], verdict.upper_bounds, strict=True):
         robot = Robot.from_data(claim["robot"])
-        x, y = robot.contact
         way = tell.direction(robot.direction) if robot.is_ray else force_words(robot, tell)
         before, after = unit.number(claim["quality_before"]), unit.text(claim["quality"])
         gap = gap_of(claim["quality"], bound)
@@ -87,7 +85,7 @@ def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]
         if FEWEST < gap < math.inf:
             near = f"the answer is at most {percent(gap)} below the best possible"
         facts += [
-            (robot.name, f"at ({x:.6g}, {y:.6g}) m, {way}"),
+            (robot.name, f"at {tell.point(robot.contact)}, {way}"),
             ("", f"quality {before} -> {after}" if claim["improves"] else f"quality {after}"),
             ("", f"no allowed place exceeds {unit.text(bound)}, by a bound recomputed"),
             *([("", near)] if math.isfinite(gap) else []),
@@ -95,33 +93,27 @@ def _answers(document: dict[str, Any], verdict: Verdict) -> list[tuple[str, str]
     return facts
 
 
-def _questions(problem: dict[str, Any]) -> list[tuple[str, str]]:
+def _questions(problem: dict[str, Any], tell: Telling) -> list[tuple[str, str]]:
     """Return as facts what was asked, and by what criterion if not as things stand."""
     has_groups = any(robot["group"] for robot in problem["swarm"]["robots"])
-    words = criterion_words(problem["criterion"], has_groups)
-    return [("Question", _question(problem)), *([("", f"quality {words}")] if words else [])]
+    words = _criterion_words(problem, has_groups, tell)
+    return [("Question", _question(problem, tell)), *([("", f"quality {words}")] if words else [])]
 
 
-def criterion_words(criterion: dict[str, Any], has_groups: bool) -> str:
-    """Say in words what a criterion asks, as a document has it; nothing if it is nominal.
-
-    Examples
-    --------
-    >>> asked = {"losing": 2, "worst_case": False, "load": [0, 0.0, 0], "task": None}
-    >>> criterion_words({**asked, "failures": [["bus A"], ["R1", "R2"]]}, has_groups=True)
-    'after the failure of bus A or R1 and R2, after the worst loss of 2 robots or groups'
-    """
+def _criterion_words(problem: dict[str, Any], has_groups: bool, tell: Telling) -> str:
+    """Say in words what the criterion of a problem asks; nothing if it is nominal."""
+    criterion = problem["criterion"]
     parts, task = [], criterion["task"]
     if criterion["worst_case"]:
         parts.append("in the worst poses that the tolerances allow")
     if failures := criterion["failures"]:
         parts.append(f"after the failure of {' or '.join(map(list_words, failures))}")
     if criterion["losing"]:
-        lost = machine_words(criterion["losing"], has_groups)
+        lost = tell.machines(criterion["losing"], has_groups)
         parts.append(f"after the worst loss of {criterion['losing']} {lost}")
-    x, y, torque = criterion["load"]
-    if (x, y, torque) != (0.0, 0.0, 0.0):
-        parts.append(f"beside a load of ({x:.6g}, {y:.6g}) N and {torque:.6g} N m")
+    if any(criterion["load"]):
+        load = tell.wrench(criterion["load"], problem["swarm"]["characteristic_length"])
+        parts.append(f"beside a load of {list_words(load)}")
     if task and "vertices" in task:
         wrenches = _count(len(task["vertices"]), "wrench", "wrenches")
         parts.append(f"relative to a polytope of {wrenches}")
@@ -130,14 +122,16 @@ def criterion_words(criterion: dict[str, Any], has_groups: bool) -> str:
     return ", ".join(parts)
 
 
-def _question(problem: dict[str, Any]) -> str:
+def _question(problem: dict[str, Any], tell: Telling) -> str:
     """Say what was asked: the newcomer, and where it may attach."""
     zones = problem["zones"]
     where = "the whole boundary" if zones is None else _count(len(zones), "zone")
-    spacing = f"spacing {problem['spacing']:.6g} m" if problem["spacing"] else "no spacing"
+    spacing = (
+        f"spacing {tell.length.short(problem['spacing'])}" if problem["spacing"] else "no spacing"
+    )
     no_go = _count(len(problem["no_go"]), "no-go stretch", "no-go stretches")
-    newcomer = newcomer_words(Newcomer.from_data(problem["newcomer"]), _telling(problem))
-    return f"a robot of {newcomer}; {where}, {no_go}, {spacing}"
+    newcomer = newcomer_words(Newcomer.from_data(problem["newcomer"]), tell)
+    return f"a {tell.terms.robot} of {newcomer}; {where}, {no_go}, {spacing}"
 
 
 def _count(number: int, noun: str, several: str = "") -> str:
