@@ -110,11 +110,25 @@ def test_faults_are_told_together(run, barge):
         (("--from", "20"), "--wind is missing: how fast the wind is"),
         (("--current", "1"), "--current-from is missing: where the current comes from"),
         (("--waves-from", "1"), "--waves-from is of no sea: give --waves"),
-        (("--wind", "70kn", "--from", "0", "--waves", "wind"), "--waves: the wind's speed is 36."),
+        (
+            ("--wind", "70kn", "--from", "0", "--waves", "wind"),
+            "--wind is 70 kn of wind: the sea that goes with it is known up to 63.37 kn; give",
+        ),
     ):
         status, _, complaints = run("quality", barge, *options)
         assert status == 2
         assert complaints.startswith(fault)
+    # ranges are told in the option's own unit, and amounts below zero are no options
+    wind = ("--wind", "-5kn", "--from", "1e23", "--current", "1e5 kn", "--current-from", "-60deg")
+    sea = ("--waves", "-2ft,1e9s", "--waves-from", "1e9true")
+    assert run("quality", barge, *wind, *sea)[2].splitlines() == [
+        "--wind is -5kn; it should be from 0 to 1944 kn",
+        "--from is 1e23; it should be from -1e+06 to 1e+06 deg",
+        "--current is 1e5 kn; it should be from 0 to 1944 kn",
+        "--waves is -2ft,1e9s: the height is -2ft; it should be from 0 to 328.1 ft",
+        "--waves is -2ft,1e9s: the period is 1e9s; it should be from 0.001 to 1000 s",
+        "--waves-from is 1e9true; it should be from -1e+06 to 1e+06 deg",
+    ]
     status, _, complaints = run("forces", barge, "--load", "1", "2", "3", "--wind", "3")
     assert "--load and --wind each say the load; keep one" in complaints
     barge.write_text(BARGE.partition("environment")[0])

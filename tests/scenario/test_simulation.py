@@ -165,6 +165,26 @@ FAULTS = {
     "{weather: {series: [[0, 2, 0]]}, events: [{at: 5, wind: {speed: 1}}]}": (
         "5:13: simulation: a series says the wind, and an event changes it; leave out one of them"
     ),
+    "{control: {period: 1e-9}}": (
+        "5:32: simulation.control.period: should lie in [1e-05, 1000] s (got 1e-9)"
+    ),
+    "{control: {heading_noise: 9}}": (
+        "5:39: simulation.control.heading_noise: should lie in [0, 3.142] rad (got 9)"
+    ),
+    "{hull: {added: [1, 1e200, 1]}}": (
+        "5:32: simulation.hull.added.1: should lie in [0, 1e+15] kg (got 1e200)"
+    ),
+    "{hull: {draught: 1, damping: [[-1, 0, 0], [0, 1, 0], [0, 0, 1]]}}": (
+        "5:42: simulation.hull.damping: hull: the damping is [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], "
+        "[0.0, 0.0, 1.0]]; it should take energy out of any motion: u' D u >= 0"
+    ),
+    "{weather: {series: [[0, 2, 0], [1, 1e4, 0]]}}": (
+        "5:48: simulation.weather.series.1.1: should lie in [0, 1000] m/s (got 1e4)"
+    ),
+    "{events: [{at: 5, move: [1, 1e8]}]}": (
+        "5:41: simulation.events.0.move.1: should lie in [-1e+07, 1e+07] m (got 1e8)"
+    ),
+    "{duration: 1e-9}": "5:24: simulation.duration: should lie in [0.001, 1e+06] s (got 1e-9)",
     "{events: [{at: 5, lose: Ajx}]}": (
         "5:23: simulation.events.0: lose at 5 s: there is no robot called 'Ajx' then; did you mean "
         "'Ajax'?"

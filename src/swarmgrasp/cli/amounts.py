@@ -7,7 +7,7 @@ from typing import Final
 from swarmgrasp.cli.inputs import UsageFault, noting
 from swarmgrasp.errors import QuantityInvalid
 from swarmgrasp.terms import SI, Terms
-from swarmgrasp.units import is_quantity, quantity
+from swarmgrasp.units import is_quantity, quantity, split
 from swarmgrasp.units.quantity import KINDS
 
 OF_THE_FILE: Final = ("length", "force", "speed", "torque")
@@ -37,6 +37,8 @@ class Amount:
     >>> Amount("--turn", "90", "angle").value(), Amount("--turn", "0.25 m", "angle").faults()
     (1.5707963267948966, ["--turn is 0.25 m: 'm' is a unit of length, not of angle; known: deg, \
 rad"])
+    >>> Amount("--wind", "5000kn", "speed", 0.0, 1e3).faults()
+    ['--wind is 5000kn; it should be from 0 to 1944 kn']
     """
 
     option: str
@@ -82,7 +84,7 @@ rad"])
         """Raise if it is outside its range."""
         if self.low <= value <= self.high:
             return
-        unit = terms.unit_of(self.of) or KINDS[self.of].si
+        unit = split(self.text, self.of)[1] or terms.unit_of(self.of) or KINDS[self.of].si
         size = quantity(1.0, self.of, unit)
         low, high = (f"{end / size:.4g}" for end in (self.low, self.high))
         wanted = f"from {low} to {high} {unit}" if self.high < math.inf else f"{low} {unit} or more"

@@ -1,9 +1,11 @@
-"""A lone "-" on the command line: standard input, or standard output.
+"""What begins with a hyphen on the command line and is no option.
 
-Cyclopts takes it for an option, unless a parameter accepts everything that begins with a
-hyphen, mistyped options included. So a lone "-" is parsed under another name.
+A lone "-" is standard input, or standard output; "-60deg" is an amount. Cyclopts takes both for
+options, unless a parameter accepts everything that begins with a hyphen, mistyped options included.
+So a lone "-" is parsed under another name, and an amount is bound to the option before it.
 """
 
+import re
 from collections.abc import Sequence
 from typing import Annotated, Any
 
@@ -11,11 +13,25 @@ from cyclopts import Parameter
 
 DASH = "-"
 _STAND_IN = "\0-"  # no file can be called so
+_BELOW_ZERO = re.compile(r"-\.?\d")
+_OPTION = re.compile("--[^=]+")
 
 
 def hidden(arguments: Sequence[str]) -> list[str]:
-    """Return arguments with every lone "-" under its other name."""
-    return [_STAND_IN if argument == DASH else argument for argument in arguments]
+    """Return arguments with every lone "-" under its other name, and amounts with their options.
+
+    Examples
+    --------
+    >>> hidden(["quality", "barge", "--from", "-60deg", "--wind", "5kn"])
+    ['quality', 'barge', '--from=-60deg', '--wind', '5kn']
+    """
+    found: list[str] = []
+    for argument in arguments:
+        if found and _BELOW_ZERO.match(argument) and _OPTION.fullmatch(found[-1]):
+            found[-1] += f"={argument}"
+        else:
+            found.append(_STAND_IN if argument == DASH else argument)
+    return found
 
 
 def shown(text: str) -> str:

@@ -41,7 +41,8 @@ class Drawing:
         least, most = WIDTHS
         with noting(said):
             if not least <= quantity(self.width, "length") <= most:
-                said.append(f"it should be from {1e3 * least:g}mm to {1e3 * most:g}mm")
+                wanted = f"it should be from {1e3 * least:g}mm to {1e3 * most:g}mm"
+                faults.append(f"--width is {self.width}; {wanted}")
         return faults + [f"--width is {self.width}: {fault}" for fault in said]
 
     def look(self, name: str, terms: "Terms") -> dict[str, Any]:

@@ -10,8 +10,7 @@ from swarmgrasp.cli.inputs import UsageFault, blaming, noting, source_of
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain
 from swarmgrasp.cli.wording import Phrasing
-from swarmgrasp.terms import SI
-from swarmgrasp.units import bearing, quantity
+from swarmgrasp.units import SPEEDS, bearing
 
 if TYPE_CHECKING:
     from swarmgrasp.environment import Current, Environment, Waves, Wind, WindTable
@@ -22,6 +21,8 @@ WITH_WIND = "wind"
 """What --waves says for the sea that goes with the wind."""
 FASTEST = 1e3
 """That may be asked for [m/s]."""
+MOST_TURNED = 1e6
+"""Largest bearing [deg]."""
 Speed = Annotated[str | None, Parameter(metavar="SPEED")]
 Bearing = Annotated[str | None, Parameter(metavar="BEARING")]
 
@@ -43,15 +44,13 @@ class _Options:
         """Return what is wrong with the options, whatever the file."""
         faults: list[str] = []
         for option, text in self.given.items():
-            said: list[str] = []
-            with noting(said):
+            with noting(faults):
                 if option.endswith("from"):
-                    bearing(text, "deg", 0.0)
-                elif option == "--waves" and text != WITH_WIND:
-                    _sea(text, SI)
-            faults += [f"{option} is {text}: {fault}" for fault in said]
-            if option in ("--wind", "--current"):
-                faults += speed_given(option, text).faults()
+                    _bearing(option, text, 0.0)
+                elif option != "--waves":
+                    faults += speed_given(option, text).faults()
+                elif text != WITH_WIND:
+                    faults += [fault for amount in _sea(text) for fault in amount.faults()]
         return faults
 
     def environment(
@@ -92,10 +91,27 @@ class _Options:
             current = self._current(asked, current)
         with noting(faults):
             waves = self._waves(asked, waves)
+        faults += self._sea_faults(asked, wind, waves)
         if faults:
             raise UsageFault(faults)
         with blaming("--waves" if "--waves" in self.given else source_of(file)):
             return replace(around, wind=wind, current=current, waves=waves)
+
+    def _sea_faults(
+        self, asked: "_Asked", wind: "Wind | WindTable", waves: "Waves | None"
+    ) -> list[str]:
+        """Return what is wrong with a wind that its sea is to go with."""
+        if waves is None or not waves.goes_with_wind or wind.speed is None:
+            return []
+        from swarmgrasp.environment.sea import STRONGEST_SEA
+
+        if wind.speed <= STRONGEST_SEA:
+            return []
+        unit = asked.terms.speed
+        most, speed = (v / SPEEDS[unit] for v in (STRONGEST_SEA, wind.speed))
+        said = f"{speed:.4g} {unit} of wind: the sea that goes with it is known up to {most:.4g} "
+        where = "--wind is" if "--wind" in self.given else f"{source_of(asked.file)}:"
+        return [f"{where} {said}{unit}; give --waves a height and a period, such as 2.1m,7.5s"]
 
     def _wind(self, asked: "_Asked", wind: "Wind | WindTable") -> "Wind | WindTable":  # noqa: ARG002
         """Return what the object shows to the wind; its own speed and bearing play no part."""
@@ -117,6 +133,11 @@ class _Asked(NamedTuple):
     file: str
     terms: "Terms"
 
+    @property
+    def heading(self) -> float | None:
+        """The true bearing of the bow [rad], if the file gives it."""
+        return self.scenario.terms.frame.heading
+
 
 @dataclass(frozen=True)
 class _Wind(_Options):
@@ -133,7 +154,7 @@ class _Wind(_Options):
         if self.wind is not None:
             speed = speed_given("--wind", self.wind).value(asked.terms)
         if self.wind_from is not None:
-            from_ = _bearing("--from", self.wind_from, asked.scenario)
+            from_ = _bearing("--from", self.wind_from, asked.heading)
         if from_ is None and speed is not None:
             raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
         if speed is None and from_ is not None:
@@ -166,7 +187,7 @@ class _Current(_Options):
             current = replace(current, speed=speed)
         if self.current_from is None:
             return current
-        from_ = _bearing("--current-from", self.current_from, asked.scenario)
+        from_ = _bearing("--current-from", self.current_from, asked.heading)
         return replace(current, bearing=from_)
 
 
@@ -187,13 +208,13 @@ class _Sea(_Options):
         if self.waves is not None:
             height, period = None, None
             if self.waves != WITH_WIND:
-                height, period = _sea(self.waves, asked.terms)
+                height, period = (each.value(asked.terms) for each in _sea(self.waves))
             waves = replace(waves or Waves(), height=height, period=period)
         if self.waves_from is None:
             return waves
         if waves is None:
             raise UsageFault("--waves-from is of no sea: give --waves, such as --waves wind")
-        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, asked.scenario))
+        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, asked.heading))
 
 
 @Parameter(name="*", group="Weather")
@@ -287,23 +308,34 @@ def speed_given(option: str, text: str) -> Amount:
     return Amount(option, text, "speed", 0.0, FASTEST)
 
 
-def _bearing(option: str, text: str, scenario: "Scenario") -> float:
+def _bearing(option: str, text: str, heading: float | None) -> float:
     """Return a bearing [rad] clockwise from the bow; a number alone is in degrees."""
     from math import radians
 
     with blaming(f"{option} is {text}"):
-        return radians(bearing(text, "deg", scenario.terms.frame.heading))
+        found = bearing(text, "deg", heading)
+    if abs(found) > MOST_TURNED:
+        raise UsageFault(
+            f"{option} is {text}; it should be from {-MOST_TURNED:g} to {MOST_TURNED:g} deg"
+        )
+    return radians(found)
 
 
-def _sea(text: str, terms: "Terms") -> tuple[float, float]:
-    """Return the significant height [m] and the peak period [s] of a sea."""
+def _sea(text: str) -> tuple[Amount, Amount]:
+    """Return the significant height and the peak period of a sea."""
+    from swarmgrasp.environment.limits import HEIGHT, PERIOD
+
     parts = text.split(",")
     if len(parts) != 2:
         raise UsageFault(
-            "it should be wind, for the sea that goes with the wind, or a significant height and a "
-            "peak period, such as 2.1m,7.5s"
+            f"--waves is {text}: it should be wind, for the sea that goes with the wind, or a "
+            "significant height and a peak period, such as 2.1m,7.5s"
         )
-    return quantity(parts[0], "length", terms.unit_of("length")), quantity(parts[1], "time")
+    called = f"--waves is {text}: the"
+    return (
+        Amount(f"{called} height", parts[0], "length", HEIGHT.low, HEIGHT.high),
+        Amount(f"{called} period", parts[1], "time", PERIOD.low, PERIOD.high),
+    )
 
 
 def _without_wind(around: "Environment") -> "Environment":

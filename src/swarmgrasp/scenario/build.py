@@ -54,7 +54,7 @@ def build(checked: Checked, default_name: str) -> Scenario:
     check_force_sets(checked, units)
     check_tolerances(checked, units)
     check_criterion(checked)
-    check_weather(checked)
+    check_weather(checked, units)
     _check_simulation(checked, units)
     locator = _locator(checked, units)
     found = frozenset() if locator is None else comparable(said, checked)

@@ -13,8 +13,18 @@ from swarmgrasp.outline import Outline
 from swarmgrasp.placement import Problem
 from swarmgrasp.ranges import nearest_name
 from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.in_range import check_section
 from swarmgrasp.scenario.newcomer import newcomer_of
 from swarmgrasp.scenario.newcomer_schema import NewcomerSection
+from swarmgrasp.scenario.simulation_ranges import (
+    ACTUATOR,
+    CONTROL,
+    EVENT,
+    HULL,
+    RUN,
+    STREAM,
+    WEATHER,
+)
 from swarmgrasp.scenario.simulation_schema import (
     ActuatorSection,
     ControlSection,
@@ -61,6 +71,8 @@ _GOES_WITH = {
     "speed": ("send", "follow"),
 }
 """What some keys of an event go with."""
+_PARTS: dict[Path, str] = {("hull", "damping"): "hull: the damping", ("hull",): "hull: "}
+"""Parts of a simulation that only its outline tells whether they go together."""
 _NEWCOMER = "newcomer"
 _Made = TypeVar("_Made")
 
@@ -99,7 +111,8 @@ def simulation_of(
         )
     except SimulationInvalid as error:
         for fault in error.faults:
-            checked.fault(_HERE, fault, got=False)
+            part = next((key for key in _PARTS if fault.startswith(_PARTS[key])), ())
+            checked.fault((*_HERE, *part), fault, got=False)
         raise checked.faults.error() from error
 
 
@@ -109,11 +122,20 @@ def simulation_of(
 def check_simulation(section: SimulationSection, units: Units, checked: Checked) -> None:
     """Note what is wrong with how a document says its simulation."""
     _check_surroundings(section, checked)
-    if checked.is_sound(*_HERE, "weather"):
+    parts = (("hull", HULL), ("weather", WEATHER), ("control", CONTROL))
+    runs = check_section(section, _HERE, RUN, checked, units)
+    wrong = {
+        key
+        for key, known in parts
+        if not check_section(getattr(section, key), (*_HERE, key), known, checked, units)
+    }
+    if checked.is_sound(*_HERE, "weather") and "weather" not in wrong:
         path = (*_HERE, "weather", "series")
         _made(checked, path, partial(_weather, section.weather, units))
-    if checked.is_sound(*_HERE, "control"):
-        _made(checked, (*_HERE, "control"), partial(_control, section.control, units))
+    control = None
+    if runs and checked.is_sound(*_HERE, "control") and "control" not in wrong:
+        make = partial(_control, section.control, units)
+        control = _made(checked, (*_HERE, "control"), make)
     actuators = _check_actuators(section.robots, units, checked)
     newcomer = Newcomer(name=checked.file.newcomer.name if checked.file.newcomer else "")
     events = _check_each_event(section, newcomer, units, checked)
@@ -126,7 +148,7 @@ def check_simulation(section: SimulationSection, units: Units, checked: Checked)
         return  # whom it brings, and when, is not known
     everybody = [*names, *joining_names(names, ordered, newcomer)]
     _check_robots(section, everybody, checked)
-    _check_loop(section, units, actuators, everybody, checked)
+    _check_loop(section, control, actuators, everybody, checked)
     paths = {id(event): path for path, event in events.items()}
     groups: dict[str, list[str]] = {}
     for name, robot in zip(names, checked.file.robots, strict=True):
@@ -160,13 +182,17 @@ def _check_actuators(
 ) -> tuple[Actuator, dict[str, Actuator]] | None:
     """Note what does not go together in how robots answer to orders; return it if all does."""
     path: Path = (*_HERE, "robots")
-    if not all(checked.is_sound(*path, key) for key in ActuatorSection.model_fields):
+    in_range = check_section(section, path, ACTUATOR, checked, units)
+    sound = all(checked.is_sound(*path, key) for key in ActuatorSection.model_fields)
+    if not sound or not in_range:
         return None
     usual = _made(checked, path, partial(_actuator, section, units))
     others: dict[str, Actuator] = {}
     for i, each in enumerate(section.others):
-        if usual is not None and checked.is_sound(*path, "except", i):
-            made = _made(checked, (*path, "except", i), partial(_actuator, each, units, usual))
+        here: Path = (*path, "except", i)
+        in_range = check_section(each, here, ACTUATOR, checked, units)
+        if usual is not None and in_range and checked.is_sound(*here):
+            made = _made(checked, here, partial(_actuator, each, units, usual))
             others |= {} if made is None else {each.name: made}
     is_whole = usual is not None and len(others) == len(section.others)
     return (usual, others) if usual is not None and is_whole else None
@@ -174,17 +200,17 @@ def _check_actuators(
 
 def _check_loop(
     section: SimulationSection,
-    units: Units,
+    control: Control | None,
     actuators: tuple[Actuator, dict[str, Actuator]] | None,
     names: list[str],
     checked: Checked,
 ) -> None:
     """Note what does not go together in control, the lag of those who take part, and duration."""
-    if actuators is None or not all(checked.is_sound(*_HERE, k) for k in ("control", "duration")):
+    if actuators is None or control is None or not checked.is_sound(*_HERE, "duration"):
         return
     usual, others = actuators
     lag = max([others.get(name, usual).lag for name in names], default=usual.lag)
-    for part, fault in loop_faults(_control(section.control, units), lag, section.duration):
+    for part, fault in loop_faults(control, lag, section.duration):
         path: Path = (*_HERE, part) if part == "duration" else (*_HERE, "control", part)
         checked.fault(path if part else path[:-1], fault, got=False)
 
@@ -223,7 +249,8 @@ def _check_each_event(
         path: Path = (*_HERE, "events", i)
         sent = _named(event, newcomer)
         make: Callable[[], Event] = partial(_event, event, sent, units)
-        if not _is_event_said(event, i, checked) or not checked.is_sound(*path):
+        in_range = _is_event_in_range(event, path, checked, units)
+        if not _is_event_said(event, i, checked) or not in_range or not checked.is_sound(*path):
             is_named = checked.is_sound(*path, "as") and checked.is_sound(*path, "send", "name")
             if event.send is None or not is_named:
                 continue
@@ -232,6 +259,16 @@ def _check_each_event(
         made = _made(checked, path, make)
         if made is not None:
             found[i] = made
+    return found
+
+
+def _is_event_in_range(event: EventSection, path: Path, checked: Checked, units: Units) -> bool:
+    """Tell whether the numbers of an event are in range; note a fault for each that is not."""
+    found = check_section(event, path, EVENT, checked, units)
+    for key in _STREAMS:
+        stream = getattr(event, key)
+        if stream is not None:
+            found &= check_section(stream, (*path, key), STREAM, checked, units)
     return found
 
 

@@ -1,5 +1,8 @@
 """Build the environment of a scenario, and find the faults its schema does not see."""
 
+import re
+from typing import Final
+
 import numpy as np
 
 from swarmgrasp.environment import (
@@ -12,8 +15,19 @@ from swarmgrasp.environment import (
     WindCoefficients,
     WindTable,
 )
+from swarmgrasp.environment.limits import (
+    AREA,
+    BOW_ANGLE,
+    COEFFICIENT,
+    DENSITY,
+    HEIGHT,
+    OFFSET,
+    SPEED,
+)
+from swarmgrasp.environment.sea import STRONGEST_SEA
 from swarmgrasp.errors import EnvironmentInvalid
 from swarmgrasp.scenario.faults import Path
+from swarmgrasp.scenario.in_range import Keys, check_section
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.weather_schema import (
@@ -26,17 +40,54 @@ from swarmgrasp.swarm.matrix import Axes
 from swarmgrasp.terms import Frame
 
 _DRAG = ("vessel", "coefficients", "frontal_area", "lateral_area")
+_DRAGS = {"transverse", "bow", "stern", "surge", "sway"}
+_STREAM: Final[Keys] = {
+    "frontal_area": (AREA, "area"),
+    "lateral_area": (AREA, "area"),
+    "lateral_centroid": (OFFSET, "length"),
+    "speed": (SPEED, "speed"),
+    "density": (DENSITY, "density"),
+}
+_SEA: Final[Keys] = {
+    "height": (HEIGHT, "length"),
+    "bow_angle": (BOW_ANGLE, "angle"),
+    "density": (DENSITY, "density"),
+}
 _WIND: Path = ("environment", "wind")
 _WAVES: Path = ("environment", "waves")
 
 
-def check_weather(checked: Checked) -> None:
+def check_weather(checked: Checked, units: Units) -> None:
     """Note what is wrong with how a document says its wind and its waves."""
+    _check_ranges(checked, units)
     if checked.file.environment is not None:
         if checked.is_known(*_WIND):
             _check_wind(checked.file.environment.wind, checked)
         if checked.has(*_WAVES) and checked.is_known(*_WAVES):
             _check_waves(checked)
+
+
+def _check_ranges(checked: Checked, units: Units) -> None:
+    """Note every number of an environment that is outside its range."""
+    around = checked.file.environment
+    if around is None:
+        return
+    for stream, keys in (("wind", _STREAM), ("current", _STREAM), ("waves", _SEA)):
+        section, path = getattr(around, stream), ("environment", stream)
+        if section is not None and checked.is_known(*path):
+            check_section(section, path, keys, checked, units)
+            drag = getattr(section, "coefficients", None)
+            if drag is not None:
+                known = dict.fromkeys(_DRAGS & set(type(drag).model_fields), (COEFFICIENT, ""))
+                check_section(drag, (*path, "coefficients"), known, checked, units)
+    speed = around.wind.speed
+    with_wind = around.waves is not None and around.waves.with_wind and checked.is_sound(*_WAVES)
+    if speed is None or not with_wind or not checked.is_sound("units", "speed"):
+        return
+    most = STRONGEST_SEA / units.metres_per_second(1.0)
+    if speed > most and checked.is_sound(*_WIND, "speed"):
+        said = f"the sea that goes with a wind is known up to {most:.4g} {units.speed}; give the "
+        checked.fault((*_WIND, "speed"), f"{said}waves a height and a period")
 
 
 def _check_wind(section: WindSection, checked: Checked) -> None:
@@ -128,8 +179,18 @@ def environment_of(checked: Checked, units: Units) -> Environment | None:
     except EnvironmentInvalid as error:  # numbers next to zero, a wind beyond those with a sea
         at: Path = (*_WIND, "table") if checked.has(*_WIND, "table") else ("environment",)
         for fault in error.faults:
-            checked.fault(at, fault.removeprefix("wind: "), got=False)
+            checked.fault(at, _in_units(fault.removeprefix("wind: "), units), got=False)
         raise checked.faults.error() from error
+
+
+def _in_units(fault: str, units: Units) -> str:
+    """Return a sentence on a wind of a table with its speed in the file's unit."""
+
+    def told(found: re.Match[str]) -> str:
+        """Return one speed."""
+        return f"the wind of {float(found[1]) / units.metres_per_second(1.0):.5g} {units.speed} "
+
+    return re.sub(r"the wind of (\S+) m/s ", told, fault)
 
 
 def _wind(section: WindSection, units: Units, frame: Axes) -> Wind | WindTable:

@@ -114,7 +114,7 @@ def test_bearings_of_a_table_in_another_unit_are_refused(tmp_path: Path) -> None
     ("table", "said"),
     [
         (TABLE.replace("20;45;-7", "20;45;x"), "loads.csv:5: environment.wind.table: fx should be"),
-        (TABLE.replace("20;45", "21;45"), "the wind of 10.2889 m/s from 45 deg is missing"),
+        (TABLE.replace("20;45", "21;45"), "the wind of 10.289 m/s from 45 deg is missing"),
         (TABLE + "20;90;0;-41;-60\n", "stands twice, with other loads"),
         (TABLE.replace("Mz", "Mx"), "unknown column 'mx'"),
         (
