@@ -46,7 +46,7 @@ def test_a_good_answer_is_verified(run, answer):
     assert len(re.findall(r"the answer is (at most \S+ % below )?the best possible", said)) == 2
     question = "a robot of 1.5 kN, pushing within 28.65 deg of the normal; the whole boundary, "
     assert f"Question  {question}no no-go stretches, no spacing\n" in said
-    assert "not whether the file asks your question" in said
+    assert "It does not check whether the file asks your question" in said
     assert "Metric: force weights 1 and 1, characteristic length" in said
 
 

@@ -78,7 +78,7 @@ def test_a_reason_beside_a_load_does_not_ask_for_force_closure():
     )
     assert (answer.quality, answer.reason) == (
         0.0,
-        "with none of the allowed robots has the swarm force closure beside the load",
+        "no allowed robot gives the swarm force closure beside the load",
     )
     assert place(Swarm(barge, pads[:1]), Newcomer(100.0), load=load).reason == (
         "holding a load takes at least 3 robots, wherever they are; with this one there are 2"

@@ -24,9 +24,9 @@ REFUSED = 1
 def verify(answer: Dashed, /, *, json: Dashed | None = None, phrasing: Phrasing = AS_FILED) -> int:
     """Check an answer of `swarmgrasp place --json`, trusting nothing.
 
-    Recomputed from the file, by code that shares nothing with the search, are: that every
-    robot stands where it may, every quality, and that no allowed place exceeds the upper
-    bound. Not checked are the reason given in words, and whether the file asks your question.
+    Code that shares nothing with the search recomputes from the file that every robot stands
+    where it may, every quality, and that no allowed place exceeds the upper bound. It does not
+    check the reason given in words, nor whether the file asks your question.
 
     Exit status: 0 verified, 1 refused, 2 when the file cannot be read as an answer.
 

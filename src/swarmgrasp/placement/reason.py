@@ -65,7 +65,7 @@ def reason_of(answer: "Placement", terms: Terms = SI) -> str:
             "is one is not settled: ask for a smaller gap, or place several"
         )
     if criterion.has_load and answer.quality == 0.0:
-        return f"with none of the allowed {robot}s has the swarm force closure beside the load"
+        return f"no allowed {robot} gives the swarm force closure beside the load"
     return (
         f"no allowed {robot} raises what is weakest, {weakest}, without another direction "
         "staying as weak: allow more places or directions, or place several"

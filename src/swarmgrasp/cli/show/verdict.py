@@ -55,8 +55,8 @@ def show(name: str, document: dict[str, Any], verdict: Verdict, terms: Terms) ->
     for trusted in verdict.unchecked:
         report.sentence(f"Taken on trust: {trusted}.")
     report.sentence(
-        "Checked is the answer to the question in the file, not whether the file asks your "
-        "question; reasons given in words are not checked."
+        "This checks the answer to the question in the file. It does not check whether the file "
+        "asks your question, nor reasons given in words."
     )
     swarm = document["problem"]["swarm"]
     report.note(metric_words(swarm["force_weights"], swarm["characteristic_length"], tell))
