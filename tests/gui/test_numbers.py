@@ -44,7 +44,7 @@ def test_the_answer_is_that_of_place(name: str) -> None:
     scenario, found = load_example(name), found_of(name)
     answer = place(scenario.problem())
     told = json.loads(write_message(Telling(found).part(1, 0.0)))
-    after = quality(answer.swarm_after, **scenario.criterion.terms)
+    after = quality(answer.swarm_after, **scenario.criterion.keywords)
     assert told["question"] == "quality"
     assert told["newcomer"] == answer.robot.to_data()
     assert (told["before"], told["after"], told["bound"]) == NEAR(
@@ -61,7 +61,7 @@ def test_losses_are_those_of_the_library(name: str) -> None:
     """One by one, the worst first, with the newcomer in place."""
     found, criterion = found_of(name), load_example(name).criterion
     told = part("losses", found)
-    beside = {**criterion.terms, "losing": max(0, criterion.losing - 1)}
+    beside = {**criterion.keywords, "losing": max(0, criterion.losing - 1)}
     rows = losses(found.swarm, **beside)
     assert [(row["name"], row["value"]) for row in told["rows"]] == [
         (row.name, NEAR(row.quality, rel=1e-9)) for row in rows
@@ -125,7 +125,7 @@ def test_places_have_the_quality_with_the_newcomer_there(name: str) -> None:
         robot = found.newcomer
         assert robot is not None
         there = replace(robot, contact=contact.point, direction=way, limit=limit)
-        value = quality(swarm.with_robot(there), **found.problem.criterion.terms).value
+        value = quality(swarm.with_robot(there), **found.problem.criterion.keywords).value
         assert (float(cells[i, j]) - 1.0) * told["unit"] == NEAR(value, abs=told["unit"])
     assert told["high"] <= found.after.value * (1.0 + 1e-6)
 
@@ -189,7 +189,7 @@ def test_nobody_to_place_and_nowhere_to_go_are_judged_all_the_same() -> None:
     """Without a newcomer, and with no zone, the robots that are there are told."""
     scene = scene_of(1, "escort-ring", built_in()["escort-ring"])
     value = quality(
-        load_example("escort-ring").swarm, **load_example("escort-ring").criterion.terms
+        load_example("escort-ring").swarm, **load_example("escort-ring").criterion.keywords
     )
     nobody = msgspec.structs.replace(scene.doc, newcomer=False)
     nowhere = msgspec.structs.replace(scene.doc, problem={**scene.doc.problem, "zones": []})

@@ -37,7 +37,7 @@ def test_figures_are_those_of_the_library(window):
     one, scenario = window(), load_example("escort-ring")
     answer = place(scenario.problem())
     swarm, criterion = answer.swarm_after, scenario.criterion
-    rows = losses(swarm, **{**criterion.terms, "losing": criterion.losing - 1})
+    rows = losses(swarm, **{**criterion.keywords, "losing": criterion.losing - 1})
     said = one.page.locator(".bar-row").evaluate_all(
         "rows => rows.map(row => [row.dataset.name, row.children[2].textContent])"
     )

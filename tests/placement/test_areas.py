@@ -55,7 +55,7 @@ def best_inside(problem, rng, count=150):
                 reverse_limit=newcomer.reverse_limit,
             )  # fmt: skip
             swarm = problem.swarm.with_robot(robot)
-            best = max(best, quality(swarm, **problem.criterion.terms).bound)
+            best = max(best, quality(swarm, **problem.criterion.keywords).bound)
     return best
 
 

@@ -85,7 +85,7 @@ def best_on_grid(answer, contacts=9, directions=13):
             point = outline.on_edge(piece.edge, float(s)).point
             for angle in np.linspace(piece.lo, piece.hi, directions).tolist():
                 robot = Robot(point, angle, newcomer.limit, reverse_limit=newcomer.reverse_limit)
-                found = quality(problem.swarm.with_robot(robot), **problem.criterion.terms)
+                found = quality(problem.swarm.with_robot(robot), **problem.criterion.keywords)
                 best = max(best, found.bound)
     return best
 

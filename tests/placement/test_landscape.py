@@ -65,7 +65,7 @@ def test_every_value_is_a_quality(newcomer, kinds):
                 robot = replace(robot, steers=steers)
             elif newcomer is not None:
                 robot = replace(robot, reverse_limit=0.5)
-            truth = quality(problem.swarm.with_robot(robot), **ASKED.terms).value
+            truth = quality(problem.swarm.with_robot(robot), **ASKED.keywords).value
             assert patch.values[c, r] == pytest.approx(truth, rel=1e-7, abs=1e-9)
 
 
@@ -75,7 +75,7 @@ def test_a_strip_is_the_best_of_each_contact(seed, criterion):
     """With the direction that has it, and no place is better than the best that is proven."""
     problem = problem_of(seed, criterion)
     patches, found = landscape(problem, 15, 9), strips(problem, 15, 9)
-    best = place(problem.swarm, problem.newcomer, problem.zones, spacing=0.1, **criterion.terms)
+    best = place(problem.swarm, problem.newcomer, problem.zones, spacing=0.1, **criterion.keywords)
     for patch, strip in zip(patches, found, strict=True):
         assert (strip.place, strip.edge, strip.inward) == (patch.place, patch.edge, patch.inward)
         assert strip.arc_lengths.tolist() == patch.arc_lengths.tolist()

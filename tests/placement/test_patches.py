@@ -84,7 +84,7 @@ def best_on_a_grid(problem, side):
             reverse_limit=newcomer.reverse_limit,
         )  # fmt: skip
         swarm = problem.swarm.with_robot(robot)
-        best = max(best, quality(swarm, **problem.criterion.terms).value)
+        best = max(best, quality(swarm, **problem.criterion.keywords).value)
     return best
 
 

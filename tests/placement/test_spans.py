@@ -68,7 +68,9 @@ def best_on_a_grid(problem, contacts=80):
     for k in range(len(pieces.each)):
         for share in np.linspace(0.0, 1.0, count).tolist():
             robot = robot_on(problem, pieces, k, share)
-            found.append(quality(problem.swarm.with_robot(robot), **problem.criterion.terms).value)
+            found.append(
+                quality(problem.swarm.with_robot(robot), **problem.criterion.keywords).value
+            )
     return max(found)
 
 

@@ -71,10 +71,10 @@ def test_no_two_of_a_grid_are_better(kind):
     best = 0.0
     for one, other in itertools.combinations(robots_on_a_grid(problem, 9, 2), 2):
         swarm = problem.swarm.with_robot(one).with_robot(other)
-        best = max(best, quality(swarm, **problem.criterion.terms).value)
+        best = max(best, quality(swarm, **problem.criterion.keywords).value)
     assert best <= answer.upper_bound * (1.0 + 1e-9)
     assert answer.quality >= 0.98 * best
-    found = quality(answer.swarm_after, **problem.criterion.terms).value
+    found = quality(answer.swarm_after, **problem.criterion.keywords).value
     assert answer.quality == pytest.approx(found, rel=1e-8)
     assert answer.quality >= answer.sequential * (1.0 - 1e-9)
     newcomer = problem.newcomer

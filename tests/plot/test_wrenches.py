@@ -122,7 +122,7 @@ def rough(crowd):
 def test_what_is_drawn_by_a_criterion_fits_and_touches(rough, criterion):
     """Ball or task is inside the set of the worst case, moved by the load, up to its face."""
     shape = body(rough, criterion)
-    assert shape.quality == quality(rough, **criterion.terms).value > 0.0
+    assert shape.quality == quality(rough, **criterion.keywords).value > 0.0
     held = shape.held
     corners = held.segment if held.segment is not None else np.concatenate(held.patches)
     size = float(np.abs(shape.vertices).max())
@@ -145,7 +145,7 @@ def test_the_worst_case_stands_beside_the_swarm_as_it_is(rough):
     criterion = Criterion(losing=1, worst_case=True)
     figure = wrench_sets(rough, criterion=criterion)
     legend, said = texts(figure)
-    nominal, worst = quality(rough).value, quality(rough, **criterion.terms).value
+    nominal, worst = quality(rough).value, quality(rough, **criterion.keywords).value
     assert legend[:2] == [f"14 robots, quality {worst:.3g} N", f"as they stand: {nominal:.3g} N"]
     assert "in the worst poses, after the worst loss of 1 robot" in said
     assert "robots left in their worst poses" in said

@@ -117,7 +117,7 @@ def test_limits_of_several_numbers_take_units() -> None:
 def test_toed_out_thrusters_lose_what_their_cosine_loses() -> None:
     """20 cos 30 degrees ahead, of 20: less than its owner feared."""
     scenario = read("rov-toe-out")
-    found = quality(scenario.swarm, **scenario.criterion.terms)
+    found = quality(scenario.swarm, **scenario.criterion.keywords)
     assert found.value == pytest.approx(20.0 * np.cos(np.pi / 6.0), rel=1e-9)
 
 

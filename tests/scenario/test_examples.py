@@ -91,7 +91,7 @@ def test_a_switchboard_takes_both_of_its_thrusters() -> None:
     swarm = scenario.swarm
     pairs = [("bow", "stern"), ("bow port", "stern starboard"), ("bow starboard", "stern port")]
     left = [exact_quality(swarm.without(pair)).value for pair in pairs]
-    found = exact_quality(swarm, **scenario.criterion.terms)
+    found = exact_quality(swarm, **scenario.criterion.keywords)
     assert found.value == pytest.approx(min(left), rel=1e-6)
 
 

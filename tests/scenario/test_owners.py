@@ -173,7 +173,7 @@ def test_two_tugs_of_59_t_hold_a_wind_of_772_kn_one_and_a_half_times() -> None:
     assert 1.0 / forces(scenario.swarm, (0, 0, 0), load=load).largest_share == pytest.approx(
         118.0 / needed, rel=1e-6
     )
-    found = quality(scenario.swarm, **scenario.criterion.terms)
+    found = quality(scenario.swarm, **scenario.criterion.keywords)
     assert found.value == pytest.approx(118.0 - needed, rel=1e-6)
     answer = place(scenario.problem())
     assert answer.quality == pytest.approx(118.0 + 59.0 - needed, rel=1e-6)

@@ -178,7 +178,7 @@ def times_held(swarm: Swarm, load: Array, asked: Criterion) -> Quality | None:
     """
     if np.abs(load).max() <= WEAKEST:
         return _unrest(swarm, asked)
-    return quality(swarm, **replace(asked, task=Polytope(-np.atleast_2d(load))).terms)
+    return quality(swarm, **replace(asked, task=Polytope(-np.atleast_2d(load))).keywords)
 
 
 def _unrest(swarm: Swarm, asked: Criterion) -> Quality | None:
@@ -190,10 +190,10 @@ def _unrest(swarm: Swarm, asked: Criterion) -> Quality | None:
     always = bool((swarm.lows > 0.0).any()) or any(map(_is_off, swarm.rare.envelopes.values()))
     if not always:
         return None
-    found = quality(swarm, **asked.terms)
+    found = quality(swarm, **asked.keywords)
     rows = np.unique(swarm.generators, axis=0)
     for task in (Polytope([sign * row]) for row in rows if row.any() for sign in (1.0, -1.0)):
-        if found.value > 0.0 or quality(swarm, **replace(asked, task=task).terms).value > 0.0:
+        if found.value > 0.0 or quality(swarm, **replace(asked, task=task).keywords).value > 0.0:
             return None
     return found
 

@@ -211,8 +211,8 @@ def _largest(swarm: Swarm, calm: Array, winds: Array, asked: Criterion) -> Itera
     """Yield the largest winds held beside loads (m, 3), given the loads (m, 3) of 1 m/s."""
     for load, wind in zip(calm, winds, strict=True):
         x, y, turn = load.tolist()
-        terms = replace(asked, load=(x, y, turn), task=Polytope([-wind])).terms
-        found = quality(swarm, **terms)
+        keywords = replace(asked, load=(x, y, turn), task=Polytope([-wind])).keywords
+        found = quality(swarm, **keywords)
         speed = math.sqrt(max(0.0, found.value))
         holds = speed > 0.0 or is_held(times_held(swarm, load, asked))
         yield _Held(speed, holds, found.direction, (*found.failure, *found.lost))

@@ -161,7 +161,7 @@ class _Asked(NamedTuple):
     look: dict[str, Any]
 
     @property
-    def terms(self) -> "tuple[Any, Any, Any, int, bool, Any]":
+    def arguments(self) -> "tuple[Any, Any, Any, int, bool, Any]":
         """What functions of capability take; one robot is lost unless something else is said."""
         criterion = self.criterion
         losing = criterion.losing or int(not criterion.failures)
@@ -189,7 +189,7 @@ def _winds(asked: _Asked) -> _Found:
     from swarmgrasp.cli.show.capability import show
 
     with asked.bar() as bar:
-        found = capability_of(*asked.terms, progress=bar)
+        found = capability_of(*asked.arguments, progress=bar)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -207,7 +207,7 @@ def _numbers(asked: _Asked) -> _Found:
     from swarmgrasp.cli.show.capability_numbers import show
 
     with asked.bar() as bar:
-        found = capability_numbers(*asked.terms, progress=bar)
+        found = capability_numbers(*asked.arguments, progress=bar)
     name = asked.scenario.name
 
     def draw(path: Path) -> Path:
@@ -245,7 +245,7 @@ def _joined(asked: _Asked) -> _Found:
 
     (placement,) = solve(asked.scenario, asked.file, criterion=asked.scenario.criterion)
     with asked.bar() as bar:
-        before = capability_of(*asked.terms, progress=bar)
+        before = capability_of(*asked.arguments, progress=bar)
     with asked.bar() as bar:
         found = capability_joined(placement, asked.environment, before, progress=bar)
     name = asked.scenario.name

@@ -89,7 +89,7 @@ def judge(
     from swarmgrasp.simulation.mujoco import judge as judge_of
 
     with blaming(file):
-        found = judge_of(quality_of(scenario.swarm, **criterion.terms), hull)
+        found = judge_of(quality_of(scenario.swarm, **criterion.keywords), hull)
     terms = wording.terms(scenario)
     deliver(
         json,

@@ -102,7 +102,7 @@ def _plan(
     newcomer = scenario.newcomer
     return plan(
         scenario.swarm,
-        quality=quality(scenario.swarm, **criterion.terms),
+        quality=quality(scenario.swarm, **criterion.keywords),
         placements=answer,
         zones=(scenario.zones or ()) if newcomer else (),
         no_go=scenario.no_go if newcomer else (),

@@ -92,10 +92,10 @@ def quality(
     from swarmgrasp.quality import sensitivities as sensitivities_of
 
     with blaming(file):
-        found = quality_of(scenario.swarm, **criterion.terms)
-        rest = replace(criterion, losing=0).terms
+        found = quality_of(scenario.swarm, **criterion.keywords)
+        rest = replace(criterion, losing=0).keywords
         lost = losses(scenario.swarm, **rest) if criterion.losing else ()
-        slopes = sensitivities_of(scenario.swarm, **criterion.terms) if sensitivities else None
+        slopes = sensitivities_of(scenario.swarm, **criterion.keywords) if sensitivities else None
         alone = _alone(scenario, criterion)
     told = {**found.to_data(), "losses": plain(lost), "sensitivities": plain(slopes)}
     from swarmgrasp.cli.pictures import picture_of_plan
@@ -118,4 +118,4 @@ def _alone(scenario: "Scenario", criterion: "Criterion") -> "tuple[Loss, ...] | 
     machines = int(scenario.swarm.machines.max(initial=-1)) + 1
     if not criterion.has_load or criterion.is_of_worst or machines > MOST_TRIED:
         return None
-    return losses(scenario.swarm, **replace(criterion, task=None).terms)
+    return losses(scenario.swarm, **replace(criterion, task=None).keywords)

@@ -185,7 +185,7 @@ def _solved(
         document = document_of(answers, scenario.name, day, scenario.terms)
     if document is None:
         with blaming(file):
-            found = quality(scenario.swarm, **scenario.criterion.terms)
+            found = quality(scenario.swarm, **scenario.criterion.keywords)
         document = document_of(found, scenario.name, day, scenario.terms)
     else:
         with blaming(file):
@@ -268,7 +268,7 @@ def _placed(job: _Job, terms: "Terms") -> list["Section"]:
 
     scenario, verdict, document = job.scenario, job.verdict, dict(job.document)
     assert verdict is not None
-    before = quality(scenario.swarm, **scenario.criterion.terms)
+    before = quality(scenario.swarm, **scenario.criterion.keywords)
     picture = plan(
         scenario.swarm, quality=before, placements=job.answers,
         environment=scenario.environment, terms=terms,
@@ -289,9 +289,9 @@ def _quality(job: _Job, terms: "Terms") -> "Section":
     from swarmgrasp.quality import losses, quality
 
     swarm, criterion = job.swarm, job.scenario.criterion
-    found = quality(swarm, **criterion.terms)
+    found = quality(swarm, **criterion.keywords)
     few = _machines(swarm) <= MOST_LOST
-    lost = losses(swarm, **replace(criterion, losing=0).terms) if few else ()
+    lost = losses(swarm, **replace(criterion, losing=0).keywords) if few else ()
     alone = lost if few and criterion.has_load and not criterion.is_of_worst else None
     drawn = []
     if not job.answers:

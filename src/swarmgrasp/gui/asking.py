@@ -92,7 +92,7 @@ def ask(question: Question, share: float | None) -> Found:
         Of the best, from which on other places are told.
     """
     problem = question.problem
-    terms = problem.criterion.terms
+    keywords = problem.criterion.keywords
     if not question.places:
         return _judged(question, NO_ZONE if question.doc.newcomer else "")
     try:
@@ -100,20 +100,20 @@ def ask(question: Question, share: float | None) -> Found:
     except NowhereToAttach as error:
         return _judged(question, error.faults[0])
     before = placement.quality_before
-    after = quality(placement.swarm_after, **terms)
+    after = quality(placement.swarm_after, **keywords)
     if placement.quality > 0.0 or not problem.criterion.has_load:
         return Found(question, "quality", placement, before, after)
     for about, criterion in _others(question):
         other = place(replace(problem, criterion=criterion()), runners_up=share)
         if other.quality > 0.0:
-            after = quality(other.swarm_after, **terms)
+            after = quality(other.swarm_after, **keywords)
             return Found(question, about, other, before, after)
     return Found(question, "quality", placement, before, after)
 
 
 def _judged(question: Question, nowhere: str = "") -> Found:
     """Judge the robots that are there: there is nobody to place, or nowhere."""
-    found = quality(question.problem.swarm, **question.problem.criterion.terms)
+    found = quality(question.problem.swarm, **question.problem.criterion.keywords)
     return Found(question, "quality", None, found.value, found, nowhere)
 
 

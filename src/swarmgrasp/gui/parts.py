@@ -200,7 +200,7 @@ def told_losses(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     if len(swarm) < 2:
         raise Nothing("Nobody is left when one is lost.")
     beside = replace(criterion, losing=max(0, criterion.losing - 1))
-    rows = losses(swarm, **beside.terms)
+    rows = losses(swarm, **beside.keywords)
     whole = rows[0].quality_before
     told = tuple(
         LossRow(
@@ -222,7 +222,7 @@ def slopes(sheet: Sheet, ms: Callable[[], float]) -> bytes:
     if len(swarm) > MOST_LOST or not len(swarm):
         raise Nothing("Slopes are shown of few robots only.")
     try:
-        rates = sensitivities(swarm, **criterion.terms)
+        rates = sensitivities(swarm, **criterion.keywords)
     except ForceSetUnsupported as error:
         raise Nothing(error.faults[0]) from None
     rows = zip(swarm, rates.contact.tolist(), rates.direction_per_degree.tolist(), strict=True)

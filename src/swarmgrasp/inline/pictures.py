@@ -67,7 +67,7 @@ def _(shown: Quality, look: dict[str, Any]) -> Figure:
 @draw.register
 def _(shown: Problem, look: dict[str, Any]) -> Figure:
     zones = shown.zones or ()
-    found = quality(shown.swarm, **shown.criterion.terms)
+    found = quality(shown.swarm, **shown.criterion.keywords)
     return plan(shown.swarm, quality=found, zones=zones, no_go=shown.no_go, **look)
 
 
@@ -104,7 +104,7 @@ def _(shown: Move, look: dict[str, Any]) -> Figure:
 
 def _answered(problem: Problem, answer: Any, look: dict[str, Any]) -> Figure:
     """Draw a question with its answer."""
-    before = quality(problem.swarm, **problem.criterion.terms)
+    before = quality(problem.swarm, **problem.criterion.keywords)
     return plan(problem.swarm, quality=before, placements=answer, **look)
 
 

@@ -31,7 +31,7 @@ def beside_gaps(problem: Problem, place_on: Callable[[Problem], Placement]) -> P
     place_on : callable
         Places the newcomer where none has.
     """
-    swarm, terms = problem.swarm, problem.criterion.terms
+    swarm, keywords = problem.swarm, problem.criterion.keywords
 
     def beside(choice: Choice) -> Placement:
         """Place the newcomer beside robots that keep their sectors."""
@@ -39,7 +39,7 @@ def beside_gaps(problem: Problem, place_on: Callable[[Problem], Placement]) -> P
         return place_on(problem.with_swarm(swarm.choosing(kept)))
 
     held, choice, _ = best_choice(swarm, problem.criterion)
-    now = quality(held, **terms)
+    now = quality(held, **keywords)
     filled = place_on(problem.with_swarm(swarm.filled))
     choice_before = choice
     best = beside(choice)

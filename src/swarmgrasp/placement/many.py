@@ -14,7 +14,7 @@ from swarmgrasp.placement.pieces import Pieces
 from swarmgrasp.placement.problem import Problem, check_newcomer, problem_faults
 from swarmgrasp.placement.search import search_for
 from swarmgrasp.placement.spans import SpanSearch
-from swarmgrasp.quality.criterion import Terms, criterion_of
+from swarmgrasp.quality.criterion import Keywords, criterion_of
 from swarmgrasp.ranges import is_whole, items, shown
 from swarmgrasp.swarm import Newcomer, Swarm, wrenches
 from swarmgrasp.swarm.columns import check_contacts, checked_columns
@@ -31,7 +31,7 @@ def qualities_with(
     contacts: ArrayLike,
     directions: ArrayLike,
     limits: ArrayLike = 1.0,
-    **terms: Unpack[Terms],
+    **keywords: Unpack[Keywords],
 ) -> NDArray[np.float64]:
     """Compute the exact quality of a swarm with each of many newcomers, one at a time.
 
@@ -69,7 +69,7 @@ def qualities_with(
     [0.696311, 0.0]
     """
     check_swarm(swarm)
-    criterion = criterion_of("qualities_with", terms)
+    criterion = criterion_of("qualities_with", keywords)
     columns = checked_columns(contacts, directions, limits, False)
     check_contacts(swarm.outline, columns, numbered(len(columns.limits)))
     if not len(columns.limits):

@@ -19,7 +19,7 @@ from swarmgrasp.placement.spans import SpanSearch, Stand, robot_on
 from swarmgrasp.placement.tolerant import Found as Aimed
 from swarmgrasp.placement.tolerant import TolerantSearch
 from swarmgrasp.quality.aim import Aim, Work
-from swarmgrasp.quality.criterion import NOMINAL, Criterion, Terms, criterion_of
+from swarmgrasp.quality.criterion import NOMINAL, Criterion, Keywords, criterion_of
 from swarmgrasp.quality.robot_sets import UNSURE
 from swarmgrasp.quality.weakest import Weakest
 from swarmgrasp.ranges import call_faults, count_faults, gap_faults, items, number, shown
@@ -60,7 +60,7 @@ def place(
     spacing: float = 0.0,
     gap: float = 1e-6,
     runners_up: float | None = None,
-    **terms: Unpack[Terms],
+    **keywords: Unpack[Keywords],
 ) -> Placement: ...
 
 
@@ -74,7 +74,7 @@ def place(
     spacing: float = 0.0,
     gap: float = 1e-6,
     runners_up: float | None = None,
-    **terms: Unpack[Terms],
+    **keywords: Unpack[Keywords],
 ) -> Placement:
     """Find where the newcomer should attach and which way it should push.
 
@@ -141,12 +141,12 @@ def place(
             items(no_go) != (),
             number(spacing) != 0.0,
         )
-        if any(parts) or terms:
+        if any(parts) or keywords:
             faults.append(BESIDE)
         refuse((ProblemInvalid, faults))
         asked = problem
     else:
-        asked = _posed((problem, newcomer, zones, no_go, spacing), terms, faults)
+        asked = _posed((problem, newcomer, zones, no_go, spacing), keywords, faults)
     (answer,) = place_sequence(asked, 1, gap=gap, runners_up=runners_up)
     return answer
 
@@ -444,12 +444,12 @@ def _placing(problem: Problem, gap: float) -> _Placing | _BesideGaps:
     return (_Aiming if problem.is_tolerant else _Placing)(problem, gap)
 
 
-def _posed(parts: tuple[Any, ...], terms: Terms, faults: list[str]) -> Problem:
-    """Return the problem that parts and terms make; tell all that is wrong, beside other faults."""
+def _posed(parts: tuple[Any, ...], keywords: Keywords, faults: list[str]) -> Problem:
+    """Return the problem of parts and keywords; tell all that is wrong, beside other faults."""
     kinds: list[tuple[type[SwarmGraspError], Sequence[str]]] = [(ProblemInvalid, faults)]
     criterion = NOMINAL
     try:
-        criterion = criterion_of("place", terms)
+        criterion = criterion_of("place", keywords)
     except SwarmGraspError as error:
         kinds.insert(0, (type(error), error.faults))
     try:

@@ -172,7 +172,7 @@ def _before(answer: "Placement") -> str:
     without = f"Without {_name(answer)}{f', {words},' if words else ''} the quality is"
     way = _weakest(answer, answer.before)
     if answer.quality_before == 0.0:
-        margin = quality(swarm, **replace(criterion, task=None).terms).margin
+        margin = quality(swarm, **replace(criterion, task=None).keywords).margin
         if margin < 0.0:
             short = Unit.for_size(margin, figures=FIGURES).text(-margin)
             return f"{without} 0: the swarm is {short} short of holding the load."

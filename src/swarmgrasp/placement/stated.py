@@ -102,7 +102,7 @@ def _placement(problem: Problem, claim: Mapping[str, Any]) -> Placement:
 
 def _weakest(problem: Problem, swarm: Swarm, value: float) -> Weakest:
     """Return a quality that is stated, with the direction in which a swarm is weakest."""
-    x, y, z = quality(swarm, **problem.criterion.terms).direction.tolist()
+    x, y, z = quality(swarm, **problem.criterion.keywords).direction.tolist()
     return Weakest(value, (x, y, z))
 
 

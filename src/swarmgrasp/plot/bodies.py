@@ -93,7 +93,7 @@ def body(swarm: Swarm, criterion: Criterion = NOMINAL) -> Body:
     -------
     Body
     """
-    limit = quality(swarm, **criterion.terms)
+    limit = quality(swarm, **criterion.keywords)
     worst = swarm if criterion.is_nominal else limit.worst_swarm
     mesh = WrenchSet(worst).mesh(FINE)
     load = np.array(criterion.load) * swarm.scale

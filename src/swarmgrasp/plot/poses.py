@@ -93,7 +93,7 @@ def worst_case(swarm: Swarm, found: Quality | None, new: Newcomers | None) -> Wo
         return WorstCase()
     if new is not None:
         swarm, criterion = new.swarm_after, new.problem.criterion
-        found = quality(swarm, **criterion.terms) if criterion.is_of_worst else None
+        found = quality(swarm, **criterion.keywords) if criterion.is_of_worst else None
     if found is None or not found.criterion.is_of_worst:
         return WorstCase()
     gone = frozenset(map(swarm.index, found.gone))

@@ -22,7 +22,7 @@ Load = Sequence[float] | NDArray[np.float64]
 """A wrench [N, N, N m], kept as three floats."""
 
 
-class Terms(TypedDict, total=False):
+class Keywords(TypedDict, total=False):
     """The parts of a criterion, as keywords."""
 
     losing: int
@@ -103,9 +103,9 @@ class Criterion(Plain):
         )
 
     @property
-    def terms(self) -> Terms:
+    def keywords(self) -> Keywords:
         """The criterion as the keywords of `quality` and `place`."""
-        return Terms(
+        return Keywords(
             losing=self.losing, worst_case=self.worst_case, load=self.load, task=self.task,
             failures=self.failures,
         )  # fmt: skip
@@ -230,7 +230,7 @@ class Criterion(Plain):
 NOMINAL = Criterion()
 
 
-def criterion_of(asker: str, terms: Terms) -> Criterion:
+def criterion_of(asker: str, keywords: Keywords) -> Criterion:
     """Return the criterion of the keywords that a function was given.
 
     Raises
@@ -245,11 +245,11 @@ def criterion_of(asker: str, terms: Terms) -> Criterion:
     ...
     TypeError: quality() got an unexpected keyword argument 'loosing'; did you mean 'losing'?
     """
-    for name in terms:
-        if name not in Terms.__annotations__:
-            near = nearest_name(name, list(Terms.__annotations__))
+    for name in keywords:
+        if name not in Keywords.__annotations__:
+            near = nearest_name(name, list(Keywords.__annotations__))
             raise TypeError(f"{asker}() got an unexpected keyword argument {name!r}{near}")
-    return Criterion(**terms) if terms else NOMINAL
+    return Criterion(**keywords) if keywords else NOMINAL
 
 
 """The quality of a swarm as it stands, alone, in newtons."""

@@ -5,7 +5,7 @@ from typing import Any, Unpack
 
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
-from swarmgrasp.quality.criterion import Terms, criterion_of
+from swarmgrasp.quality.criterion import Keywords, criterion_of
 from swarmgrasp.quality.max_transfer import ForceClosure, Quality, quality
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.swarm.swarm import check_swarm
@@ -57,7 +57,7 @@ class Loss(Frozen, Told):
         return f"leaves nothing to exert in some directions, such as {lost}"
 
 
-def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
+def losses(swarm: Swarm, **keywords: Unpack[Keywords]) -> tuple[Loss, ...]:
     """Tell for each robot what its loss would leave, the worst first; a group is lost as one.
 
     Parameters
@@ -85,25 +85,27 @@ def losses(swarm: Swarm, **terms: Unpack[Terms]) -> tuple[Loss, ...]:
     (0.0, 'R5', 0.6963)
     """
     check_swarm(swarm)
-    criterion_of("losses", terms)
-    before = quality(swarm, **terms).value
+    criterion_of("losses", keywords)
+    before = quality(swarm, **keywords).value
     machines: dict[str | int, list[int]] = {}
     for i in range(len(swarm)):
         machines.setdefault(swarm.rare.groups.get(i) or i, []).append(i)
     found = [
         Loss(name if isinstance(name, str) else swarm.names[name], before, after)
         for name, rows in machines.items()
-        for after in [_after(swarm, rows, terms)]
+        for after in [_after(swarm, rows, keywords)]
     ]
     return tuple(sorted(found, key=lambda loss: loss.quality))
 
 
-def _after(swarm: Swarm, rows: list[int], terms: Terms) -> Quality:
+def _after(swarm: Swarm, rows: list[int], keywords: Keywords) -> Quality:
     """Compute the quality without the robots in some rows; failures take those of them left."""
     left = swarm.without_rows(rows)
     known = {*left.names, *left.groups}
-    named = [[name for name in failure if name in known] for failure in terms.get("failures", ())]
+    named = [
+        [name for name in failure if name in known] for failure in keywords.get("failures", ())
+    ]
     failures = tuple(tuple(names) for names in named if names)
-    beside = terms.copy()
+    beside = keywords.copy()
     beside["failures"] = failures
     return quality(left, **beside)

@@ -12,7 +12,7 @@ from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Answer, picked, plain
 from swarmgrasp.quality.aim import Aim
 from swarmgrasp.quality.changing import changing_bounds
-from swarmgrasp.quality.criterion import Criterion, Terms, criterion_of
+from swarmgrasp.quality.criterion import Criterion, Keywords, criterion_of
 from swarmgrasp.quality.explain import explain_quality
 from swarmgrasp.quality.heights import ON_FACET
 from swarmgrasp.quality.margin import Margin, missed
@@ -168,8 +168,8 @@ class Quality(Frozen, Answer):
     def force_closure(self) -> ForceClosure:
         """Whether the swarm, in the worst case, can resist a disturbance in every direction."""
         if self.criterion.task is not None or self.criterion.has_load:
-            terms = self.criterion.terms | {"load": (0.0, 0.0, 0.0), "task": None}
-            return quality(self._swarm, **terms).force_closure
+            keywords = self.criterion.keywords | {"load": (0.0, 0.0, 0.0), "task": None}
+            return quality(self._swarm, **keywords).force_closure
         most = max(self.value, self.bound)
         if most > 0.0:
             return ForceClosure.YES if most > self.noise else ForceClosure.MARGINAL
@@ -236,13 +236,13 @@ class Quality(Frozen, Answer):
         task = self.criterion.task
         if task is None:
             return self._missed or Margin(self.value, self._normal)
-        scale, terms = self._held.scale, self.criterion.terms | {"task": None}
+        scale, keywords = self._held.scale, self.criterion.keywords | {"task": None}
         load = np.array(self.criterion.load) * scale
 
         def at(wrench: NDArray[np.float64]) -> Margin:
             """Return the margin of one wrench (3,) [N] of the task."""
             x, y, turn = ((load - wrench) / scale).tolist()
-            found = quality(self._held, **terms | {"load": (x, y, turn)})
+            found = quality(self._held, **keywords | {"load": (x, y, turn)})
             return Margin(found.margin, found._normal)
 
         return around_task(task, scale, at)
@@ -253,7 +253,7 @@ class Quality(Frozen, Answer):
         return Aim(self._held, self.criterion)
 
 
-def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
+def quality(swarm: Swarm, **keywords: Unpack[Keywords]) -> Quality:
     """Compute the Max-Transfer quality of a swarm, exactly.
 
     The least support function over all facet normals +-(b_j x b_k) (T2): by sweeping all
@@ -310,7 +310,7 @@ def quality(swarm: Swarm, **terms: Unpack[Terms]) -> Quality:
     (0.0, 'no', 3)
     """
     check_swarm(swarm)
-    criterion = criterion_of("quality", terms)
+    criterion = criterion_of("quality", keywords)
     held, choice, most = swarm, None, None
     if swarm.rare.gaps:
         held, choice, most = best_choice(swarm, criterion)

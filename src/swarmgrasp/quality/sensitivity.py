@@ -10,7 +10,7 @@ from swarmgrasp.errors import CriterionInvalid, ForceSetUnsupported
 from swarmgrasp.frozen import Frozen
 from swarmgrasp.plain import Told, picked
 from swarmgrasp.quality.aim import Aim
-from swarmgrasp.quality.criterion import Criterion, Terms, criterion_of
+from swarmgrasp.quality.criterion import Criterion, Keywords, criterion_of
 from swarmgrasp.quality.heights import Array, Heights
 from swarmgrasp.quality.max_transfer import Quality, quality
 from swarmgrasp.quality.opposed import opposition
@@ -93,7 +93,7 @@ class Sensitivities(Frozen, Told, Visible):
         return len(self.weakest) > 1
 
 
-def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
+def sensitivities(swarm: Swarm, **keywords: Unpack[Keywords]) -> Sensitivities:
     """Compute how fast the quality rises when one robot moves, turns, or is made stronger.
 
     The slopes are exact, and one-sided where the quality has a kink (T19): at a corner, where
@@ -148,13 +148,13 @@ def sensitivities(swarm: Swarm, **terms: Unpack[Terms]) -> Sensitivities:
     [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
     """
     check_swarm(swarm)
-    criterion = criterion_of("sensitivities", terms)
+    criterion = criterion_of("sensitivities", keywords)
     if criterion.worst_case:
         raise CriterionInvalid(
             "worst_case is True; sensitivities are of robots whose poses are known: leave it out, "
             "or ask for those of quality(swarm, worst_case=True).worst_swarm"
         )
-    found = quality(swarm, **terms)
+    found = quality(swarm, **keywords)
     aim = Aim(swarm, criterion)
     if isinstance(aim.robots, RobotSets):
         check_held(found)

@@ -311,4 +311,4 @@ class ProblemPlanner:
     def _quality(self, rows: Rows) -> float:
         """Return the certified quality [N] of robots."""
         swarm = self._swarm(rows)
-        return quality(swarm, **self._criterion(swarm).terms).bound
+        return quality(swarm, **self._criterion(swarm).keywords).bound

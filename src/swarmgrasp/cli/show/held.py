@@ -69,7 +69,7 @@ def held_of(swarm: Swarm, found: Quality, lost: Sequence[Loss] | None) -> Held:
     """
     alone = found
     if found.criterion.task is not None:
-        alone = quality(swarm, **replace(found.criterion, task=None).terms)
+        alone = quality(swarm, **replace(found.criterion, task=None).keywords)
     unheld = tuple(loss.name for loss in lost or () if misses(loss.after))
     return Held(found, alone, unheld, len(lost or ()))
 

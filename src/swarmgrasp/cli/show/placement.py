@@ -89,7 +89,7 @@ def _show_headline(
         if len(answers) == 1:
             found = f"in the {best}" if helps else "where it prepares best"
             who = f"{last.robot.name} {found}"
-        after = quality(last.swarm_after, **criterion.terms)
+        after = quality(last.swarm_after, **criterion.keywords)
         mood: Mood = "bad" if misses(after) else "good" if helps else "caution"
         report.headline(f"{name}: {headline_with(after, who, weather, tell)}", mood)
     elif len(answers) > 1:

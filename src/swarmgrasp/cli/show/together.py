@@ -34,7 +34,7 @@ def show(
     mood: Mood = "good" if found.improves else "caution"
     said = f"{best} for {many} like {called}, all at once"
     if criterion.has_load:
-        after = quality(found.swarm_after, **criterion.terms)
+        after = quality(found.swarm_after, **criterion.keywords)
         mood = "bad" if misses(after) else mood
         said = headline_with(after, f"{many} like {called} in {best}", weather, tell)
     report.headline(f"{name}: {said}", mood)

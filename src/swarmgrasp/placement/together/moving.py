@@ -263,7 +263,7 @@ def best_move(
     refuse((ProblemInvalid, problem_faults(problem) + gap_faults(gap) + call_faults(progress)))
     swarm = problem.swarm
     check_gaps(swarm, "the best move")
-    before = quality(swarm, **problem.criterion.terms)
+    before = quality(swarm, **problem.criterion.keywords)
     found, stuck, free = [], [], _movable(problem, robots)
     tried = 0
     for tried, robot in enumerate(free, start=1):
