@@ -34,6 +34,7 @@ FORMS: dict[str, type[Plain]] = {
 }
 """Classes whose plain forms stand in fields of messages."""
 SHAPES = {
+    ("Criterion", "load"): "Triple",
     ("Ellipsoid", "axes"): "Triple[]",
     ("Outline", "origin"): "Pair",
     ("Outline", "vertices"): "Pair[]",
