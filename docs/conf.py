@@ -32,7 +32,13 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
+default_role = "py:obj"
+toc_object_entries_show_parents = "hide"
 html_theme = "furo"
 html_title = "swarmgrasp"
+html_theme_options = {
+    key: {"code-font-size": "75%"} for key in ("light_css_variables", "dark_css_variables")
+}
 html_static_path = ["static"]
+html_css_files = ["pages.css"]
 exclude_patterns = ["_build", "extensions"]

@@ -81,5 +81,5 @@ for label, row in zip(
 ):
     ax.plot(times, row / 1e3, label=label)
 ax.set(xlabel="time [s]", ylabel="wrench off by [kN]", ylim=(0.0, None))
-ax.legend(frameon=False)
+ax.legend(frameon=False, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=2)
 figure.savefig("measured-poses.png", dpi=150)

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 from matplotlib.figure import Figure
 
+import swarmgrasp
 from shown import assert_same, assert_within
-from swarmgrasp import plot
+from swarmgrasp import errors, plot
 from swarmgrasp.cli import main
 from swarmgrasp.plot import sheet_of_run
 from swarmgrasp.simulation.export import gif
@@ -72,6 +73,15 @@ def test_the_python_of_readme_and_pages_passes_a_strict_type_checker(tmp_path, m
         path.write_text(code, "utf-8")
     said, complained, status = api.run(["--strict", *map(str, paths)])
     assert (status, complained) == (0, ""), said
+
+
+def test_every_public_name_has_its_place_in_the_reference():
+    """And only one."""
+    pages = "".join(page.read_text("utf-8") for page in (DOCS / "api").glob("*.md"))
+    part = pages.split("currentmodule:: swarmgrasp\n")[1:]
+    named = [name for text in part for name in re.findall(r"auto\w+:: (\w+)\n", text)]
+    others = {name for name in swarmgrasp.__all__ if hasattr(errors, name)}  # a module of them
+    assert sorted(named) == sorted({*swarmgrasp.__all__} - others)
 
 
 def test_ten_questions_are_asked_in_their_order():

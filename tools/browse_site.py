@@ -10,7 +10,11 @@ from pathlib import Path
 
 from playwright.sync_api import Page, Response, Route, sync_playwright
 
-WORDS = {"capability": "environment.html", "with_pose": "api.html", "rosbags": "how-to/ros2.html"}
+WORDS = {
+    "capability": "environment.html",
+    "with_pose": "api/object.html",
+    "rosbags": "how-to/ros2.html",
+}
 """What is searched for, and a page that has to be among what is found."""
 
 

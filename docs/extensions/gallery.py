@@ -57,5 +57,4 @@ def write(app: Sphinx) -> None:
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register with Sphinx."""
     app.connect("builder-inited", write)
-    app.add_css_file("gallery.css")
     return {"parallel_read_safe": True}

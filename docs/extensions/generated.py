@@ -45,6 +45,18 @@ LONGEST = 60
 """Lines of an example that are shown."""
 CONSTANTS = ("src/swarmgrasp", "TOLERANCE", "ROUNDING", "GAP", "FLOOR", "LEAST", "MOST", "LARGEST")
 """Where constants are looked for, and what is in the names of those that users may meet."""
+ROOMS = (
+    "outline",
+    "swarm",
+    "quality",
+    "placement",
+    "verify",
+    "forces",
+    "environment",
+    "capability",
+)
+"""Rooms that come first, in the order of the theory."""
+CALLED = {"cli": "Command line", "gui": "The page in a browser", "plot": "Pictures"}
 
 
 def said(command: str) -> str:
@@ -131,30 +143,28 @@ def _default(value: dict[str, Any]) -> str:
 
 def tolerances(root: Path) -> str:
     """Return the constants of the sources by which numbers are judged, with what they say."""
-    page = [
-        "# Tolerances and limits",
-        "",
-        "Made of the sources: where two numbers count as one, where searches end, the most of all.",
-    ]
-    room = ""
+    rooms: dict[str, list[str]] = {room: [] for room in ROOMS}
     folder, *parts = CONSTANTS
     for path in sorted((root / folder).rglob("*.py")):
         body = ast.parse(path.read_text()).body
+        where = path.relative_to(root / folder).with_suffix("")
         for line, after in pairwise(body):
             target, value = _assigned(line)
             if not any(part in target.split("_") for part in parts) or target.startswith("_"):
                 continue
             if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
                 about = " ".join(str(after.value.value).split()).replace("|", "\\|")
-                where = path.relative_to(root / folder).with_suffix("")
-                if where.parts[0] != room:
-                    room = where.parts[0]
-                    page += ["", f"## {room.replace('_', ' ').capitalize()}", ""]
-                    page += [
-                        "| constant | value | module | what it is |",
-                        "| --- | --- | --- | --- |",
-                    ]
-                page.append(f"| `{target}` | `{value}` | `{where.as_posix()}` | {about} |")
+                entry = f"| `{target}` | `{value}` | `{where.as_posix()}` | {about} |"
+                rooms.setdefault(where.parts[0], []).append(entry)
+    page = [
+        "# Tolerances and limits",
+        "",
+        "Made of the sources: where two numbers count as one, where searches end, the most of all.",
+    ]
+    for room, entries in rooms.items():
+        name = CALLED.get(room, room.replace("_", " ").capitalize())
+        head = ("| constant | value | module | what it is |", "| --- | --- | --- | --- |")
+        page += ["", f"## {name}", "", *head, *entries] if entries else []
     return "\n".join([*page, ""])
 
 

@@ -1,4 +1,8 @@
-"""Signatures with the names that the sources have: an array, and not what NumPy makes of it."""
+"""Signatures and attributes with the names that the sources have.
+
+An array is named as such, and not as what NumPy makes of it; of attributes that are told in one
+line, each is listed; and a property whose sentence has a colon keeps it.
+"""
 
 import re
 from typing import Any
@@ -10,6 +14,8 @@ from sphinx.util.typing import stringify_annotation
 NUMBERS = re.compile(
     r"~?(?:numpy\.)?ndarray\[\S*?tuple\[~?(?:typing\.)?Any, \.\.\.\], \S*?dtype\[([^\]]*)\]\]"
 )
+SEVERAL = re.compile(r"(?P<names>\w+(?:, \w+)+) : (?P<kind>.*)$")
+"""Attributes, and what each of them is."""
 
 
 def named(text: str | None) -> str | None:
@@ -27,7 +33,43 @@ def rename(*event: Any) -> tuple[str | None, str | None]:
     return named(signature), named(returned)
 
 
+def told_apart(lines: list[str]) -> list[str]:
+    """Return a docstring with an entry for each attribute of ``a, b : float``, as Napoleon needs.
+
+    Examples
+    --------
+    >>> told_apart(["Attributes", "----------", "x, y : float [m]", "    Where."])[2:]
+    ['x : float [m]', '    Where.', 'y : float [m]', '    Where.']
+    """
+    found: list[str] = []
+    k = 0
+    while k < len(lines):
+        several = SEVERAL.match(lines[k])
+        below = len(lines)
+        if several:
+            following = range(k + 1, len(lines))
+            below = next((j for j in following if lines[j] and lines[j][0] != " "), len(lines))
+            names = several["names"].split(", ")
+            for name in names:
+                found += [f"{name} : {several['kind']}", *lines[k + 1 : below]]
+            k = below
+        else:
+            found.append(lines[k])
+            k += 1
+    return found
+
+
+def keep(_: Sphinx, what: str, *event: Any) -> None:
+    """Make of a docstring, in place, what Napoleon does not mangle."""
+    lines = event[-1]
+    if what == "class":
+        lines[:] = told_apart(lines)
+    elif what in {"attribute", "data", "property"} and lines and ":" in lines[0]:
+        lines.insert(0, "")
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register with Sphinx."""
     app.connect("autodoc-process-signature", rename)
+    app.connect("autodoc-process-docstring", keep, priority=400)  # before Napoleon
     return {"parallel_read_safe": True}

@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-import swarmgrasp
-
-CLIENT = Path(swarmgrasp.__file__).parent / "gui" / "client"
+CLIENT = Path(__file__).parents[2] / "src" / "swarmgrasp" / "gui" / "client"
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,6 @@
 """What page and server say to each other."""
 
-from importlib.resources import files
+from pathlib import Path
 
 import msgspec
 import pytest
@@ -11,7 +11,7 @@ from swarmgrasp.gui.typescript import typescript
 
 def test_the_page_has_the_types_of_the_server() -> None:
     """`client/src/messages.ts` is what the messages give: `make page` writes it anew."""
-    written = files("swarmgrasp.gui") / "client" / "src" / "messages.ts"
+    written = Path(__file__).parents[2] / "src/swarmgrasp/gui/client/src/messages.ts"
     assert written.read_text(encoding="utf-8") == typescript()
 
 

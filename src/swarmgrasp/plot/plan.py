@@ -242,14 +242,15 @@ def _caption(
 ) -> Caption:
     """Return what is written round the picture."""
     criterion = NOMINAL if quality is None else quality.criterion
-    title = written.count(len(swarm))
+    is_outline = quality is None and new is None and not len(swarm)
+    title = "" if is_outline else written.count(len(swarm))
     if new is not None:
         criterion = new.problem.criterion
         more = "one moves" if new.leaving else f"+ {len(new.robots)}"
         title += f"{',' * bool(new.leaving)} {more}: {new.gain}"
     elif quality is not None:
         title += f": quality {written.quality(quality.value, criterion)}"
-    small_print = [f"Quality with {written.metric(swarm)}."]
+    small_print = [] if is_outline else [f"Quality with {written.metric(swarm)}."]
     if criterion.has_load:
         small_print.append(written.load_sentence(criterion.load, swarm))
     if new is not None and criterion.is_of_worst:
