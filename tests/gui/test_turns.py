@@ -1,6 +1,6 @@
 """Whose turn it is, played by hand: no clock, no threads."""
 
-from swarmgrasp.gui.turns import ANSWER, CHEAP, PASSED_BY, Turns
+from swarmgrasp.gui.turns import ANSWER, CHEAP, PASSED_BY, Job, Turns
 
 PARTS = ["mesh", "losses"]
 
@@ -12,12 +12,19 @@ def windows(count: int) -> Turns:
     return turns
 
 
+def end(turns: Turns, job: Job | None, cost: float = 0.001, now: float = 0.0) -> None:
+    """End a job; its window takes what came of it at once."""
+    assert job is not None
+    turns.finish(job, cost, now)
+    turns.take(job)
+
+
 def play(turns: Turns, now: float = 0.0, cost: float = 0.001) -> list[tuple[int, str, object]]:
     """Run jobs one at a time until none is left; return them."""
     told = []
     while (job := turns.next(now)) is not None:
         told.append((job.window, job.kind, job.work))
-        turns.finish(job, cost, now)
+        end(turns, job, cost, now)
     return told
 
 
@@ -46,7 +53,7 @@ def test_a_place_is_kept_for_answers_while_parts_run() -> None:
     """A long part of one window does not keep another from its answer."""
     turns = windows(2)
     turns.ask(0, "ask", False, PARTS)
-    turns.finish(turns.next(0.0), 0.001, 0.0)
+    end(turns, turns.next(0.0))
     part = turns.next(0.0)
     assert (part.kind, turns.next(0.0)) == ("mesh", None)
     turns.ask(1, "ask", False, PARTS)
@@ -89,14 +96,14 @@ def test_a_window_at_rest_is_not_passed_by_for_ever() -> None:
     """Where others always ask, its parts come all the same after so many answers."""
     turns = windows(2)
     turns.ask(0, "rest", False, PARTS)
-    turns.finish(turns.next(0.0), 0.001, 0.0)
+    end(turns, turns.next(0.0))
     answers = 0
     while True:
         turns.ask(1, "moving", True, [])
         job = turns.next(0.0)
         turns.ask(1, "next", True, [])
         part = turns.next(0.0)
-        turns.finish(job, 0.001, 0.0)
+        end(turns, job)
         if part is not None:
             break
         answers += 1
@@ -104,11 +111,26 @@ def test_a_window_at_rest_is_not_passed_by_for_ever() -> None:
     assert answers == PASSED_BY - 1
 
 
+def test_a_window_that_does_not_read_keeps_nobody_waiting() -> None:
+    """It has no other turn, and its next ask is not owed, before it has taken the last answer."""
+    turns = windows(2)
+    turns.ask(0, 1, True, PARTS)
+    slow = turns.next(0.0)
+    assert slow is not None
+    turns.finish(slow, 0.001, 0.0)
+    turns.ask(0, 2, True, PARTS)
+    turns.ask(1, 1, True, PARTS)
+    assert play(turns) == [(1, ANSWER, 1), (1, "mesh", 1), (1, "losses", 1)]
+    assert turns.finished() == [(1, 1)]
+    turns.take(slow)
+    assert [kind for _, kind, _ in play(turns)] == [ANSWER, *PARTS]
+
+
 def test_a_new_ask_ends_the_parts_of_the_last() -> None:
     """What is being computed is told that it has been overtaken."""
     turns = windows(1)
     turns.ask(0, 1, False, PARTS)
-    turns.finish(turns.next(0.0), 0.001, 0.0)
+    end(turns, turns.next(0.0))
     turns.next(0.0)
     assert not turns.is_overtaken(0, 1)
     turns.ask(0, 2, False, [])

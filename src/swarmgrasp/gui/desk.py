@@ -23,7 +23,7 @@ from swarmgrasp.gui.telling import Telling
 from swarmgrasp.gui.turns import ANSWER, Job, Turns
 
 if TYPE_CHECKING:
-    from swarmgrasp.gui.live import Live
+    from swarmgrasp.gui.live import Live, To
 
 NOT_HERE = "This cannot be asked here."
 WORKERS = 2
@@ -54,7 +54,8 @@ class Desk:
 
     def __init__(self, errands: dict[type, Errand], live: "Live | None" = None) -> None:
         self.live = live
-        self._watching: dict[int, bool] = {}
+        self._watching: dict[int, bool] = {}  # whether they know all that has been told
+        self._reading: set[int] = set()  # those to which something is on its way
         self.turns = Turns(WORKERS, FINER)
         self.errands = errands
         self._pool = ThreadPoolExecutor(WORKERS, thread_name_prefix="studio")
@@ -87,50 +88,73 @@ class Desk:
         self.turns.ask(window, Work(message), message.moving, wanted)
         self.pump()
 
-    def errand(self, window: int, message: Any) -> None:
-        """Take any other message of a window that is computed."""
-        overtaken = self.turns.errand(window, type(message).__name__, message)
-        if overtaken is not None:
-            self._start(self._send(window, write_message(Done(overtaken.n))))
+    def cancel(self, window: int) -> None:
+        """Leave the parts of a window's ask that are not begun."""
+        self.turns.cancel(window)
         self.pump()
 
-    def refuse(self, window: int, message: Any) -> None:
+    async def errand(self, window: int, message: Any) -> None:
+        """Take any other message of a window that is computed."""
+        overtaken = self.turns.errand(window, type(message).__name__, message)
+        self.pump()
+        if overtaken is not None:
+            await self._send(window, write_message(Done(overtaken.n)))
+
+    async def refuse(self, window: int, message: Any) -> None:
         """Say of a message that nobody here answers it."""
         if hasattr(message, "n"):
-            self._start(self._send(window, write_message(Error(message.n, NOT_HERE))))
+            await self._send(window, write_message(Error(message.n, NOT_HERE)))
 
     def watch(self, window: int, message: Watch) -> None:
         """Begin to tell a window of the agents, or end it."""
         if not message.on or self.live is None:
             self._watching.pop(window, None)
             return
-        self._watching[window] = True  # until it has been told everything
+        self._watching[window] = False
+        self._tell_new(self.live)
+
+    def _tell_new(self, live: "Live") -> None:
+        """Have all that is known told to those that know nothing yet."""
         loop = asyncio.get_running_loop()
 
-        def tell(frame: bytes, only_new: bool) -> None:
+        def tell(frame: bytes, to: "To") -> None:
             """Tell those that watch, from any thread."""
             with suppress(RuntimeError):  # the loop has ended, and with it all windows
-                loop.call_soon_threadsafe(self._spread, frame, only_new)
+                loop.call_soon_threadsafe(self._spread, frame, to)
 
-        self.live.begin(tell)
+        live.begin(tell)
 
     def order(self, message: Control) -> None:
         """Do something to an agent of a demonstration."""
         if self.live is not None:
             self.live.order(message)
 
-    def _spread(self, frame: bytes, only_new: bool) -> None:
-        """Tell all windows that watch, or only those that have just begun."""
-        for window, is_new in self._watching.items():
-            if is_new or not only_new:
+    def _spread(self, frame: bytes, to: "To") -> None:
+        """Tell windows that watch; one that has not taken the last frame is told all anew then."""
+        for window, knows in self._watching.items():
+            if to != "all" and knows is not (to == "old"):
+                continue
+            if window in self._reading:
                 self._watching[window] = False
-                self._start(self._send(window, frame))
+                continue
+            self._watching[window] = knows or to == "new"
+            self._reading.add(window)
+            self._start(self._show(window, frame))
+
+    async def _show(self, window: int, frame: bytes) -> None:
+        """Send a window what is told of the agents."""
+        await self._send(window, frame)
+        self._reading.discard(window)
+        if self.live is not None and self._watching.get(window) is False:
+            self._tell_new(self.live)
 
     def pump(self) -> None:
-        """Begin whatever may begin."""
+        """Begin whatever may begin, and say to windows that all of what they asked is told."""
         loop = asyncio.get_running_loop()
         while (job := self.turns.next(loop.time())) is not None:
             self._start(self._run(job))
+        for window, work in self.turns.finished():
+            self._start(self._send(window, write_message(Done(work.ask.n))))
 
     def _start(self, doing: Coroutine[Any, Any, None]) -> None:
         """Begin something, and keep it until it is done."""
@@ -139,19 +163,19 @@ class Desk:
         task.add_done_callback(self._running.discard)
 
     async def _run(self, job: Job) -> None:
-        """Compute a job, send what came of it, and go on."""
+        """Compute a job, send what came of it, and go on; others go on before it is taken."""
         loop = asyncio.get_running_loop()
         cost = 0.0
         try:
             frame, cost = await loop.run_in_executor(self._pool, self._computed, job)
-            if job.kind == ANSWER and job.work.found is None:
-                self.turns.refuse(job.window)
-            await self._send(job.window, frame)
         finally:
             self.turns.finish(job, cost, loop.time())
-            for window, work in self.turns.finished():
-                await self._send(window, write_message(Done(work.ask.n)))
-            self.pump()
+        if job.kind == ANSWER and job.work.found is None:
+            self.turns.refuse(job.window)
+        self.pump()
+        await self._send(job.window, frame)
+        self.turns.take(job)
+        self.pump()
 
     async def _send(self, window: int, frame: bytes) -> None:
         """Send to a window, if it is still there."""

@@ -1,12 +1,12 @@
 """Agents on the network, for the page to watch; of a demonstration it can kill and split them."""
 
 from collections.abc import Callable
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from queue import Empty, Full, Queue
 from tempfile import TemporaryDirectory
 from threading import Thread
-from typing import Any
+from typing import Any, Literal
 
 from msgspec.structs import replace
 
@@ -26,6 +26,8 @@ EVERY = 0.25
 """Seconds that are waited for something to be heard."""
 SILENT = 3.5
 """Seconds after which a robot does not answer."""
+MOST_ORDERS = 64
+"""Orders that wait to be done, at most."""
 PHASES: dict[str, LivePhase] = {
     "left": "left",
     "waiting": "idle",
@@ -37,8 +39,10 @@ PHASES: dict[str, LivePhase] = {
 }
 """What phases are called in the page."""
 HOLDING = ("holds", "leaving")
-Tell = Callable[[bytes, bool], None]
-"""Takes a frame: for all that watch, or, if it is whole, for those that have just begun."""
+To = Literal["new", "old", "all"]
+"""Whom a frame is for: those that know nothing yet, those that know the rest, or all."""
+Tell = Callable[[bytes, To], None]
+"""Takes a frame for those that watch."""
 
 
 class Live:
@@ -63,7 +67,7 @@ class Live:
         self.planner, self.figures = planner, Figures(terms)
         self._settings, self._make_stage = settings, stage
         self._stage: Stage | None = None
-        self._orders: SimpleQueue[Control] = SimpleQueue()
+        self._orders: Queue[Control] = Queue(MOST_ORDERS)
         self._rows: dict[str, LiveRobot] = {}
         self._last: LiveTold | None = None
         self._stopped: set[str] = set()
@@ -82,11 +86,12 @@ class Live:
             self._thread.start()
         elif self._last is not None:
             whole = self._told(self._last, tuple(self._rows.values()), whole=True)
-            tell(write_message(whole), True)
+            tell(write_message(whole), "new")
 
     def order(self, message: Control) -> None:
-        """Do something to an agent, or to the network, in a demonstration."""
-        self._orders.put(message)
+        """Do something to an agent, or the network, in a demonstration; not if too much waits."""
+        with suppress(Full):
+            self._orders.put_nowait(message)
 
     def end(self) -> None:
         """End, with all agents of a demonstration."""
@@ -113,7 +118,7 @@ class Live:
                     self._obey(tell)
                     self._tell([watch.data(steady_clock()) for _, watch in ears], tell)
         except SwarmGraspError as error:
-            tell(write_message(Error(None, error.faults[0])), False)
+            tell(write_message(Error(None, error.faults[0])), "all")
 
     def _open(self, stack: ExitStack, make_stage: Callable[[Path], Stage]) -> list[NetworkSettings]:
         """Start the demonstration, and ask all but the last to come; return where to listen."""
@@ -144,7 +149,7 @@ class Live:
             if self._stage is not None:
                 said = self._done(self._stage, order)
                 if said:
-                    tell(write_message(Error(order.n, said)), False)
+                    tell(write_message(Error(order.n, said)), "all")
 
     def _done(self, stage: Stage, order: Control) -> str:
         """Do what was ordered, where it is not so; return why it cannot be done, or nothing."""
@@ -183,7 +188,8 @@ class Live:
         before = self._last and self._told(self._last, (), whole=False)
         if changed or before is None or _untimed(before) != _untimed(told):
             self._rows, self._last = rows, told
-            tell(write_message(self._told(told, changed, whole=before is None)), False)
+            frame = write_message(self._told(told, changed, whole=before is None))
+            tell(frame, "new" if before is None else "old")
 
     def _frame(
         self, quality: float, certified: float, sides: tuple[tuple[str, ...], ...],

@@ -17,8 +17,10 @@ from swarmgrasp.plain import Plain, read
 from swarmgrasp.swarm import Newcomer, Robot, Swarm, Zone
 from swarmgrasp.terms import Terms
 
-REMEMBERED = 20_000
-"""Objects that are kept, so that a gesture makes only the one anew that changes."""
+SMALL = 4_000
+"""Bytes of a small object in JSON."""
+REMEMBERED, REMEMBERED_LARGE = 20_000, 8
+"""Small and large objects kept, so that a gesture makes only the one anew that changes."""
 
 
 @dataclass(frozen=True)
@@ -127,14 +129,19 @@ def _crowd(swarm: dict[str, Any], faults: list[str]) -> object:
 
 def _known(kind: Any, data: object) -> object:
     """Return the object that data make; the data themselves if they make none, to be told of."""
+    raw = msgspec.json.encode(data)
+    made = _made if len(raw) <= SMALL else _made_large
     try:
-        return _made(kind, msgspec.json.encode(data))
+        return made(kind, raw)
     except SwarmGraspError:
         return data
 
 
-@lru_cache(maxsize=REMEMBERED)
-def _made(kind: Any, raw: bytes) -> Plain:
+def _make(kind: Any, raw: bytes) -> Plain:
     """Make an object of data in JSON."""
     made: Plain = kind.from_data(msgspec.json.decode(raw))
     return made
+
+
+_made = lru_cache(maxsize=REMEMBERED)(_make)
+_made_large = lru_cache(maxsize=REMEMBERED_LARGE)(_make)

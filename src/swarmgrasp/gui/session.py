@@ -85,22 +85,22 @@ class Session:
             except (msgspec.DecodeError, RecursionError) as error:
                 await _send(socket, write_message(Error(None, f"Not understood: {error}")))
                 continue
-            self._take(window, message)
+            await self._take(window, message)
 
-    def _take(self, window: int, message: Any) -> None:
-        """Take a message."""
+    async def _take(self, window: int, message: Any) -> None:
+        """Take a message; no other is read before the window has taken the word for it."""
         if isinstance(message, Ask):
             self.desk.ask(window, message)
         elif isinstance(message, Cancel):
-            self.desk.turns.cancel(window)
+            self.desk.cancel(window)
         elif isinstance(message, Watch):
             self.desk.watch(window, message)
         elif isinstance(message, Control):
             self.desk.order(message)
         elif type(message) in self.desk.errands:
-            self.desk.errand(window, message)
+            await self.desk.errand(window, message)
         else:
-            self.desk.refuse(window, message)
+            await self.desk.refuse(window, message)
 
 
 async def _received(socket: WebSocket) -> str | bytes:

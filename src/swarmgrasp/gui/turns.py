@@ -55,10 +55,16 @@ class _Window:
     waiting: Asked | None = None
     current: Asked | None = None
     is_busy: bool = False
+    is_taking: bool = False
     errands: "OrderedDict[str, Any]" = field(default_factory=OrderedDict)
     has_errand: bool = False
     costs: dict[str, float] = field(default_factory=dict)
     last: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing is computed for it, or on its way to it."""
+        return not self.is_busy and not self.is_taking
 
 
 class Turns:
@@ -115,18 +121,29 @@ class Turns:
             holder.current = None
 
     def finish(self, job: Job, cost: float, now: float) -> None:
-        """Note that a job is done, at a time [s], for so many seconds of thread time."""
+        """Note that a job is done, at a time [s], for so many seconds of thread time.
+
+        Its window has no other turn before it has taken what came of it: one that is slow to read
+        keeps nobody else waiting.
+        """
         self.running -= 1
         self.parts_running -= job.kind != ANSWER
+        holder = self._windows.get(job.window)
+        if holder is None or job.is_errand:
+            return
+        holder.is_busy, holder.is_taking = False, True
+        holder.costs[job.kind] = cost
+        holder.last[job.kind] = now
+
+    def take(self, job: Job) -> None:
+        """Note that a window has taken what came of a job."""
         holder = self._windows.get(job.window)
         if holder is None:
             return
         if job.is_errand:
             holder.has_errand = False
-            return
-        holder.is_busy = False
-        holder.costs[job.kind] = cost
-        holder.last[job.kind] = now
+        else:
+            holder.is_taking = False
 
     def is_overtaken(self, window: int, work: Any) -> bool:
         """Tell whether a window waits for the answer to another ask than this."""
@@ -154,7 +171,7 @@ class Turns:
         told = []
         for number, holder in self._windows.items():
             current = holder.current
-            if current is not None and not current.parts and not holder.is_busy:
+            if current is not None and not current.parts and holder.is_free:
                 holder.current = None
                 if holder.waiting is None:
                     told.append((number, current.work))
@@ -163,7 +180,7 @@ class Turns:
     def _answer(self) -> Job | None:
         """Return an answer that is owed, of the window that had its turn first."""
         for number, holder in self._windows.items():
-            if holder.waiting is not None and not holder.is_busy:
+            if holder.waiting is not None and holder.is_free:
                 holder.current, holder.waiting, holder.is_busy = holder.waiting, None, True
                 self._windows.move_to_end(number)
                 for other in self._windows.values():
@@ -185,10 +202,10 @@ class Turns:
 
     def _part(self, now: float) -> Job | None:
         """Return a part, of the window that had its turn first."""
-        is_owed = any(holder.waiting is not None for holder in self._windows.values())
+        is_owed = any(holder.waiting and not holder.is_taking for holder in self._windows.values())
         for number, holder in self._windows.items():
             current = holder.current
-            if current is None or holder.is_busy or holder.waiting is not None:
+            if current is None or not holder.is_free or holder.waiting is not None:
                 continue
             if is_owed and (current.is_moving or current.passed_by < PASSED_BY):
                 continue
