@@ -3,6 +3,7 @@
 import contextlib
 import functools
 import gzip
+import logging
 import socket as sockets
 from collections.abc import AsyncIterator, Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -226,6 +227,13 @@ class Opened:
         self.server.should_exit = True
 
 
+def _told_plainly(record: logging.LogRecord) -> bool:
+    """Leave out where in the program a client's text was found to be none: it is not its fault."""
+    if record.exc_info is not None and isinstance(record.exc_info[1], UnicodeDecodeError):
+        record.exc_info = None
+    return True
+
+
 def opened(settings: Settings) -> Opened:
     """Listen.
 
@@ -245,5 +253,6 @@ def opened(settings: Settings) -> Opened:
         timeout_graceful_shutdown=ENDING, ssl_certfile=settings.certificate,
         ssl_keyfile=settings.private_key,
     )  # fmt: skip
+    logging.getLogger("uvicorn.error").addFilter(_told_plainly)
     link = f"{settings.scheme}://{_named(settings.host)}:{port}/#k={settings.key}"
     return Opened(Server(config), listening, link)
