@@ -7,7 +7,7 @@ from typing import Final
 
 from swarmgrasp.terms import SI, Frame, Terms
 from swarmgrasp.units import FORCES, LENGTHS, SPEEDS
-from swarmgrasp.words import Lengths, Unit, digits, machine_words, turned
+from swarmgrasp.words import Lengths, Unit, machine_words, trimmed, turned
 
 SPELT: Final = {"tf": "tonne-force (tf)", "kn": "knots", "ft": "feet", "in": "inches"}
 """Units whose names are short, spelt out."""
@@ -67,7 +67,7 @@ class Telling:
 
     def area(self, square_metres: float) -> str:
         """Return an area [m2] with its unit."""
-        return f"{square_metres / self.length.metres**2:.4g} {self.length.name}2"
+        return f"{trimmed(square_metres / self.length.metres**2, 4)} {self.length.name}2"
 
     def speed(self, speed: float) -> str:
         """Return a speed [m/s] with its unit.
@@ -78,7 +78,7 @@ class Telling:
         '25 kn'
         """
         value = speed / SPEEDS[self.terms.speed]
-        return f"{float(digits(value, value, 3)):g} {self.terms.speed}"
+        return f"{trimmed(value, 3)} {self.terms.speed}"
 
     def wrench(self, wrench: Sequence[float], length: float) -> tuple[str, str, str]:
         """Return the parts of a wrench (3,) [N, N, N m] along the axes of the file.

@@ -241,6 +241,18 @@ def digits(value: float, size: float, figures: int = 5) -> str:
     return f"{rounded:.{decimals}f}" if rounded else "0"
 
 
+def trimmed(value: float, figures: int) -> str:
+    """Write a number with at most so many digits, but all of a whole number, and no zeros after it.
+
+    Examples
+    --------
+    >>> [trimmed(v, 3) for v in (134885.0, 2100.0, 60.0, 12.345, 0.5, 0.0)]
+    ['134885', '2100', '60', '12.3', '0.5', '0']
+    """
+    told = digits(value, value, figures)
+    return told.rstrip("0").rstrip(".") if "." in told and "e" not in told else told
+
+
 def plain_seconds(seconds: float) -> str:
     """Write a time [s] to a tenth, or to a whole second where it is longer than an hour.
 
@@ -333,7 +345,7 @@ class Lengths:
         >>> Lengths(2).short(2.1)
         '2.1 m'
         """
-        return f"{length / self.metres:.3g} {self.name}"
+        return f"{trimmed(length / self.metres, 3)} {self.name}"
 
     def point(self, point: Sequence[float]) -> str:
         """Return a point [m, m] as "(x, y) m".

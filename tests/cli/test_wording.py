@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -112,3 +113,33 @@ def test_tables_as_csv(run, tmp_path):
     status, _, complaints = run("quality", "deck-barge", "--csv", "-", "--json", "-")
     assert status == 2
     assert "cannot both be printed" in complaints
+
+
+def test_large_numbers_are_written_out(run, tmp_path):
+    """Limits in pounds, areas and seas in millimetres: all digits of whole numbers, no powers."""
+    barge = tmp_path / "barge.yaml"
+    barge.write_text(
+        "units: {length: mm, force: lbf, angle: deg, speed: kn}\n"
+        "outline: {vertices: [[-130000, -33000], [130000, -33000], [130000, 33000], "
+        "[-130000, 33000]]}\n"
+        "robots:\n"
+        "  - {edge: 0, along: 50000, direction: inward, limit: 134885, steers: 30}\n"
+        "  - {edge: 2, along: 40000, direction: inward, limit: 134885, steers: 30}\n"
+        "newcomer: {limit: 1348850, attachment: push, length: 30000, beam: 9000}\n"
+        "spacing: 12345\n"
+        "environment:\n"
+        "  wind: {vessel: ferry, frontal_area: 1.2e9, lateral_area: 5.4e9, speed: 9, from: 60}\n"
+        "  waves: {height: 2100, period: 7}\n"
+        "criterion: {load: environment}\n"
+    )
+    told = [run(*each)[1] for each in (
+        ("quality", barge), ("place", barge), ("capability", barge, "--step", "90"),
+    )]  # fmt: skip
+    for words, said in zip(
+        ("134885 lbf within 30 deg", "needs 30000 mm by 9000 mm", "1200000000 mm2 ahead"),
+        told,
+        strict=True,
+    ):
+        assert words in said
+        assert not re.search(r"\de[+-]\d", said)
+    assert "a sea of 2100 mm and 7 s from 60 deg" in told[0]

@@ -15,6 +15,7 @@ from swarmgrasp.scenario.schema import RobotSection, StretchSection, ZoneSection
 from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.scenario.ways import POINT_KEYS
+from swarmgrasp.words import trimmed
 
 
 @dataclass(frozen=True)
@@ -100,9 +101,8 @@ class Locator:
         """Return how far a point is from the boundary."""
         (distance,), (arc,) = self.outline.nearest(wanted)
         nearest = self.outline.at_arc_length(min(float(arc), self.outline.perimeter))
-        return (
-            f"the nearest boundary point is {self._shown(nearest)}, {distance:.4g} {self.unit} away"
-        )
+        far = f"{trimmed(float(distance), 4)} {self.unit}"
+        return f"the nearest boundary point is {self._shown(nearest)}, {far} away"
 
     def _at(self, arc_length: float, path: Path) -> Place | None:
         """Find the boundary point at an arc length."""

@@ -24,7 +24,7 @@ from swarmgrasp.scenario.units import Units
 from swarmgrasp.scenario.unreal import Slip, unreal
 from swarmgrasp.scenario.validate import Checked
 from swarmgrasp.units import LENGTHS, is_geographic
-from swarmgrasp.words import list_words
+from swarmgrasp.words import list_words, trimmed
 
 APART = 500.0
 """How many times as strong as the weakest robot the strongest is where two units are mixed up: a
@@ -185,7 +185,7 @@ def _lengthwise(checked: Checked, units: Units, scenario: Scenario) -> Iterator[
         if section is None or section.lateral_area is None or section.frontal_area is None:
             continue
         if section.lateral_area > section.frontal_area:
-            along, across = (f"{size / units.metres(1.0):.4g}" for size in (long, wide))
+            along, across = (trimmed(size / units.metres(1.0), 4) for size in (long, wide))
             yield (
                 ("environment", stream, "lateral_area"),
                 "is larger than the frontal area, and so the object should be longest along its "
@@ -224,8 +224,9 @@ def _limits(checked: Checked, units: Units) -> Iterator[Slip]:
     (least, path, _), (most, _, strongest) = min(forces), max(forces)
     if most >= APART * least:
         key = "limit" if checked.has(*path, "limit") else "envelope"
-        said = f"{least:.6g} {units.force} is {most / least:.4g} times less than the {most:.6g} "
-        yield (*path, key), f"{said}{units.force} of {strongest}; are both in {units.force}?"
+        said = f"{trimmed(least, 6)} {units.force} is {trimmed(most / least, 4)} times less than "
+        said += f"the {trimmed(most, 6)} {units.force} of {strongest}; are both in "
+        yield (*path, key), f"{said}{units.force}?"
 
 
 # -- lines and bodies ---------------------------------------------------------------------
@@ -241,11 +242,12 @@ def _lines(units: Units, scenario: Scenario) -> Iterator[Slip]:
         met = next(filter(None, (meeting(outline, robot.contact, way) for way in ends)), None)
         if met is not None:
             x, y = (value / LENGTHS[units.length] for value in units.frame.to_file(met.point))
-            far = met.distance / LENGTHS[units.length]
+            far = trimmed(met.distance / LENGTHS[units.length], 4)
+            where = f"({trimmed(x, 4)}, {trimmed(y, 4)}) {units.length}"
             said = (
                 f"the line of {robot.name} runs through the object: it meets "
-                f"{outline.edge_label(met.edge)} at ({x:.4g}, {y:.4g}) {units.length}, after "
-                f"{far:.4g} {units.length}; a line that is bent there pulls another way"
+                f"{outline.edge_label(met.edge)} at {where}, after "
+                f"{far} {units.length}; a line that is bent there pulls another way"
             )
             yield ("robots", i), said
 

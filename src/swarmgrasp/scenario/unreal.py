@@ -17,6 +17,7 @@ from swarmgrasp.scenario.weather_schema import (
     WindCoefficientsSection,
 )
 from swarmgrasp.swarm.robot import ROUGHEST
+from swarmgrasp.words import trimmed
 
 LARGEST_FACTOR = 3.0
 """Of all loads; allowances are 1 to 1.5."""
@@ -70,9 +71,9 @@ def _tolerances(checked: Checked, units: Units) -> Iterator[Slip]:
         least = tolerance.least_limit
         limit = min(map(largest, whose), default=0.0)
         if least is not None and least <= 1.0 and least < LEAST_SHARE * limit:
-            said = f"{least:.6g} {units.force} is {100.0 * least / limit:.2g} % of the limit, "
-            said += f"{limit:.6g} {units.force}; a share of {least:.6g} is {least * limit:.6g} "
-            yield (*path, "least_limit"), said + units.force
+            told = [f"{trimmed(v, 6)} {units.force}" for v in (least, limit, least * limit)]
+            said = f"{told[0]} is {100.0 * least / limit:.2g} % of the limit, {told[1]}; a share "
+            yield (*path, "least_limit"), f"{said}of {least:.6g} is {told[2]}"
 
 
 def _is_whole(angle: float) -> bool:
@@ -127,5 +128,5 @@ def _sea(waves: WavesSection, units: Units) -> Iterator[Slip]:
         yield (
             path,
             f"{said}{waves.height:.6g} {units.length} high; it is at most "
-            + (f"{most / units.metres(1.0):.3g} {units.length} then"),
+            + (f"{trimmed(most / units.metres(1.0), 3)} {units.length} then"),
         )

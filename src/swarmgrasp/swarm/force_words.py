@@ -5,6 +5,7 @@ import math
 from swarmgrasp.swarm.robot import Newcomer, Robot
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import SI
+from swarmgrasp.words import trimmed
 
 
 def force_words(robot: Robot, tell: Telling | None = None) -> str:
@@ -65,11 +66,11 @@ def strength_words(robot: Robot | Newcomer, tell: Telling | None = None) -> str:
     '2 to 20 kN'
     """
     unit = (tell or Telling.of(SI, 1.0, [robot.limit])).force
-    limit, other_way = (f"{f / unit.newtons:.5g}" for f in (robot.limit, robot.reverse_limit))
+    limit, other_way = (trimmed(f / unit.newtons, 5) for f in (robot.limit, robot.reverse_limit))
     if robot.reverse_limit:
         return f"{limit} {unit.name} ahead, {other_way} {unit.name} astern"
     least = robot.least / unit.newtons if isinstance(robot, Robot) else 0.0
-    return f"{least:.5g} to {limit} {unit.name}" if least else f"{limit} {unit.name}"
+    return f"{trimmed(least, 5)} to {limit} {unit.name}" if least else f"{limit} {unit.name}"
 
 
 def _way(robot: Robot, tell: Telling) -> str:

@@ -17,7 +17,7 @@ from swarmgrasp.swarm.force_words import heading
 from swarmgrasp.swarm.stance import stance
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import digits, list_words, percent, wrench_words
+from swarmgrasp.words import digits, list_words, percent, trimmed, wrench_words
 
 IDLE = 1e-7
 """Share that is told as none."""
@@ -125,7 +125,7 @@ def _made(
         facts.append(("", "in the best choice of sectors found: there are too many to try all"))
     if found.needed < 1.0 - FULL and times == 1.0 and not _has_rests(found.swarm):
         more = 1.0 / found.needed
-        many = f"up to {more:.3g}" if more < MANY else f"more than {MANY:g}"
+        many = f"up to {trimmed(more, 3)}" if more < MANY else f"more than {MANY:g}"
         said = "could make {} times what they make"
         if not found.load.any():
             said = "could make {} times this"
@@ -149,7 +149,7 @@ def _missed(found: Forces, tell: Telling, free: Collection[str]) -> list[tuple[s
         needed = (
             f"limits larger by {percent(more)}"
             if more < 1.0
-            else f"limits {found.needed:.3g} times as large"
+            else f"limits {trimmed(found.needed, 3)} times as large"
         )
         needed += ", counted from the least forces" if _has_rests(swarm) else ""
     return [

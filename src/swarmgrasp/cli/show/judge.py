@@ -7,7 +7,7 @@ from swarmgrasp.cli.show.report import Column, Report, metric_note
 from swarmgrasp.simulation.mujoco import Judgement
 from swarmgrasp.swarm import Swarm
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import digits, percent
+from swarmgrasp.words import digits, percent, trimmed
 
 ROUNDING = 1e-9
 """Of the object's extent, or of a radian: a motion that is none."""
@@ -45,8 +45,8 @@ def show(name: str, swarm: Swarm, found: Judgement, terms: Terms) -> None:
         [
             percent(trial.factor), "yes" if trial.is_held else "no",
             force.part(trial.net, size).split()[0],
-            f"{_seen(trial.distance, swarm.outline.extent) / length.metres:.2g}",
-            f"{math.degrees(_seen(trial.turn, 1.0)):.2g}",
+            trimmed(_seen(trial.distance, swarm.outline.extent) / length.metres, 2),
+            trimmed(math.degrees(_seen(trial.turn, 1.0)), 2),
         ]
         for trial in found.trials
     ], "disturbances")  # fmt: skip

@@ -11,7 +11,7 @@ from swarmgrasp.cli.show.report import Column, Report
 from swarmgrasp.simulation.limits import Limits
 from swarmgrasp.terms import Terms
 from swarmgrasp.units import SPEEDS
-from swarmgrasp.words import span
+from swarmgrasp.words import digits, span
 
 ROWS = 24
 """Bearings that are told at most."""
@@ -38,7 +38,9 @@ def show(name: str, found: Limits, terms: Terms) -> None:
         speeds = [float(each[i]) for each in (static, found.steady, gusty)]
         more = ["", *(">" * bool(found.exceeds(each)[i]) for each in (found.steady, gusty))]
         less = "<" * bool(more[2])
-        told = [f"{sign}{v / scale:.4g}" for sign, v in zip(more, speeds, strict=True)]
+        told = [
+            f"{sign}{digits(v / scale, v / scale, 4)}" for sign, v in zip(more, speeds, strict=True)
+        ]
         shares = [
             f"{sign}{v / speeds[0]:.3f}" if speeds[0] else ""
             for sign, v in zip(more[1:], speeds[1:], strict=True)

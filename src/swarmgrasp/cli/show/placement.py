@@ -20,7 +20,7 @@ from swarmgrasp.swarm.force_words import force_words
 from swarmgrasp.swarm.stance import Stance, stance
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import Unit, percent
+from swarmgrasp.words import Unit, percent, trimmed
 
 FEWEST = 1e-12
 """Relative gap below which bound and answer count as equal."""
@@ -188,7 +188,7 @@ def _together(quality: float, at_once: float, unit: Unit) -> list[tuple[str, str
     """Say by how much placing them all at once is better, if it is."""
     if at_once <= quality * WORTH:
         return []
-    times = f", {at_once / quality:.3g} times as much" if quality else ""
+    times = f", {trimmed(at_once / quality, 3)} times as much" if quality else ""
     return [("All at once", f"{unit.text(at_once)} or more{times}: add --together")]
 
 

@@ -310,7 +310,9 @@ def metric_note(swarm: "Swarm", tell: "Telling") -> str:
 def metric_words(weights: Sequence[float], length: float, tell: "Telling") -> str:
     """Say by what metric wrenches are compared, of its force weights and its length [m]."""
     a1, a2 = weights
-    told = f"{length / tell.length.metres:.6g} {tell.length.name}"
+    from swarmgrasp.words import trimmed
+
+    told = f"{trimmed(length / tell.length.metres, 6)} {tell.length.name}"
     return f"Metric: force weights {a1:g} and {a2:g}, characteristic length {told}."
 
 

@@ -11,7 +11,7 @@ from swarmgrasp.simulation.sentences import from_text
 from swarmgrasp.simulation.verdict import Circle, Verdict
 from swarmgrasp.telling import Telling
 from swarmgrasp.terms import Terms
-from swarmgrasp.words import digits, percent, plain_seconds, span
+from swarmgrasp.words import digits, percent, plain_seconds, span, trimmed
 
 AFTER = ("lost", "left", "weather", "start")
 """Kinds of happenings after which the load may be out of reach."""
@@ -27,7 +27,7 @@ def show(name: str, run: Run, verdict: Verdict, terms: Terms) -> None:
     report.blank()
     _show_happenings(report, run, verdict, tell)
     report.blank()
-    far = f"{verdict.within / tell.length.metres:.3g} {terms.length}"
+    far = tell.length.short(verdict.within)
     limits = f"{far} or {math.degrees(verdict.within_turn):.3g} deg"
     for note in (
         f"Held: never off by more than {limits}. Off by, turned: the largest until the next line, "
@@ -94,10 +94,9 @@ def _facts(run: Run, verdict: Verdict, tell: Telling) -> list[tuple[str, str]]:
     if start.shortfall:
         margin = f"none: the mean load is out of reach by {unit.text(start.shortfall)}"
     elif math.isfinite(verdict.margins_over_spread[0]):
-        margin += (
-            f", {verdict.margins_over_spread[0]:.2g} times the standard deviation of the gusts' "
-            f"load, {unit.text(float(verdict.spreads[0]))}"
-        )
+        times = trimmed(float(verdict.margins_over_spread[0]), 2)
+        spread = unit.text(float(verdict.spreads[0]))
+        margin += f", {times} times the standard deviation of the gusts' load, {spread}"
     share, use = float(verdict.largest_share[0]), float(verdict.use[0])
     facts = [
         ("Wind", _wind_words(run, tell)),
