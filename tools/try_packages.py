@@ -26,6 +26,7 @@ PINNED = (
     "--require-hashes",
     "-r",
 )
+WRITING = ("--plot", "plan.png", "--json", "answer.json")
 OWN = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps")
 
 
@@ -77,7 +78,7 @@ def try_wheel(python: Path, wheel: Path, locked: Path, folder: Path) -> str:
     alone = {"PATH": str(commands)}
     run(commands / "python", *OWN, "--only-binary=:all:", wheel, where=folder, **alone)
     command = commands / "swarmgrasp"
-    run(command, "place", "deck-barge", "--json", "answer.json", where=folder, **alone)
+    run(command, "place", "deck-barge", *WRITING, where=folder, **alone)
     return run(command, "verify", "answer.json", where=folder, **alone).splitlines()[0]
 
 

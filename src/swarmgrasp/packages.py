@@ -31,7 +31,8 @@ def check_installed(*modules: str, extra: str = "agents", purpose: str) -> None:
     """  # noqa: E501
     missing = [module for module in modules if find_spec(module) is None]
     if missing:
+        *others, last = missing
+        named = f"{', '.join(others)} and {last}" if others else last
         raise PackageMissing(
-            f"{purpose} needs {' and '.join(missing)}; "
-            f"install it with: pip install 'swarmgrasp[{extra}]'"
+            f"{purpose} needs {named}; install it with: pip install 'swarmgrasp[{extra}]'"
         )

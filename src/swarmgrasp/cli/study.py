@@ -101,6 +101,9 @@ def study(
         Units of the answer: the file's, or si for metres, newtons and metres per second. The rows
         are in SI units.
     """
+    from swarmgrasp.packages import check_installed
+
+    check_installed("duckdb", "pyarrow", extra="studies", purpose="`swarmgrasp study`")
     given = {"of": of, "runs": runs, "robots": robots, "newcomers": newcomers, "seed": seed}
     faults = json_faults(json) + csv_faults(csv, json) + drawing.faults(plot)
     faults += _number_faults(runs, newcomers, seed, workers) + _robots_faults(robots)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -10,9 +10,11 @@ from matplotlib.ticker import AutoLocator, MaxNLocator, PercentFormatter
 
 from swarmgrasp.plot import style, written
 from swarmgrasp.plot.figure import Drawn
-from swarmgrasp.simulation.study import Findings, Gathered
 from swarmgrasp.terms import SI, Terms
 from swarmgrasp.units import LENGTHS
+
+if TYPE_CHECKING:  # it needs the packages of an extra
+    from swarmgrasp.simulation.study import Findings, Gathered
 
 HEIGHT: Final = 2.9
 """Of a picture [in]."""
@@ -20,7 +22,7 @@ LINE: Final[dict[str, Any]] = {"marker": "o", "markersize": 3.5, "linewidth": 1.
 
 
 def study_picture(
-    found: Gathered, *, title: str = "", terms: Terms = SI, width: float = style.WIDTH
+    found: "Gathered", *, title: str = "", terms: Terms = SI, width: float = style.WIDTH
 ) -> Figure:
     """Draw what a study has found, as its kind needs.
 
@@ -53,12 +55,12 @@ def study_picture(
     return figure
 
 
-def _column(findings: Findings, index: int) -> list[float]:
+def _column(findings: "Findings", index: int) -> list[float]:
     """Return a column of what was found."""
     return [row[index] for row in findings.rows]
 
 
-def _lengths(findings: Findings, index: int) -> list[float]:
+def _lengths(findings: "Findings", index: int) -> list[float]:
     """Return a column of lengths in the picture's unit."""
     return [value / LENGTHS[style.terms().length] for value in _column(findings, index)]
 
@@ -69,7 +71,7 @@ def _shares(ax: Axes, label: str) -> None:
     ax.yaxis.set_major_formatter(PercentFormatter(1.0))
 
 
-def _draw_sizes(axes: Any, findings: Findings) -> None:
+def _draw_sizes(axes: Any, findings: "Findings") -> None:
     """Draw how many swarms have force closure, and how good they are."""
     left, right = axes
     robots = _column(findings, 0)
@@ -86,7 +88,7 @@ def _draw_sizes(axes: Any, findings: Findings) -> None:
     right.legend(loc="upper left")
 
 
-def _draw_losses(axes: Any, findings: Findings) -> None:
+def _draw_losses(axes: Any, findings: "Findings") -> None:
     """Draw how many swarms bear a loss, and what it leaves of those with force closure."""
     left, right = axes
     robots = _column(findings, 0)
@@ -100,7 +102,7 @@ def _draw_losses(axes: Any, findings: Findings) -> None:
     _shares(right, "left of the quality, median")
 
 
-def _draw_together(axes: Any, findings: Findings) -> None:
+def _draw_together(axes: Any, findings: "Findings") -> None:
     """Draw how often, and by how much, robots placed together are better."""
     left, right = axes
     robots = _column(findings, 0)
@@ -117,7 +119,7 @@ def _draw_together(axes: Any, findings: Findings) -> None:
     right.yaxis.set_major_formatter(PercentFormatter(1.0))
 
 
-def _draw_gusts(axes: Any, findings: Findings) -> None:
+def _draw_gusts(axes: Any, findings: "Findings") -> None:
     """Draw how many runs hold, and how far the object goes, by their margin over the spread."""
     left, right = axes
     ends = [
@@ -139,7 +141,7 @@ def _draw_gusts(axes: Any, findings: Findings) -> None:
         ax.grid(False, axis="x")
 
 
-def _draw_story(axes: Any, findings: Findings) -> None:
+def _draw_story(axes: Any, findings: "Findings") -> None:
     """Draw within what how many runs stay."""
     parts = _column(findings, 0)
     turns = [math.degrees(turn) for turn in _column(findings, 2)]
@@ -155,7 +157,7 @@ def _draw_story(axes: Any, findings: Findings) -> None:
         _shares(ax, "of runs within")
 
 
-KINDS: Final[dict[str, tuple[Callable[[Any, Findings], None], int]]] = {
+KINDS: Final[dict[str, tuple[Callable[[Any, "Findings"], None], int]]] = {
     "sizes": (_draw_sizes, 2),
     "losses": (_draw_losses, 2),
     "together": (_draw_together, 2),
