@@ -29,7 +29,12 @@ Bearing = Annotated[str | None, Parameter(metavar="BEARING")]
 
 @dataclass(frozen=True)
 class _Options:
-    """Options that say something of the weather, each in the place of what the file says."""
+    """Options that say something of the weather, each in the place of what the file says.
+
+    What the object shows to wind, current and sea stands in the file's environment. Bearings are
+    degrees clockwise from the bow, or true ones, 225true, or points of the compass, NE, where the
+    file gives the heading.
+    """
 
     @property
     def given(self) -> dict[str, str]:
@@ -146,7 +151,7 @@ class _Wind(_Options):
     wind: Speed = None
     """Speed of the wind, such as 25kn or 6Bft."""
     wind_from: Annotated[str | None, Parameter(name="--from", metavar="BEARING")] = None
-    """Where the wind comes from, such as 60deg or NE."""
+    """Where the wind comes from, such as 60deg, 225true or NE."""
 
     def _wind(self, asked: _Asked, wind: "Wind | WindTable") -> "Wind | WindTable":
         """Return the wind to compute with."""
@@ -220,34 +225,19 @@ class _Sea(_Options):
 @Parameter(name="*", group="Weather")
 @dataclass(frozen=True)
 class Water(_Sea, _Current):
-    """The current and the sea, instead of those of the file.
-
-    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
-    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
-    heading.
-    """
+    """The current and the sea, instead of those of the file."""
 
 
 @Parameter(name="*", group="Weather")
 @dataclass(frozen=True)
 class Streams(_Current, _Wind):
-    """The wind and the current, instead of those of the file.
-
-    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
-    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
-    heading.
-    """
+    """The wind and the current, instead of those of the file."""
 
 
 @Parameter(name="*", group="Weather")
 @dataclass(frozen=True)
 class Weather(_Sea, _Current, _Wind):
-    """Wind, current and sea to hold the object in, instead of the load of the file.
-
-    What the object shows to them stands in the file's environment. Bearings are degrees clockwise
-    from the bow, or true ones, 225true, or points of the compass, NE, where the file gives the
-    heading.
-    """
+    """Wind, current and sea to hold the object in, instead of the load of the file."""
 
     @property
     def water(self) -> Water:

@@ -111,7 +111,7 @@ def _closure(swarm: Swarm, found: Quality, tell: Telling) -> list[tuple[str, str
         words = criterion.words(swarm, tell.terms.robot)
         facts = [("Force closure", f"intact {intact}; {words} {said}")]
     if closure is ForceClosure.NO and criterion.is_nominal and _is_vessel(swarm):
-        facts.append(("", "of a vessel that is not to go every way, ask for what it is to do: "
+        facts.append(("", "if it is not to go every way, ask for what it is to do: "
                           "criterion: {task: {polytope: [[FX, FY, TZ], ...]}}"))  # fmt: skip
     return facts
 
