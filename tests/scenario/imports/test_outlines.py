@@ -250,6 +250,7 @@ def test_halves_of_hulls(tmp_path: Path) -> None:
         ),
         ("a.geojson", "[" * 100_000, ["nested too deep"]),
         ("a.geojson", "[1]", ["should be GeoJSON"]),
+        ("a.json", '{"format": "swarmgrasp quality 3"}', ["is an answer, and no map"]),
         ("a.geojson", polygon("[[1" + "0" * 400 + ",0],[1,1],[0,1]]"), ["should be [x, y]"]),
         ("a.svg", "<svg>\n<path", ["a.svg:2: outline: is no XML"]),
         (

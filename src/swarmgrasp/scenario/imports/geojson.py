@@ -60,6 +60,9 @@ class _Reader:
                 yield from self.geometries(part, (*keys, key, i), name)
         elif isinstance(data, dict) and isinstance(kind, str):
             yield _Found(data, keys, name)
+        elif isinstance(data, dict) and str(data.get("format")).startswith("swarmgrasp "):
+            said = "is an answer, and no map; commands ask it again as it stands, as in"
+            self.fault(keys, f"{said} `swarmgrasp place ANSWER.json`")
         else:
             said = "should be GeoJSON: a mapping with type, such as Polygon or Feature"
             self.fault(keys, f"{said} (got {shown(data)})")
