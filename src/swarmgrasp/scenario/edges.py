@@ -29,7 +29,8 @@ def length_name(checked: Checked, units: Units) -> str:
     if checked.is_sound("units", "length") or True in checked.measures.get(VERTICES, ()):
         return units.length
     written = checked.root.find(("units", "length")).value
-    return written if isinstance(written, str) and written else "units"
+    is_named = checked.has("units", "length") and isinstance(written, str) and written
+    return str(written) if is_named else "units"
 
 
 def comparable(paths: Collection[Path], checked: Checked) -> frozenset[Path]:
