@@ -120,11 +120,11 @@ test("names that may be left out cover neither each other nor what is kept", () 
   for (let round = 0; round < 30; round += 1) {
     const wanted = Array.from({ length: 30 }, (_, i): Wanted => ({
       key: String(i), end: [800 * roll(), 500 * roll()], angle: 6.28 * roll(), width: 30 + 50 * roll(), height: 32,
-      off: 9, optional: true,
+      off: 9, optional: true, inside: false,
     }));
     const kept = [{ left: 0, top: 0, right: 200, bottom: 90 }];
     const hull = { left: 300, top: 200, right: 500, bottom: 300 };
-    const found = placed(wanted, { width: 800, height: 500, kept, hull, arrows: [] }, new Map());
+    const found = placed(wanted, { width: 800, height: 500, kept, hull, sides: [], arrows: [] }, new Map());
     assert.ok(found.length > 5);
     found.forEach((one, i) => {
       assert.ok(!overlap(one.box, kept[0]!) && !overlap(one.box, hull));

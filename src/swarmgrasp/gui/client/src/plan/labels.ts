@@ -11,16 +11,18 @@ export interface Box {
 
 export interface Wanted {
   readonly key: string;
-  /** The free end of its arrow. */
+  /** The end of its arrow that it stands beyond. */
   readonly end: Pair;
-  /** On the card, counter-clockwise from its right [rad]: from the contact to the free end. */
+  /** On the card, counter-clockwise from its right [rad]: from the other end to that. */
   readonly angle: number;
   readonly width: number;
   readonly height: number;
-  /** Pixels from the free end. */
+  /** Pixels from the end. */
   readonly off: number;
   /** Whether it may be left out where it finds no room. */
   readonly optional: boolean;
+  /** Whether it belongs inside the hull, and may stand there. */
+  readonly inside: boolean;
 }
 
 export interface Placed {
@@ -32,8 +34,14 @@ export interface Placed {
 }
 
 const TURNS = [0, 26, -26, 52, -52, 77, -77, 103, -103].map((degrees) => (degrees * Math.PI) / 180);
+/** Pixels further away, where those inside leave each other little room, and a pixel's cost. */
+const FURTHER = [0, 12, 26];
+const PER_PIXEL = 0.08;
 const ANCHORED = 0.38;
 const TOO_DEAR = 40;
+/** For a name over the hull: more than any turn that brings it beside the hull. */
+const OVER_HULL = 80;
+const [OVER_OWN_HULL, OVER_SIDE] = [1, 4];
 
 export interface Room {
   readonly width: number;
@@ -41,6 +49,8 @@ export interface Room {
   /** What no label should cover, dear as another label: weather, scale, bars. */
   readonly kept: readonly Box[];
   readonly hull: Box;
+  /** Of the outline. */
+  readonly sides: readonly (readonly [Pair, Pair])[];
   readonly arrows: readonly (readonly [Pair, Pair])[];
 }
 
@@ -50,21 +60,25 @@ export function placed(wanted: readonly Wanted[], room: Room, before: ReadonlyMa
   for (const label of wanted) {
     let best: Placed | null = null;
     let least = Infinity;
-    for (const turn of TURNS) {
-      const one = laid(label, turn);
-      const cost = Math.abs(turn) - (before.get(label.key) === turn ? 0.3 : 0) + costOf(one.box, room, found);
-      if (cost < least) [best, least] = [one, cost];
+    for (const further of label.inside ? FURTHER : [0]) {
+      for (const turn of TURNS) {
+        const one = laid(label, turn, further);
+        const dear = PER_PIXEL * further + Math.abs(turn) - (before.get(label.key) === turn ? 0.3 : 0);
+        const cost = dear + costOf(one.box, label, room, found);
+        if (cost < least) [best, least] = [one, cost];
+      }
     }
     if (best !== null && (least <= TOO_DEAR || !label.optional)) found.push(best);
   }
   return found;
 }
 
-function laid(label: Wanted, turn: number): Placed {
+function laid(label: Wanted, turn: number, further: number): Placed {
   const angle = label.angle + turn;
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-  const x = label.end[0] + label.off * cos;
-  const middle = label.end[1] - label.off * sin - (sin * label.height) / 2;
+  const off = label.off + further;
+  const x = label.end[0] + off * cos;
+  const middle = label.end[1] - off * sin - (sin * label.height) / 2;
   const anchor = cos > ANCHORED ? "start" : cos < -ANCHORED ? "end" : "middle";
   const left = anchor === "start" ? x : anchor === "end" ? x - label.width : x - label.width / 2;
   const top = middle - label.height / 2;
@@ -74,12 +88,13 @@ function laid(label: Wanted, turn: number): Placed {
   };
 }
 
-function costOf(box: Box, room: Room, others: readonly Placed[]): number {
+function costOf(box: Box, { inside }: Wanted, room: Room, others: readonly Placed[]): number {
   let cost = 0;
   const wide = { left: box.left - 8, right: box.right + 8, top: box.top - 2, bottom: box.bottom + 2 };
   for (const other of others) if (overlap(wide, other.box)) cost += 100;
   for (const kept of room.kept) if (overlap(box, kept)) cost += 100;
-  if (overlap(box, room.hull)) cost += 80;
+  if (overlap(box, room.hull)) cost += inside ? OVER_OWN_HULL : OVER_HULL;
+  if (inside) for (const [from, to] of room.sides) if (crosses(from, to, box)) cost += OVER_SIDE;
   for (const [from, to] of room.arrows) if (crosses(from, to, box)) cost += 60;
   if (box.left < 4 || box.top < 4 || box.right > room.width - 4 || box.bottom > room.height - 4) cost += 50;
   return cost;

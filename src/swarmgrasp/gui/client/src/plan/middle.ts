@@ -67,7 +67,7 @@ class WrenchMark {
     const turns = Math.abs(share) > MENTIONED;
     put(this.#arc, { d: turns ? arcPath(centre, TURN_RADIUS, from, to) : "" });
     put(this.#arcHead, { d: turns ? this.#tip(centre, to, Math.sign(share)) : "" });
-    this.#placeWord(centre, screen.angle(direction));
+    this.#placeWord(centre, screen.angle(direction), screen.turned);
   }
 
   #tip(centre: Pair, angle: number, sign: number): string {
@@ -77,8 +77,13 @@ class WrenchMark {
     return arrow([at[0] - 2 * Math.cos(way), at[1] + 2 * Math.sin(way)], tip, 1.8).head;
   }
 
-  /** Beside the arc, on the side that the arrow leaves free. */
-  #placeWord([x, y]: Pair, angle: number): void {
+  /** Beside the arc, on the side that the arrow leaves free; above or below it where the hull is upright. */
+  #placeWord([x, y]: Pair, angle: number, upright: boolean): void {
+    if (upright) {
+      const below = Math.sin(angle) > 0;
+      put(this.#word, { x, y: below ? y + 38 : y - 30, "text-anchor": "middle" });
+      return;
+    }
     const toRight = Math.cos(angle) < 0.3;
     const up = Math.sin(angle) > 0 ? -1 : 1;
     put(this.#word, {

@@ -53,15 +53,16 @@ export class NameLayer {
       const { name, below: second } = words.get(figure)!;
       const chosen = seen.chosen === figure.robot.name;
       return {
-        key: figure.isNew ? `new ${name}` : name, end: figure.free, angle: figure.angle,
+        key: figure.isNew ? `new ${name}` : name, ...endOf(figure),
         width: Math.max(this.#width(name, figure.isNew ? 15 : 13, 600), this.#width(second, 12, 400)),
         height: second === "" ? 16 : 32, off: offOf(figure, chosen),
-        optional: !chosen && !figure.isNew,
+        optional: !chosen && !figure.isNew, inside: figure.robot.mounted,
       };
     });
     const corners = shape.vertices.map((corner) => screen.at(corner));
     const room: Room = {
       width: screen.width, height: screen.height, kept, hull: boxOf(corners),
+      sides: corners.map((corner, i) => [corner, corners[(i + 1) % corners.length]!] as const),
       arrows: [...figures, ...(newcomer === null ? [] : [newcomer]), ...later].map(({ from, to }) => [from, to] as const),
     };
     const found = placed(wanted, room, this.#turns);
@@ -97,6 +98,11 @@ export class NameLayer {
     }
     return width;
   }
+}
+
+/** Where a name stands: beyond the free end; of one inside with a direction at its back, where it is itself. */
+function endOf({ robot, round, contact, free, angle }: Figure): Pick<Wanted, "end" | "angle"> {
+  return robot.mounted && !round ? { end: contact, angle: angle + Math.PI } : { end: free, angle };
 }
 
 /** Pixels from the free end: beyond the handle of one that is chosen, and beyond a newcomer's fan. */

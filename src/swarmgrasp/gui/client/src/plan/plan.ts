@@ -18,8 +18,9 @@ import { stageOf, type Stage } from "./stage";
 import { Weather } from "./weather";
 import { figureOf } from "./figures";
 
-/** Room under the hull for the bar of the chosen robot, where the card is low. */
+/** Room under the hull for the bar of the chosen robot, where the card is low or narrow. */
 const LOW = 430;
+const NARROW = 520;
 const LIFT = 44;
 const OVERLAP = 12;
 const BARS = ".inspect:not([hidden]), .inspect-more:not([hidden])";
@@ -96,7 +97,7 @@ export class Plan implements View {
     const height = this.card.clientHeight - (width === this.context.root.clientWidth ? OVERLAP : 0);
     if (width <= 0 || height <= 0) return;
     const bar = this.context.root.querySelector<HTMLElement>(".plan .timeline:not([hidden])");
-    const lift = (height < LOW && seen.chosen !== null ? LIFT : 0) + (bar === null ? 0 : 56);
+    const lift = ((height < LOW || width < NARROW) && seen.chosen !== null ? LIFT : 0) + (bar === null ? 0 : 56);
     const screen = new Screen(this.#shapeOf(seen.doc.problem.swarm.outline), width, height, lift);
     const stage = stageOf(seen, this.#shape!.shape, screen, this.context.speech.value, this.context.hover.value, this.together);
     this.#stage = stage;
@@ -150,8 +151,8 @@ export class Plan implements View {
   /** Corners of the card that are taken. */
   #kept({ screen: { width, height }, seen }: Stage, chosen: boolean): Box[] {
     const kept: Box[] = [];
-    if (seen.doc.in_weather) kept.push({ left: 12, top: 12, right: width < 520 ? 76 : 236, bottom: 84 });
-    if (width >= 520) {
+    if (seen.doc.in_weather) kept.push({ left: 12, top: 12, right: width < NARROW ? 76 : 236, bottom: 84 });
+    if (width >= NARROW) {
       kept.push({ left: 16, top: height - 44, right: 240, bottom: height });
       kept.push({ left: width - 270, top: 0, right: width, bottom: 52 });
     } else kept.push({ left: width - 84, top: 0, right: width, bottom: 34 });

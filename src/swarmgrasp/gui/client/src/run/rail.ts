@@ -34,7 +34,7 @@ export class Rail {
     });
     const told = el("section", { class: "card answer", "aria-label": "The run" },
       el("h1", { class: first.good ? "first good" : "first bad" }, first.text), el("p", { class: "second" }, second),
-      figures, this.#missing, el("div", { class: "next" }, el("h2", { class: "tile-title" }, "What happened"), list));
+      figures, this.#missing, el("div", { class: "happened" }, el("h2", { class: "tile-title" }, "What happened"), list));
     const body = el("div", { class: "tile-body" });
     const head = el("div", { class: "tile-head" }, el("h2", { class: "tile-title" }, "How hard each pushes"), el("div", { class: "tile-aside" }, "of its limit"));
     const shares = el("section", { class: "card tile tile-losses", "aria-label": "How hard each pushes" }, head, body);

@@ -9,7 +9,9 @@ import { leadsIn, placedAt, type Film, type Moment, type Pose, type Standing } f
 const TALL = 1.15;
 /** Round the track: sideways, above, and for the timeline. */
 const [SIDE, ABOVE, BAR] = [124, 84, 64];
+const LOWEST = 20;
 const FONT = "Inter, system-ui, sans-serif";
+const NARROW = 520;
 /** Points that a track is drawn through. */
 const TRACK = 300;
 /** Poses from which the room of a track is told. */
@@ -30,6 +32,8 @@ interface Frame {
   readonly scale: number;
   /** On the turned earth; null where the object is followed. */
   readonly middle: Pair | null;
+  /** Pixels below the middle of the card: away from the weather where there is room. */
+  readonly lower: number;
 }
 
 export class Sea {
@@ -42,7 +46,7 @@ export class Sea {
     const page = sheet(this.canvas);
     if (page === null) return;
     const view = this.#viewOf(page.width, page.height, moment.pose);
-    const drawing = new Drawing(page.pen, view, this.film, palette(this.canvas), page.width < 520);
+    const drawing = new Drawing(page.pen, view, this.film, palette(this.canvas), page.width < NARROW);
     drawing.paint(
       moment, hovered, (wanted, hull, arrows) => this.#labels(wanted, hull, arrows, page.width, page.height),
     );
@@ -54,25 +58,25 @@ export class Sea {
     const ys = hull.map(([, y]) => y);
     const box = { left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys) };
     const kept = [
-      { left: 12, top: 12, right: 236, bottom: 84 },
+      { left: 12, top: 12, right: width < NARROW ? 76 : 236, bottom: 76 },
       { left: 12, top: height - BAR - 4, right: width - 12, bottom: height },
     ];
     // A hull that lies askew fills little of its box; what it covers is dear only in the middle.
     const inner = { left: box.left * 0.7 + box.right * 0.3, right: box.left * 0.3 + box.right * 0.7, top: box.top * 0.7 + box.bottom * 0.3, bottom: box.top * 0.3 + box.bottom * 0.7 };
-    const found = placed(wanted, { width, height, kept, hull: inner, arrows }, this.#turns);
+    const found = placed(wanted, { width, height, kept, hull: inner, sides: [], arrows }, this.#turns);
     this.#turns = new Map(found.map(({ key, turn }) => [key, turn]));
     return found;
   }
 
   #viewOf(width: number, height: number, pose: Pose): View {
-    const { scale, turned, middle } = this.#frameOf(width, height);
+    const { scale, turned, middle, lower } = this.#frameOf(width, height);
     const turn = ([x, y]: Pair): Pair => (turned ? [-y, x] : [x, y]);
     const [cx, cy] = middle ?? turn([pose[0], pose[1]]);
     return {
       scale, turned,
       at: (point) => {
         const [u, v] = turn(point);
-        return [width / 2 + scale * (u - cx), (height - BAR) / 2 - scale * (v - cy)];
+        return [width / 2 + scale * (u - cx), (height - BAR) / 2 + lower - scale * (v - cy)];
       },
     };
   }
@@ -100,9 +104,10 @@ export class Sea {
     const reach = Math.max(...outline.map(([x, y]) => Math.hypot(x, y)));
     const followed = Math.max(right - left, high - low) > 2 * reach * FOLLOWED;
     const [wide, tall] = followed ? [2.4 * reach, 2.4 * reach] : [right - left, high - low];
-    const side = width < 520 ? 40 : SIDE;
+    const side = width < NARROW ? 40 : SIDE;
     const scale = Math.max(1e-9, Math.min((width - 2 * side) / wide, (height - BAR - 2 * ABOVE) / tall));
-    this.#frame = { key, turned, scale, middle: followed ? null : [(left + right) / 2, (low + high) / 2] };
+    const lower = Math.min(LOWEST, Math.max(0, (height - BAR - scale * tall) / 2 - ABOVE));
+    this.#frame = { key, turned, scale, lower, middle: followed ? null : [(left + right) / 2, (low + high) / 2] };
     return this.#frame;
   }
 }
@@ -136,7 +141,7 @@ class Drawing {
       const width = Math.max(this.pen.measureText(standing.actor.name).width, this.#below(standing).width);
       wanted.push({
         key: standing.actor.name, end: to, angle: Math.atan2(from[1] - to[1], to[0] - from[0]),
-        width, height: 30, off: 9, optional: shown.length > 12,
+        width, height: 30, off: 9, optional: shown.length > 12, inside: false,
       });
     }
     for (const label of labels(wanted, hull, arrows)) {
