@@ -315,6 +315,15 @@ def test_edges_are_judged_before_there_is_an_outline() -> None:
         "zones.1.to: should lie in [0, 4] m, the length of south",
         "no_go.0.edge: there is no such edge; they run from 0 to 3",
     ]
+    # corners that are said twice, as that of a closed ring, make no edge
+    ring = "outline: {vertices: [[0, 0], [0, 0], [4, 0], [4, 2], [0, x], [0, 0]]}\n"
+    faults = told(
+        f"{ring}robots: []\nno_go: [{{edge: 1, to: 3}}, {{edge: 0, to: 3}}, {{edge: 4}}]\n"
+    )
+    assert [fault.partition(": ")[2].partition(" (")[0] for fault in faults[1:]] == [
+        "no_go.0.to: should lie in [0, 2] m, the length of edge 1",
+        "no_go.2.edge: there is no such edge; they run from 0 to 3",
+    ]
 
 
 def test_an_unread_unit_hides_no_place_that_is_in_it() -> None:

@@ -57,19 +57,21 @@ def check_edges(checked: Checked, units: Units, paths: Collection[Path]) -> None
         Robots, zones and stretches that the outline cannot be asked about.
     """
     corners = _corners(checked, units)
-    named = checked.file.outline.edges if checked.is_sound("outline", "edges") else None
-    count = max(len(corners), len(named or ()))
-    labels = [(named or [])[i] if i < len(named or []) else "" for i in range(count)]
-    labels = [label or f"edge {i}" for i, label in enumerate(labels)]
+    is_named = checked.is_sound("outline", "edges")
+    named = (checked.file.outline.edges if is_named else None) or []
+    count = max(len(corners), len(named))
+    unnamed = [""] * (count - len(named))
+    labels = [name or f"edge {i}" for i, name in enumerate([*named, *unnamed])]
+    indices = {label: i for i, label in enumerate(labels)}
     sized = comparable(paths, checked)
     for path, section in _sections(checked, paths):
         edge = section.edge
         if edge is None or not count or not checked.is_sound(*path, "edge"):
             continue
-        if isinstance(edge, str) and not checked.is_sound("outline", "edges"):
+        if isinstance(edge, str) and not is_named:
             continue
-        index = edge if isinstance(edge, int) else _index(edge, labels)
-        if index is None or index >= count:
+        index = indices.get(edge, count) if isinstance(edge, str) else edge
+        if index >= count:
             known = nearest_name(edge, labels) if isinstance(edge, str) else ""
             said = f"there is no such edge; they run from 0 to {count - 1}{known}"
             checked.fault((*path, "edge"), said)
@@ -92,14 +94,14 @@ def _sections(
         yield from (((key, i), part) for i, part in enumerate(sections) if (key, i) in paths)
 
 
-def _index(edge: str, labels: list[str]) -> int | None:
-    """Return which edge has a name."""
-    return labels.index(edge) if edge in labels else None
-
-
 def _corners(checked: Checked, units: Units) -> list[Corner]:
-    """Return the corners as they are written, in the file's unit; None for each with a fault."""
-    return [_corner(row, units) for row in items_of(checked.root.find(VERTICES))]
+    """Return the corners as they are written, in the file's unit; None for each with a fault.
+
+    One that the next repeats, as the first does at the end of a ring, is left out, as outlines do.
+    """
+    written = [_corner(row, units) for row in items_of(checked.root.find(VERTICES))]
+    after = [*written[1:], *written[:1]]
+    return [a for a, b in zip(written, after, strict=True) if a is None or a != b]
 
 
 def _corner(row: Node, units: Units) -> Corner:

@@ -83,9 +83,9 @@ def tolerance_of(
 def holders(checked: Checked) -> list[tuple[RobotSection | NewcomerSection, Path]]:
     """Return the robots and the newcomers, each with its path."""
     file = checked.file
-    holders: list[tuple[RobotSection | NewcomerSection, Path]] = []
-    holders += [(robot, ("robots", i)) for i, robot in enumerate(file.robots)]
-    return [*holders, *checked.newcomers()]
+    robots: list[tuple[RobotSection | NewcomerSection, Path]] = []
+    robots += [(robot, ("robots", i)) for i, robot in enumerate(file.robots)]
+    return [*robots, *checked.newcomers()]
 
 
 def _ends(given: float | list[float] | None) -> tuple[float, float]:
