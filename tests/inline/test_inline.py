@@ -115,3 +115,14 @@ def test_looking_at_the_package_draws_nothing():
     """Matplotlib is loaded when something is drawn, not before."""
     code = "import sys, swarmgrasp; sys.exit('matplotlib' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_verdict_says_what_it_refuses_and_what_it_took_on_trust():
+    """Also where a fault quotes what a file says."""
+    assert text_of(sg.Verdict(())._repr_html_()) == "Verified"
+    trusted = sg.Verdict((), unchecked=("the bound",))._repr_html_()
+    assert "Taken on trust: the bound." in trusted
+    refused = sg.Verdict(("the place is <b>'x'</b>",), unchecked=("the bound",))._repr_html_()
+    assert "Refused" in refused
+    assert "the place is &lt;b&gt;" in refused
+    assert "trust" not in refused

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from html import escape
 from typing import Any
 
 
@@ -26,6 +27,13 @@ class Verdict:
 
     def __bool__(self) -> bool:
         return not self.faults
+
+    def _repr_html_(self) -> str:
+        """Return the outcome in sentences, for a notebook."""
+        head = "Verified" if self else "Refused"
+        told = self.faults or tuple(f"Taken on trust: {each}." for each in self.unchecked)
+        rows = "".join(f"<li>{escape(each)}</li>" for each in told)
+        return f"<strong>{head}</strong>" + (f"<ul>{rows}</ul>" if rows else "")
 
     def to_data(self) -> dict[str, Any]:
         """Return the outcome as plain data; a bound that is infinite, as null."""
