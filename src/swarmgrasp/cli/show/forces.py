@@ -192,7 +192,7 @@ def _asked(
     if free:
         facts.append(("", f"{list_words([FREE[part] for part in free])} may be anything"))
     if found.load.any():
-        facts.append(("Load", f"{wrench_text(swarm, found.load, tell)}, by the environment"))
+        facts.append(("Load", f"{wrench_text(swarm, found.load, tell)}, on the object"))
         rest = found.wanted - found.load
         facts.append((f"By the {tell.terms.several}", wrench_text(swarm, rest, tell)))
     return facts

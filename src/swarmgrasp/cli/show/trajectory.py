@@ -71,7 +71,7 @@ def _facts(
     """Tell which wrench is hardest, and which are out of reach."""
     facts = []
     if found.load.any():
-        facts.append(("Load", f"{wrench_text(found.swarm, found.load, tell)}, by the environment"))
+        facts.append(("Load", f"{wrench_text(found.swarm, found.load, tell)}, on the object"))
     if missed:
         worst = int(found.shortfalls.argmax())
         short = tell.force.text(float(found.shortfalls[worst]))
