@@ -129,6 +129,16 @@ def test_faults_are_told_together(run, barge):
         "--waves is -2ft,1e9s: the period is 1e9s; it should be from 0.001 to 1000 s",
         "--waves-from is 1e9true; it should be from -1e+06 to 1e+06 deg",
     ]
+    odd = ("--wind", "300kn", "--from", "0", "--current", "40 kn", "--waves", "9m,2s")
+    status, _, complaints = run("quality", barge, *odd)
+    assert (status, complaints.splitlines()) == (
+        0,
+        [
+            "warning: --wind is 300kn, faster than any wind",
+            "warning: --current is 40 kn, faster than any current",
+            "warning: --waves is 9m,2s, higher than such a sea can be",
+        ],
+    )
     status, _, complaints = run("forces", barge, "--load", "1", "2", "3", "--wind", "3")
     assert "--load and --wind each say the load; keep one" in complaints
     barge.write_text(BARGE.partition("environment")[0])

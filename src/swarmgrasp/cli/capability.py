@@ -21,7 +21,8 @@ from swarmgrasp.cli.inputs import (
 )
 from swarmgrasp.cli.progress import shown_progress
 from swarmgrasp.cli.question import asked_before, check_newcomer
-from swarmgrasp.cli.weather import STILL, Water, speed_given
+from swarmgrasp.cli.streams import speed_given
+from swarmgrasp.cli.weather import STILL, Water
 from swarmgrasp.cli.wording import FILE, Wording
 
 if TYPE_CHECKING:

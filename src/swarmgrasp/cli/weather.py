@@ -5,12 +5,12 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 from cyclopts import Parameter
 
-from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.inputs import UsageFault, blaming, noting, source_of
 from swarmgrasp.cli.question import missing
 from swarmgrasp.cli.show.report import complain
+from swarmgrasp.cli.streams import bearing_given, sea_given, speed_given
 from swarmgrasp.cli.wording import Phrasing
-from swarmgrasp.units import SPEEDS, bearing
+from swarmgrasp.units import SPEEDS
 
 if TYPE_CHECKING:
     from swarmgrasp.environment import Current, Environment, Waves, Wind, WindTable
@@ -19,10 +19,6 @@ if TYPE_CHECKING:
 
 WITH_WIND = "wind"
 """What --waves says for the sea that goes with the wind."""
-FASTEST = 1e3
-"""That may be asked for [m/s]."""
-MOST_TURNED = 1e6
-"""Largest bearing [deg]."""
 Speed = Annotated[str | None, Parameter(metavar="SPEED")]
 Bearing = Annotated[str | None, Parameter(metavar="BEARING")]
 
@@ -51,11 +47,11 @@ class _Options:
         for option, text in self.given.items():
             with noting(faults):
                 if option.endswith("from"):
-                    _bearing(option, text, 0.0)
+                    bearing_given(option, text, 0.0)
                 elif option != "--waves":
                     faults += speed_given(option, text).faults()
                 elif text != WITH_WIND:
-                    faults += [fault for amount in _sea(text) for fault in amount.faults()]
+                    faults += [fault for amount in sea_given(text) for fault in amount.faults()]
         return faults
 
     def environment(
@@ -99,8 +95,27 @@ class _Options:
         faults += self._sea_faults(asked, wind, waves)
         if faults:
             raise UsageFault(faults)
+        complain(self._slips(wind, current, waves))
         with blaming("--waves" if "--waves" in self.given else source_of(file)):
             return replace(around, wind=wind, current=current, waves=waves)
+
+    def _slips(
+        self, wind: "Wind | WindTable", current: "Current | None", waves: "Waves | None"
+    ) -> list[str]:
+        """Return what of the weather given is beyond anything real."""
+        from swarmgrasp.scenario.unreal import FASTEST_CURRENT, FASTEST_WIND, highest
+
+        sea = (waves.height or 0.0, waves.period) if waves is not None else (0.0, None)
+        found = (
+            ("--wind", (wind.speed or 0.0) > FASTEST_WIND, "faster than any wind"),
+            ("--current", current and current.speed > FASTEST_CURRENT, "faster than any current"),
+            ("--waves", sea[1] and sea[0] > highest(sea[1]), "higher than such a sea can be"),
+        )
+        return [
+            f"warning: {option} is {self.given[option]}, {said}"
+            for option, is_odd, said in found
+            if is_odd and option in self.given
+        ]
 
     def _sea_faults(
         self, asked: "_Asked", wind: "Wind | WindTable", waves: "Waves | None"
@@ -159,7 +174,7 @@ class _Wind(_Options):
         if self.wind is not None:
             speed = speed_given("--wind", self.wind).value(asked.terms)
         if self.wind_from is not None:
-            from_ = _bearing("--from", self.wind_from, asked.heading)
+            from_ = bearing_given("--from", self.wind_from, asked.heading)
         if from_ is None and speed is not None:
             raise UsageFault("--from is missing: where the wind comes from, such as --from 60deg")
         if speed is None and from_ is not None:
@@ -192,7 +207,7 @@ class _Current(_Options):
             current = replace(current, speed=speed)
         if self.current_from is None:
             return current
-        from_ = _bearing("--current-from", self.current_from, asked.heading)
+        from_ = bearing_given("--current-from", self.current_from, asked.heading)
         return replace(current, bearing=from_)
 
 
@@ -213,13 +228,13 @@ class _Sea(_Options):
         if self.waves is not None:
             height, period = None, None
             if self.waves != WITH_WIND:
-                height, period = (each.value(asked.terms) for each in _sea(self.waves))
+                height, period = (each.value(asked.terms) for each in sea_given(self.waves))
             waves = replace(waves or Waves(), height=height, period=period)
         if self.waves_from is None:
             return waves
         if waves is None:
             raise UsageFault("--waves-from is of no sea: give --waves, such as --waves wind")
-        return replace(waves, bearing=_bearing("--waves-from", self.waves_from, asked.heading))
+        return replace(waves, bearing=bearing_given("--waves-from", self.waves_from, asked.heading))
 
 
 @Parameter(name="*", group="Weather")
@@ -291,41 +306,6 @@ AS_FILED = Streams()
 """As the file has it."""
 CALM = Weather()
 """As the file has it."""
-
-
-def speed_given(option: str, text: str) -> Amount:
-    """Return the speed of wind or water that an option gives."""
-    return Amount(option, text, "speed", 0.0, FASTEST)
-
-
-def _bearing(option: str, text: str, heading: float | None) -> float:
-    """Return a bearing [rad] clockwise from the bow; a number alone is in degrees."""
-    from math import radians
-
-    with blaming(f"{option} is {text}"):
-        found = bearing(text, "deg", heading)
-    if abs(found) > MOST_TURNED:
-        raise UsageFault(
-            f"{option} is {text}; it should be from {-MOST_TURNED:g} to {MOST_TURNED:g} deg"
-        )
-    return radians(found)
-
-
-def _sea(text: str) -> tuple[Amount, Amount]:
-    """Return the significant height and the peak period of a sea."""
-    from swarmgrasp.environment.limits import HEIGHT, PERIOD
-
-    parts = text.split(",")
-    if len(parts) != 2:
-        raise UsageFault(
-            f"--waves is {text}: it should be wind, for the sea that goes with the wind, or a "
-            "significant height and a peak period, such as 2.1m,7.5s"
-        )
-    called = f"--waves is {text}: the"
-    return (
-        Amount(f"{called} height", parts[0], "length", HEIGHT.low, HEIGHT.high),
-        Amount(f"{called} period", parts[1], "time", PERIOD.low, PERIOD.high),
-    )
 
 
 def _without_wind(around: "Environment") -> "Environment":

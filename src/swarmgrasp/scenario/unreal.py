@@ -118,15 +118,16 @@ def _sea(waves: WavesSection, units: Units) -> Iterator[Slip]:
     path: Path = ("environment", "waves", "height")
     if waves.height is None or waves.period is None:
         return
-    height = units.metres(waves.height)
-    most = STEEPEST * GRAVITY * waves.period**2 / math.tau
+    height, most = units.metres(waves.height), highest(waves.period)
+    said = f"{waves.height:.6g} {units.length}"
     if height > HIGHEST:
-        said = f"{waves.height:.6g} {units.length} is higher than any sea; is it in {units.length}?"
-        yield path, said
+        yield path, f"{said} is higher than any sea; is it in {units.length}?"
     elif height > most:
-        said = f"a sea with a period of {waves.period:.6g} s breaks before it is "
-        yield (
-            path,
-            f"{said}{waves.height:.6g} {units.length} high; it is at most "
-            + (f"{trimmed(most / units.metres(1.0), 3)} {units.length} then"),
-        )
+        known = f"{trimmed(most / units.metres(1.0), 3)} {units.length}"
+        begin = f"a sea with a period of {waves.period:.6g} s breaks before it is {said} high; it "
+        yield path, f"{begin}is at most {known} then"
+
+
+def highest(period: float) -> float:
+    """Return the height [m] that no sea has, or that one of this period [s] has when it breaks."""
+    return min(HIGHEST, STEEPEST * GRAVITY * period**2 / math.tau)
