@@ -70,6 +70,20 @@ def test_escape_leaves_a_gesture_as_if_it_had_not_been(one):
     assert one.kept(ORIGINS) is None
 
 
+def test_a_key_beside_a_hand_does_not_end_its_gesture(one):
+    """Shift pressed and let go while the wind is dragged: one step all the same."""
+    x, y = one.middle(".rose-wind")
+    one.page.mouse.move(x, y)
+    one.page.mouse.down()
+    one.page.mouse.move(x + 10, y + 10, steps=3)
+    one.rest().page.keyboard.press("Shift")
+    one.page.mouse.move(x + 20, y + 20, steps=3)
+    one.page.mouse.up()
+    assert one.rest().kept(ORIGINS) is not None
+    one.press("Control+z")
+    assert one.kept(ORIGINS) is None
+
+
 def test_what_if_is_asked_by_numbers_that_are_typed_stepped_and_dragged(one):
     """Losses by a key, wind by typing, its bearing by arrows, a limit by dragging."""
     one.press("0")

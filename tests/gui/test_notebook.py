@@ -73,6 +73,17 @@ def test_faults_come_back_and_the_widget_lives(page: Page) -> None:
     assert page.say(**ask)[0]["kind"] == "part"
 
 
+def test_a_fault_of_ours_does_not_end_the_page(page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is said, and the next question is answered."""
+    (scene,) = page.say(kind="open", n=1, name="deck-barge")
+    ask = {"kind": "ask", "moving": True, "doc": scene["doc"], "speech": scene["speech"]}
+    monkeypatch.setattr("swarmgrasp.gui.notebook.ask", lambda *_: 1 / 0)
+    (told,) = page.say(**ask, n=2)
+    assert (told["kind"], told["n"]) == ("error", 2)
+    monkeypatch.undo()
+    assert page.say(**ask, n=3)[0]["kind"] == "part"
+
+
 def test_a_problem_of_ones_own_is_shown(page: Page) -> None:
     """With its surroundings."""
     scenario = load_example("escort-ring")

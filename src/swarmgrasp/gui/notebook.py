@@ -1,5 +1,6 @@
 """The page as a widget of Jupyter and marimo; the kernel answers, and has one thread."""
 
+import logging
 from collections.abc import Mapping
 from importlib.metadata import version
 from importlib.resources import files
@@ -26,6 +27,7 @@ from swarmgrasp.gui.telling import Telling
 from swarmgrasp.placement import Problem
 from swarmgrasp.scenario import Scenario, example_text, parse_scenario, scenario_text
 
+logger = logging.getLogger(__name__)
 CHEAP = 0.015
 """Seconds up to which a part is told in a gesture."""
 
@@ -79,9 +81,17 @@ class Studio(anywidget.AnyWidget):
                 message: Any = read_message(bytes(buffers[0]))
             else:
                 message = msgspec.convert(content, FromPage, strict=True)
-        except msgspec.DecodeError as error:
+        except (msgspec.DecodeError, RecursionError) as error:
             self._say(write_message(Error(None, f"Not understood: {error}")))
             return
+        try:
+            self._answer(message)
+        except Exception:  # a fault of ours: the page lives on
+            logger.exception("%s failed", type(message).__name__)
+            self._say(write_message(Error(getattr(message, "n", None), "This could not be done.")))
+
+    def _answer(self, message: Any) -> None:
+        """Answer what is understood."""
         if isinstance(message, Hello):
             self._say(write_message(self._welcome()))
         elif isinstance(message, Ask):

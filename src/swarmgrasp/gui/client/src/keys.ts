@@ -6,6 +6,7 @@ import type { Inspector } from "./inspect";
 import type { Menu } from "./menu";
 import type { Plan } from "./plan/plan";
 import type { Sheet } from "./sheet";
+import type { Store } from "./state";
 import type { Tools } from "./tools";
 
 export interface Parts {
@@ -33,9 +34,23 @@ export function hearKeys(context: Context, parts: Parts): void {
     key.preventDefault();
     run();
   });
-  target.addEventListener("keyup", () => {
-    if (store.seen.value?.moving === true && !parts.plan.hands.busy) store.settle();
-  });
+  settleAtRest(root.ownerDocument, store);
+}
+
+/** A gesture of keys rests when a key is let go, but for one beside a pointer that holds something. */
+function settleAtRest(page: Document, store: Store): void {
+  let held = false;
+  const rest = (): void => {
+    if (store.seen.value?.moving === true && !held) store.settle();
+  };
+  page.addEventListener("keyup", rest);
+  page.addEventListener("pointerdown", () => (held = true), { capture: true });
+  for (const kind of ["pointerup", "pointercancel"]) {
+    page.addEventListener(kind, () => {
+      held = false;
+      rest();
+    });
+  }
 }
 
 function typing(event: KeyboardEvent): boolean {

@@ -39,7 +39,7 @@ export class Spin {
     this.node.addEventListener("pointerdown", (event) => this.#down(event));
     this.node.addEventListener("pointermove", (event) => this.#move(event));
     this.node.addEventListener("pointerup", () => this.#up());
-    this.node.addEventListener("pointercancel", () => (this.#from = null));
+    this.node.addEventListener("pointercancel", () => this.#letGo());
     this.node.addEventListener("keydown", (event) => this.#key(event));
     this.node.addEventListener("keyup", () => this.#settle());
     this.node.addEventListener("blur", () => this.#settle());
@@ -89,12 +89,16 @@ export class Spin {
     this.#set(from.value + Math.round(pixels / PIXELS) * this.#options!.step, true);
   }
 
+  #letGo(): void {
+    if (this.#from?.moved === true) this.#options!.settle();
+    this.#from = null;
+  }
+
   #up(): void {
     const from = this.#from;
-    this.#from = null;
-    if (from === null) return;
-    if (from.moved) this.#options!.settle();
-    else if (this.#few) this.#next();
+    this.#letGo();
+    if (from === null || from.moved) return;
+    if (this.#few) this.#next();
     else this.#type(null);
   }
 
