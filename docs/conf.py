@@ -18,6 +18,7 @@ extensions = [
     "generated",
     "mathml",
     "signatures",
+    "wrapping",
 ]
 html_math_renderer = "mathml"
 myst_enable_extensions = ["dollarmath"]

@@ -56,6 +56,8 @@ ROOMS = (
     "capability",
 )
 """Rooms that come first, in the order of the theory."""
+NARROW = "\N{NO-BREAK SPACE}"
+"""Keeps a short value in one line."""
 CALLED = {"cli": "Command line", "gui": "The page in a browser", "plot": "Pictures"}
 
 
@@ -154,6 +156,7 @@ def tolerances(root: Path) -> str:
                 continue
             if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant):
                 about = " ".join(str(after.value.value).split()).replace("|", "\\|")
+                value = value.replace(" ", NARROW) if len(value) < 12 else value
                 entry = f"| `{target}` | `{value}` | `{where.as_posix()}` | {about} |"
                 rooms.setdefault(where.parts[0], []).append(entry)
     page = [
