@@ -21,6 +21,8 @@ export interface Parts {
   readonly showKeys: () => void;
 }
 
+const LET_GO = ["pointerup", "pointercancel"] as const;
+
 /** Hears keys on the widget's root. */
 export function hearKeys(context: Context, parts: Parts): void {
   const { root, store } = context;
@@ -34,23 +36,25 @@ export function hearKeys(context: Context, parts: Parts): void {
     key.preventDefault();
     run();
   });
-  settleAtRest(root.ownerDocument, store);
+  settleAtRest(target, root.ownerDocument, store);
 }
 
 /** A gesture of keys rests when a key is let go, but for one beside a pointer that holds something. */
-function settleAtRest(page: Document, store: Store): void {
+function settleAtRest(target: Document | HTMLElement, page: Document, store: Store): void {
   let held = false;
   const rest = (): void => {
     if (store.seen.value?.moving === true && !held) store.settle();
   };
-  page.addEventListener("keyup", rest);
-  page.addEventListener("pointerdown", () => (held = true), { capture: true });
-  for (const kind of ["pointerup", "pointercancel"]) {
-    page.addEventListener(kind, () => {
-      held = false;
-      rest();
-    });
-  }
+  const letGo = (): void => {
+    held = false;
+    for (const kind of LET_GO) page.removeEventListener(kind, letGo);
+    rest();
+  };
+  target.addEventListener("keyup", rest);
+  target.addEventListener("pointerdown", () => {
+    held = true;
+    for (const kind of LET_GO) page.addEventListener(kind, letGo);
+  }, { capture: true });
 }
 
 function typing(event: KeyboardEvent): boolean {
