@@ -19,7 +19,7 @@ export class Opening {
       clearTimeout(this.#timer);
       if (seen !== null && !seen.moving) this.#timer = window.setTimeout(() => this.#keep(), REST);
     });
-    window.addEventListener("pagehide", () => this.#keep());
+    if (storage !== null) window.addEventListener("pagehide", () => this.#keep());
   }
 
   /** Opens what the link holds, else the scene of that name; once, however often the line falls meanwhile. */
