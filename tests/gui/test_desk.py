@@ -2,6 +2,8 @@
 
 import asyncio
 import json
+from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, cast
 
 import msgspec
@@ -18,6 +20,12 @@ from swarmgrasp.gui.scenes import built_in, scene_of
 def asked() -> Ask:
     scene = scene_of(0, "deck-barge", built_in()["deck-barge"])
     return Ask(1, True, scene.doc, scene.speech, wants=("losses",))
+
+
+def run(play: Coroutine[Any, Any, None]) -> None:
+    """Play in a thread of its own: where browsers are tried, this one has a loop already."""
+    with ThreadPoolExecutor(1) as pool:
+        pool.submit(asyncio.run, play).result()
 
 
 class Reader:
@@ -59,7 +67,7 @@ def test_a_window_that_does_not_read_keeps_no_other_waiting(asked: Ask) -> None:
         await slow.hears(kind="done", n=2)
         desk.close()
 
-    asyncio.run(play())
+    run(play())
 
 
 def test_an_ask_of_which_all_parts_are_left_out_is_ended_all_the_same(asked: Ask) -> None:
@@ -73,7 +81,7 @@ def test_an_ask_of_which_all_parts_are_left_out_is_ended_all_the_same(asked: Ask
             await window.hears(kind="done", n=n)
         desk.close()
 
-    asyncio.run(play())
+    run(play())
 
 
 def _untold(frame: bytes, to: To) -> None:
@@ -120,4 +128,4 @@ def test_who_watches_slowly_is_told_all_anew_instead_of_every_change() -> None:
         assert len(slow.frames) == 3
         desk.close()
 
-    asyncio.run(play())
+    run(play())
