@@ -64,9 +64,13 @@ def test_a_row_points_at_its_robot_everywhere(one):
     assert one.page.locator(row).get_attribute("aria-pressed") == "true"
     one.click(row)
     assert one.page.locator(row).get_attribute("aria-pressed") == "false"
+    one.page.mouse.move(0, 0)
     one.focus(".robot[data-robot='Brimir']")
     assert is_marked(one, row)
     assert picture(one, "body") != before
+    one.press("h")  # other rows in another order
+    marked = one.page.locator(".bar-row[data-hovered]")
+    assert [one.text(".bar-row[data-hovered] .bar-name"), marked.count()] == ["Brimir", 1]
 
 
 def test_a_place_of_the_map_stands_in_the_plan(one):

@@ -20,8 +20,9 @@ export interface BarRow {
 export class Bars {
   readonly #pool: Pool<HTMLElement, BarRow>;
   readonly #why: HTMLElement;
+  #chosen: string | null = null;
 
-  constructor(body: HTMLElement, context: Context) {
+  constructor(body: HTMLElement, readonly context: Context) {
     const list = el("ul", { class: "bars" });
     this.#why = el("p", { class: "why" });
     body.replaceChildren(list, this.#why);
@@ -40,22 +41,27 @@ export class Bars {
       });
     }
     for (const kind of ["pointerleave", "focusout"]) list.addEventListener(kind, () => hover.set(null));
-    hover.listen((hovered) => {
-      const name = hovered?.kind === "robot" ? hovered.name : null;
-      for (const row of this.#pool.nodes) {
-        const button = row.firstElementChild!;
-        put(button, { "data-hovered": name !== null && button.getAttribute("data-name") === name });
-      }
-    });
+    hover.listen(() => this.#mark());
   }
 
   draw(rows: readonly BarRow[], chosen: string | null, why = ""): void {
+    this.#chosen = chosen;
     this.#pool.draw(rows);
+    this.#mark();
+    write(this.#why, why);
+  }
+
+  /** Marks the rows of who is chosen and of who is pointed at. */
+  #mark(): void {
+    const hovered = this.context.hover.value;
     for (const row of this.#pool.nodes) {
       const button = row.firstElementChild!;
-      put(button, { "aria-pressed": String(button.getAttribute("data-name") === chosen) });
+      const name = button.getAttribute("data-name");
+      put(button, {
+        "aria-pressed": String(name === this.#chosen),
+        "data-hovered": hovered?.kind === "robot" && hovered.name === name,
+      });
     }
-    write(this.#why, why);
   }
 }
 
