@@ -6,7 +6,7 @@ PARTS = ["mesh", "losses"]
 
 
 def windows(count: int) -> Turns:
-    turns = Turns(workers=2)
+    turns = Turns()
     for window in range(count):
         turns.join(window)
     return turns
@@ -49,21 +49,24 @@ def test_answers_of_all_come_before_any_part() -> None:
     assert len(told) == 60
 
 
-def test_a_place_is_kept_for_answers_while_parts_run() -> None:
-    """A long part of one window does not keep another from its answer."""
+def test_places_are_kept_for_answers_and_errands_while_parts_run() -> None:
+    """A long part of one window keeps another neither from its answer nor from opening a scene."""
     turns = windows(2)
     turns.ask(0, "ask", False, PARTS)
     end(turns, turns.next(0.0))
     part = turns.next(0.0)
     assert (part.kind, turns.next(0.0)) == ("mesh", None)
     turns.ask(1, "ask", False, PARTS)
-    job = turns.next(0.0)
+    turns.errand(1, "Open", "a scene")
+    job, errand = turns.next(0.0), turns.next(0.0)
     assert (job.window, job.kind) == (1, ANSWER)
+    assert (errand.window, errand.kind) == (1, "Open")
+    assert turns.next(0.0) is None
 
 
 def test_a_finer_part_that_is_cheap_takes_the_place_of_the_coarse_one() -> None:
     """At rest, once it is known what the finer one takes; one that was dear comes last."""
-    turns = Turns(workers=2, finer={"rose": "rose, fine"})
+    turns = Turns(finer={"rose": "rose, fine"})
     turns.join(0)
     for number, cost, kinds in (
         (1, 0.001, ["rose", "losses", "rose, fine"]),

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from swarmgrasp.gui.live import Live, To
 
 NOT_HERE = "This cannot be asked here."
-WORKERS = 2
-"""Jobs at once: more would only wait for each other."""
+WORKERS = 3
+"""Jobs at once: an answer, an errand and a part; more would only wait for each other."""
 logger = logging.getLogger(__name__)
 
 Send = Callable[[bytes], Awaitable[None]]

@@ -73,17 +73,19 @@ class Turns:
     Parameters
     ----------
     workers : int
-        Jobs at once, at least 2: one of them is kept for answers.
+        Jobs at once, at least 3: one of them is for errands alone, and one of the others is kept
+        for answers.
     finer : mapping of str to str, optional
         Parts that say the same more finely: at rest the finer one, where it was cheap, takes the
         place of the coarse one.
     """
 
-    def __init__(self, workers: int = 2, finer: Mapping[str, str] | None = None) -> None:
+    def __init__(self, workers: int = 3, finer: Mapping[str, str] | None = None) -> None:
         self.workers = workers
         self.finer = finer or {}
-        self.running = 0
+        self.asks_running = 0
         self.parts_running = 0
+        self.errands_running = 0
         self._windows: OrderedDict[int, _Window] = OrderedDict()
 
     # -- what happens ----------------------------------------------------------------------
@@ -126,8 +128,7 @@ class Turns:
         Its window has no other turn before it has taken what came of it: one that is slow to read
         keeps nobody else waiting.
         """
-        self.running -= 1
-        self.parts_running -= job.kind != ANSWER
+        self._count(job, -1)
         holder = self._windows.get(job.window)
         if holder is None or job.is_errand:
             return
@@ -156,15 +157,24 @@ class Turns:
 
     def next(self, now: float) -> Job | None:
         """Return the next job at a time [s]; None if none may begin."""
-        if self.running >= self.workers:
-            return None
-        job = self._answer()
-        if job is None and self.parts_running < self.workers - 1:
-            job = self._errand() or self._part(now)
+        job = None
+        if self.asks_running < self.workers - 1:
+            job = self._answer()
+            if job is None and self.parts_running < self.workers - 2:
+                job = self._part(now)
+        if job is None and not self.errands_running:
+            job = self._errand()
         if job is not None:
-            self.running += 1
-            self.parts_running += job.kind != ANSWER
+            self._count(job, 1)
         return job
+
+    def _count(self, job: Job, by: int) -> None:
+        """Count a job that begins, or is done."""
+        if job.is_errand:
+            self.errands_running += by
+        else:
+            self.asks_running += by
+            self.parts_running += by * (job.kind != ANSWER)
 
     def finished(self) -> list[tuple[int, Any]]:
         """Return the asks all of whose parts are told, once each, with their windows."""
