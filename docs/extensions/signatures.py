@@ -5,10 +5,15 @@ line, each is listed; and a property whose sentence has a colon keeps it.
 """
 
 import re
+from inspect import getdoc
+from itertools import takewhile
 from typing import Any
 
 from numpy.typing import ArrayLike
+from sphinx.addnodes import desc_signature
 from sphinx.application import Sphinx
+from sphinx.domains.python import PyAttribute, PyProperty
+from sphinx.domains.python._object import PyObject
 from sphinx.util.typing import stringify_annotation
 
 NUMBERS = re.compile(
@@ -16,6 +21,9 @@ NUMBERS = re.compile(
 )
 SEVERAL = re.compile(r"(?P<names>\w+(?:, \w+)+) : (?P<kind>.*)$")
 """Attributes, and what each of them is."""
+SHAPED = re.compile(r"(\([^)]*\)|float|int|tuple of \w+)( \[[^]]*\])?:")
+"""The shape or the kind, and the unit, with which a docstring begins."""
+COLON = "\uf8ff"  # of nobody's use
 
 
 def named(text: str | None) -> str | None:
@@ -42,20 +50,17 @@ def told_apart(lines: list[str]) -> list[str]:
     ['x : float [m]', '    Where.', 'y : float [m]', '    Where.']
     """
     found: list[str] = []
-    k = 0
-    while k < len(lines):
-        several = SEVERAL.match(lines[k])
-        below = len(lines)
-        if several:
-            following = range(k + 1, len(lines))
-            below = next((j for j in following if lines[j] and lines[j][0] != " "), len(lines))
-            names = several["names"].split(", ")
-            for name in names:
-                found += [f"{name} : {several['kind']}", *lines[k + 1 : below]]
-            k = below
-        else:
-            found.append(lines[k])
-            k += 1
+    rest = list(lines)
+    while rest:
+        line, *rest = rest
+        several = SEVERAL.match(line)
+        if several is None:
+            found.append(line)
+            continue
+        told = list(takewhile(lambda below: not below or below[0] == " ", rest))
+        rest = rest[len(told) :]
+        for name in several["names"].split(", "):
+            found += [f"{name} : {several['kind']}", *told]
     return found
 
 
@@ -64,12 +69,45 @@ def keep(_: Sphinx, what: str, *event: Any) -> None:
     lines = event[-1]
     if what == "class":
         lines[:] = told_apart(lines)
-    elif what in {"attribute", "data", "property"} and lines and ":" in lines[0]:
-        lines.insert(0, "")
+    elif what in {"attribute", "data", "property"} and lines and not SHAPED.match(lines[0]):
+        lines[0] = lines[0].replace(":", COLON)
+
+
+def restore(_: Sphinx, __: str, *event: Any) -> None:
+    """Give a docstring its colons back, in place."""
+    lines = event[-1]
+    lines[:] = [line.replace(COLON, ":") for line in lines]
+
+
+def is_alias(_: Sphinx, __: str, ___: str, shown: object, ____: bool, _____: Any) -> bool | None:
+    """Tell that a field of a named tuple is told with its class, and not once more."""
+    return True if (getdoc(shown) or "").startswith("Alias for field number") else None
+
+
+class _Named(PyObject):
+    """What has a type, with the names that the sources have."""
+
+    def handle_signature(self, sig: str, signode: desc_signature) -> tuple[str, str]:
+        """Name the type before it is written."""
+        if "type" in self.options:
+            self.options["type"] = named(self.options["type"])
+        return super().handle_signature(sig, signode)
+
+
+class Property(_Named, PyProperty):
+    """A property."""
+
+
+class Attribute(_Named, PyAttribute):
+    """An attribute."""
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register with Sphinx."""
     app.connect("autodoc-process-signature", rename)
     app.connect("autodoc-process-docstring", keep, priority=400)  # before Napoleon
+    app.connect("autodoc-process-docstring", restore, priority=600)
+    app.connect("autodoc-skip-member", is_alias)
+    app.add_directive_to_domain("py", "property", Property, override=True)
+    app.add_directive_to_domain("py", "attribute", Attribute, override=True)
     return {"parallel_read_safe": True}
