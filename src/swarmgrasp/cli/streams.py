@@ -4,15 +4,15 @@ from swarmgrasp.cli.amounts import Amount
 from swarmgrasp.cli.inputs import UsageFault, blaming
 from swarmgrasp.units import bearing
 
-FASTEST = 1e3
-"""That may be asked for [m/s]."""
 MOST_TURNED = 1e6
 """Largest bearing [deg]."""
 
 
 def speed_given(option: str, text: str) -> Amount:
     """Return the speed of wind or water that an option gives."""
-    return Amount(option, text, "speed", 0.0, FASTEST)
+    from swarmgrasp.environment.limits import SPEED
+
+    return Amount(option, text, "speed", SPEED.low, SPEED.high)
 
 
 def bearing_given(option: str, text: str, heading: float | None) -> float:
